@@ -5,6 +5,12 @@ target_compile_definitions(patina_received PRIVATE
   PATINA_TESTS_FOLDER="${CMAKE_CURRENT_SOURCE_DIR}" PATINA_RECEIVED_FOLDER="${CMAKE_BINARY_DIR}/received"
   PATINA_PROGRAM="$<TARGET_FILE:patina_cli>")
 
+# The files of 'patina env', read back.
+add_executable(env_test cli/env_test.cpp)
+target_link_libraries(env_test PRIVATE patina_received patina_pictures)
+add_dependencies(env_test patina_cli patina_import)
+add_test(NAME env_test COMMAND env_test)
+
 foreach(name IN ITEMS diagnostics graphs docs)
   add_executable(${name}_test ${name}/${name}_test.cpp)
   target_link_libraries(${name}_test PRIVATE patina_received)

@@ -7,6 +7,7 @@
 #include <set>
 #include <tuple>
 
+#include "compiler/base/near_file.h"
 #include "compiler/base/text.h"
 
 namespace patina {
@@ -205,6 +206,10 @@ Diagnostic diagnostic_at(const ScenePlace& place, std::string code, std::string 
 std::string suggestion(std::string_view word, const std::vector<std::string>& known) {
     const std::vector<std::string_view> views(known.begin(), known.end());
     return Diagnostics::suggestion(word, views);
+}
+
+std::string file_suggestion(const std::string& path) {
+    return near_file(path);
 }
 
 std::string to_json(const Diagnostic& diagnostic) {

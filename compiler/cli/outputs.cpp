@@ -53,6 +53,17 @@ bool Outputs::write(const std::string& source, const OutputFiles& files, std::sp
     return error.empty();
 }
 
+bool Outputs::is_possible(const std::string& path) const {
+    if (path == kStandardOutput) return true;
+    if (const std::string error = runtime::obstacle_to(path); !error.empty()) {
+        complain(console_, Complaint::CannotWrite, {error});
+        return false;
+    }
+    const std::string snapshot = snapshot_of(destination_of(path).path);
+    if (!snapshot.empty()) complain(console_, Complaint::ReferencePicture, {path, snapshot});
+    return snapshot.empty();
+}
+
 bool Outputs::take(const std::string& source, const std::string& path, std::span<const std::string> inputs) {
     const Destination to = destination_of(path);
     if (to.kind != Destination::Kind::File) return true;

@@ -36,6 +36,9 @@ public:
     // from, for messages. `inputs`: files that it was made from.
     bool write(const std::string& source, const OutputFiles& files, std::span<const std::string> inputs = {});
 
+    // False: a file of this name cannot be written, and it has complained. For work that takes a while: ask before it.
+    bool is_possible(const std::string& path) const;
+
 private:
     struct Written {
         std::string source, path;

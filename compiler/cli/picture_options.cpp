@@ -31,8 +31,9 @@ void add_size_options(CLI::App& command, runtime::RenderRequest& request) {
 void add_background_option(CLI::App& command, runtime::RenderRequest& request) {
     command
         .add_option("--background", request.background,
-                    "What is behind everything: a colour, or none, which is transparent; default: dark grey")
-        ->type_name("COLOR");
+                    "What is behind everything: the surroundings, the same out of focus, a colour, or none, which is "
+                    "transparent; default: dark grey")
+        ->type_name("env|blur|COLOR|none");
 }
 
 }  // namespace

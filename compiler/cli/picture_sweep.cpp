@@ -162,7 +162,7 @@ private:
         if (!drawn.ok && has_all_models_ && !drawn.missing_machine &&
             (fitting.empty() || fitting.back() != values[0])) {
             if (made_.left_out.empty()) first_refused = drawn;
-            made_.left_out.push_back(fmt::format("{} ({})", values[0], why(drawn)));
+            made_.left_out.push_back({values[0], why(drawn, values[0])});
             return true;
         }
         if (fitting.empty() || fitting.back() != values[0]) fitting.push_back(values[0]);
@@ -170,10 +170,18 @@ private:
         return made_.drawn.ok;
     }
 
-    static std::string why(const runtime::RenderOutcome& drawn) {
-        for (const Diagnostic& each : drawn.diagnostics)
-            if (each.severity == Severity::Error) return each.message;
-        return drawn.error;
+    // Without the model's name, so that equal reasons are equal.
+    static std::string why(const runtime::RenderOutcome& drawn, const std::string& model) {
+        std::string reason = drawn.error;
+        for (const Diagnostic& each : drawn.diagnostics) {
+            if (each.severity != Severity::Error) continue;
+            reason = each.message;
+            break;
+        }
+        const std::string name = "the lighting model '" + model + "'";
+        if (const std::size_t at = reason.find(name); at != reason.npos)
+            reason.replace(at, name.size(), "the lighting model");
+        return reason;
     }
 
     void take(runtime::RenderOutcome drawn) {
@@ -260,6 +268,19 @@ void read_sweep(Sweep& sweep, runtime::RenderRequest& request) {
         throw CLI::ValidationError("--sweep",
                                    "a sheet has rows and columns: at most two of --sweep, and --lighting "
                                    "with several models counts as one");
+}
+
+std::vector<std::string> lines_of(const std::vector<LeftOut>& left_out) {
+    std::vector<std::pair<std::string, std::vector<std::string>>> groups;  // by reason
+    for (const LeftOut& each : left_out) {
+        auto group = std::ranges::find_if(groups, [&](const auto& g) { return g.first == each.why; });
+        if (group == groups.end()) group = groups.insert(groups.end(), {each.why, {}});
+        group->second.push_back(each.model);
+    }
+    std::vector<std::string> lines;
+    for (const auto& [why, models] : groups)
+        lines.push_back(fmt::format("{} {} not fit: {}", fmt::join(models, ", "), models.size() == 1 ? "does" : "do", why));
+    return lines;
 }
 
 SheetOutcome render_sheet(const Compiler& compiler, const runtime::RenderRequest& request, const Sweep& sweep,

@@ -32,10 +32,17 @@ void add_sweep_options(CLI::App& command, Sweep& sweep);
 // Finds the axes; a single model goes into the request. Throws the usage error.
 void read_sweep(Sweep& sweep, runtime::RenderRequest& request);
 
+// A lighting model that does not fit.
+struct LeftOut {
+    std::string model, why;
+};
+// A line for each reason: "lambert and phong do not fit: ...".
+std::vector<std::string> lines_of(const std::vector<LeftOut>& left_out);
+
 // All pictures on one sheet, with their tone. The outcome's `values` are of all of them.
 struct SheetOutcome {
     runtime::RenderOutcome drawn{};
-    std::vector<std::string> left_out{};  // of all lighting models: "gltf (why it does not fit)"
+    std::vector<LeftOut> left_out{};  // of all lighting models
 };
 SheetOutcome render_sheet(const Compiler& compiler, const runtime::RenderRequest& request, const Sweep& sweep,
                           const runtime::Tone& tone, runtime::RenderMachine& machine);

@@ -185,9 +185,10 @@ constexpr std::array kScene = {
         "the surroundings: studio, none to reflect the ambient light, or a picture: its file, or file, rotation and "
         "intensity",
         ObjectKind::Environment},
+    KeyInfo{"probes", "reflection probes: what objects near them reflect instead of the environment", ObjectKind::Probe},
     KeyInfo{"fog", "the fog", ObjectKind::Fog},
     KeyInfo{"mixedLighting", "the combination of real-time shadows and baked light", ObjectKind::MixedLighting},
-    KeyInfo{"background", "the background colour"},
+    KeyInfo{"background", "what is behind everything: a colour, env (the surroundings), or blur (the same out of focus)"},
     KeyInfo{"time", "the value of @time, in seconds"},
     KeyInfo{"pixelLightCount", "the number of lights that an additive path computes per pixel, 0 to 16; default: 4"},
     KeyInfo{"lights", "the lights, at most 16", ObjectKind::Light},
@@ -211,6 +212,21 @@ constexpr std::array kEnvironment = {
             ObjectKind::Free, true},
     KeyInfo{"rotation", "degrees about the y axis, counter-clockwise seen from above; default: 0"},
     KeyInfo{"intensity", "the factor of its light; default: 1"},
+};
+
+constexpr std::array kProbe = {
+    KeyInfo{"environment", "the picture around its position: its file, or file, rotation and intensity",
+            ObjectKind::Environment, true},
+    KeyInfo{"position", "where the picture was taken, in metres: [x, y, z], inside the box; default: its middle"},
+    KeyInfo{"box", "where objects reflect it", ObjectKind::ProbeBox, true},
+    KeyInfo{"blend", "the metres outside of the box over which it fades; default: 0"},
+    KeyInfo{"boxProjection", "true: what the picture shows is at the walls of the box; false: far away; default: true"},
+    KeyInfo{"importance", "a number from 0 to 1000: of two probes, the more important one hides the other; default: 1"},
+};
+
+constexpr std::array kProbeBox = {
+    KeyInfo{"min", "the corner with the smallest coordinates, in metres: [x, y, z]", ObjectKind::Free, true},
+    KeyInfo{"max", "the corner with the largest coordinates", ObjectKind::Free, true},
 };
 
 constexpr std::array kAmbient = {
@@ -363,6 +379,8 @@ std::span<const KeyInfo> keys_of(ObjectKind kind) {
         case ObjectKind::Camera: return kCamera;
         case ObjectKind::Ambient: return kAmbient;
         case ObjectKind::Environment: return kEnvironment;
+        case ObjectKind::Probe: return kProbe;
+        case ObjectKind::ProbeBox: return kProbeBox;
         case ObjectKind::Fog: return kFog;
         case ObjectKind::MixedLighting: return kMixedLighting;
         case ObjectKind::Light: return kLight;
@@ -407,6 +425,8 @@ std::string_view describe(ObjectKind kind) {
         case ObjectKind::Camera: return "a camera";
         case ObjectKind::Ambient: return "ambient light";
         case ObjectKind::Environment: return "an environment";
+        case ObjectKind::Probe: return "a probe";
+        case ObjectKind::ProbeBox: return "the box of a probe";
         case ObjectKind::Fog: return "fog";
         case ObjectKind::MixedLighting: return "mixed lighting";
         case ObjectKind::Light: return "a light";

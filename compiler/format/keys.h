@@ -30,6 +30,8 @@ enum class ObjectKind {
     Camera,
     Ambient,
     Environment,
+    Probe,
+    ProbeBox,
     Fog,
     MixedLighting,
     Light,

@@ -208,7 +208,7 @@ void read_sampler(Reading& reading, const Json& json, Sampler& sampler) {
 // "grid": [4, 2]: the picture holds 2 rows of 4 layers.
 void read_grid(Reading& reading, const Json& json, Property& property) {
     if (json.kind != Json::Kind::Array || json.elements.size() != 2) {
-        report_type(reading, json, "'grid'", "an array of 2 numbers: columns and rows");
+        report_type(reading, json, "'grid'", "[columns, rows] of its layers in the picture, such as [4, 2]");
         return;
     }
     for (std::size_t i = 0; i < 2; ++i) {

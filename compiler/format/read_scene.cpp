@@ -10,7 +10,7 @@
 namespace patina::graph {
 namespace {
 
-// --- camera and surroundings
+// --- the camera
 
 bool is_same_point(const SceneVector& a, const SceneVector& b) {
     return std::equal(a.begin(), a.end(), b.begin(),
@@ -46,106 +46,6 @@ SceneCamera read_camera(Reading& reading, const Json& json) {
         }
     }
     return camera;
-}
-
-// Nothing: the scene has the studio's ambient light.
-std::optional<SceneAmbient> read_ambient(Reading& reading, const Json& json) {
-    if (json.kind == Json::Kind::Object) {
-        SceneAmbient ambient;
-        check_keys(reading, json, ObjectKind::Ambient);
-        const auto read = [&](std::string_view key, std::optional<SceneVector>& target) {
-            if (json.find(key)) read_color(reading, json, key, target.emplace());
-        };
-        read("sky", ambient.sky);
-        read("horizon", ambient.horizon);
-        read("ground", ambient.ground);
-        if (!ambient.sky && !ambient.horizon && !ambient.ground) {
-            reading.diagnostics.report(Code::MissingKey, opening(json), describe(ObjectKind::Ambient),
-                                       "sky', 'horizon' or 'ground");
-        }
-        return ambient;
-    }
-    if (json.kind == Json::Kind::String && !json.string.starts_with('#')) {
-        // The words are those of "environment".
-        const auto named = read_word<SceneEnvironment>(reading, json, "ambient", "ambient light");
-        if (named == SceneEnvironment::Studio) return std::nullopt;
-        return SceneAmbient{.horizon = SceneVector{}};
-    }
-    const std::optional<std::array<double, 4>> color = read_scene_color(reading, json, "ambient");
-    if (!color) return std::nullopt;
-    return SceneAmbient{.horizon = SceneVector{(*color)[0], (*color)[1], (*color)[2]}};
-}
-
-// A text with a dot or a slash is a file; another one is a word.
-void read_environment(SceneReading& reading, const Json& json, SceneFile& scene) {
-    const bool is_text = json.kind == Json::Kind::String;
-    if (is_text && json.string.find_first_of("./\\") == std::string::npos) {
-        scene.environment = read_word<SceneEnvironment>(reading, json, "environment", "an environment")
-                                .value_or(SceneEnvironment::Studio);
-        return;
-    }
-    ScenePicture& picture = scene.picture.emplace();
-    if (is_text) {
-        picture.file = read_file_name(reading, json, "'environment'");
-        return;
-    }
-    if (!expect(reading, json, Json::Kind::Object, "'environment'")) return;
-    check_keys(reading, json, ObjectKind::Environment);
-    if (const Json* file = json.find("file")) picture.file = read_file_name(reading, *file, "'file'");
-    read_number(reading, json, "rotation", -1e5, 1e5, picture.rotation);
-    read_number(reading, json, "intensity", 0, kFarthest, picture.intensity);
-}
-
-std::optional<SceneFog> read_fog(Reading& reading, const Json& json) {
-    if (!expect(reading, json, Json::Kind::Object, "'fog'")) return std::nullopt;
-    SceneFog fog;
-    check_keys(reading, json, ObjectKind::Fog);
-    const Json* mode = json.find("mode");
-    const std::optional<FogMode> known = mode ? read_word<FogMode>(reading, *mode, "mode", "a fog mode") : std::nullopt;
-    if (!known) return fog;
-    fog.mode = *known;
-    const std::string what = fmt::format("fog of mode {}", to_string(fog.mode));
-    if (fog.mode == FogMode::Linear) {
-        refuse_key(reading, json, "density", what, "the modes exp and exp2");
-    } else {
-        for (const std::string_view key : {"start", "end"}) refuse_key(reading, json, key, what, "the mode linear");
-    }
-    read_color(reading, json, "color", fog.color);
-    read_number(reading, json, "density", 0, kFarthest, fog.density);
-    read_number(reading, json, "start", -kFarthest, kFarthest, fog.start);
-    read_number(reading, json, "end", -kFarthest, kFarthest, fog.end);
-    if (static_cast<float>(fog.start) >= static_cast<float>(fog.end)) {
-        report_impossible(
-            reading, json, json.find("end") ? "end" : "start",
-            json.find("end") ? "greater than 'start'" : fmt::format("less than 'end', which is {}", fog.end));
-    }
-    return fog;
-}
-
-SceneMixedLighting read_mixed_lighting(Reading& reading, const Json& json) {
-    SceneMixedLighting mixed;
-    if (!expect(reading, json, Json::Kind::Object, "'mixedLighting'")) return mixed;
-    check_keys(reading, json, ObjectKind::MixedLighting);
-    const Json* mode = json.find("mode");
-    const std::optional<LightMixing> known =
-        mode ? read_word<LightMixing>(reading, *mode, "mode", "a mode of mixed lighting") : std::nullopt;
-    if (!known) return mixed;
-    mixed.mode = *known;
-    if (mixed.mode != LightMixing::Subtractive) {
-        refuse_key(reading, json, "shadowColor", fmt::format("mixed lighting of mode {}", to_string(mixed.mode)),
-                   "the mode subtractive");
-    }
-    read_color(reading, json, "shadowColor", mixed.shadow_color);
-    double distance = 0, fade = 0;
-    if (read_number(reading, json, "shadowDistance", 1e-3, kFarthest, distance)) mixed.shadow_distance = distance;
-    if (read_number(reading, json, "shadowFade", 1e-3, kFarthest, fade)) mixed.shadow_fade = fade;
-    if (!mixed.shadow_fade) return mixed;
-    if (!json.find("shadowDistance")) {
-        report_impossible(reading, json, "shadowFade", "set together with 'shadowDistance'");
-    } else if (mixed.shadow_distance && fade > distance) {
-        report_impossible(reading, json, "shadowFade", fmt::format("at most 'shadowDistance', which is {}", distance));
-    }
-    return mixed;
 }
 
 // --- materials
@@ -338,15 +238,7 @@ SceneFile read_scene(const Reading& given, const Json& json, const std::string& 
     for (const std::string_view key : {"$schema", "help"}) (void)read_text(reading, json, key);
     if (std::string said = read_text(reading, json, "name"); !said.empty()) scene.name = std::move(said);
     if (const Json* camera = json.find("camera")) scene.camera = read_camera(reading, *camera);
-    if (const Json* ambient = json.find("ambient")) scene.ambient = read_ambient(reading, *ambient);
-    if (scene.ambient) scene.environment = SceneEnvironment::None;
-    scene.has_studio_ambient = json.find("ambient") && !scene.ambient;
-    if (const Json* environment = json.find("environment")) read_environment(reading, *environment, scene);
-    if (const Json* fog = json.find("fog")) scene.fog = read_fog(reading, *fog);
-    if (const Json* mixed = json.find("mixedLighting")) scene.mixed_lighting = read_mixed_lighting(reading, *mixed);
-    if (const Json* color = json.find("background")) {
-        scene.background = read_scene_color(reading, *color, "background", true);
-    }
+    read_surroundings(reading, json, scene);
     read_number(reading, json, "time", -FLT_MAX, FLT_MAX, scene.time);
     if (const Json* count = json.find("pixelLightCount")) {
         scene.pixel_light_count =

@@ -31,6 +31,9 @@ SceneFileName read_file_name(SceneReading& reading, const Json& json, std::strin
 
 void report_impossible(Reading& reading, const Json& object, std::string_view key, std::string_view wanted);
 
+// --- read_scene_surroundings.cpp
+void read_surroundings(SceneReading& reading, const Json& json, SceneFile& scene);
+
 // --- read_scene_lights.cpp
 std::vector<SceneLight> read_lights(SceneReading& reading, const Json& array);
 

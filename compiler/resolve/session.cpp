@@ -7,6 +7,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "compiler/base/near_file.h"
 #include "compiler/json/json.h"
 #include "compiler/nodelang/parse.h"
 #include "compiler/resolve/check_graph.h"
@@ -95,11 +96,28 @@ void report_not_found(Session& session, const std::string& name, const std::stri
     }
 }
 
+namespace {
+
+// `why`: the reason of the system; empty: there is no file.
+void report_unread(Session& session, const std::string& path, Span where, const std::string& why) {
+    std::error_code ignored;
+    const bool is_there = !session.options.loader && std::filesystem::exists(path, ignored);
+    if (is_there && !why.empty()) {
+        session.diagnostics.report(Code::CannotRead, where, path, why);
+        return;
+    }
+    DiagnosticRecord& record = session.diagnostics.report(Code::MissingFile, where, path);
+    const std::string advice = session.options.loader ? std::string() : near_file(path);
+    if (!advice.empty()) record.note(advice);
+}
+
+}  // namespace
+
 std::optional<std::uint32_t> load_source(Session& session, const std::string& path, Span where) {
-    std::string why = "there is no such file";
+    std::string why;
     std::optional<std::string> text = session.options.loader ? loaded(session, path) : read_text(path, why);
     if (!text) {
-        session.diagnostics.report(Code::CannotRead, where, path, why);
+        report_unread(session, path, where, why);
         return {};
     }
     if (text->size() > kMaxJsonBytes) {

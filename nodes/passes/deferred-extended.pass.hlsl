@@ -75,6 +75,7 @@ float4 extendedLocal(float2 uv = screenUV, float3 position = positionWS) {
 }
 
 [pass("extended-reflections")] [fragment] [draws("fullscreen")] [lights("none")] [optional]
+[excludes("reflectionProbes")]
 [needs("reflected", "addedIndirect", "packSurface")]
 [holds("diffuseColor", "f0", "roughness", "normalWS", "occlusion", "packSurface")]
 [cull("off")] [depth("always", "keep")] [stencil("equal", "keep", "lighting")] [blend("one", "one")]

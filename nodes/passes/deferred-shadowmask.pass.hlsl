@@ -50,6 +50,7 @@ float4 shadowMaskLocal(float2 uv = screenUV, float3 position = positionWS) {
 }
 
 [pass("shadowmask-reflections")] [fragment] [draws("fullscreen")] [lights("none")] [optional]
+[excludes("reflectionProbes")]
 [needs("reflected", "addedIndirect")] [holds("diffuseColor", "f0", "roughness", "normalWS", "occlusion")]
 [cull("off")] [depth("always", "keep")] [stencil("equal", "keep", "lighting")] [blend("one", "one")]
 float4 shadowMaskReflections(float2 uv = screenUV, float3 position = positionWS) {

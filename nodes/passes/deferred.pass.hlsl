@@ -119,7 +119,9 @@ float4 deferredLocal(float2 uv = screenUV, float3 position = positionWS) {
     return float4(fadedByFog(addedByLight(told(uv), position), position), 0);
 }
 
+// Reflections of probes, which belong to objects, are in the G-buffer.
 [pass("deferred-reflections")] [fragment] [draws("fullscreen")] [lights("none")] [optional]
+[excludes("reflectionProbes")]
 [needs("reflected", "addedIndirect")] [holds("diffuseColor", "f0", "roughness", "normalWS", "occlusion")]
 [cull("off")] [depth("always", "keep")] [stencil("equal", "keep", "lighting")] [blend("one", "one")]
 float4 deferredReflections(float2 uv = screenUV, float3 position = positionWS) {

@@ -29,6 +29,13 @@ float3 ambientOrBaked(float3 normal, float3 light = lightOfLightmap, float left 
     return AmbientIrradiance(normal);
 }
 
+[gives("EnvironmentRadiance", "forward", "forward-base", "directional-base", "vertex", "gbuffer", "gbuffer-extended",
+       "gbuffer-ldr", "gbuffer-shadowmask")]
+float3 radianceNearby(float3 direction, float roughness, float3 position = positionWS) {
+    if (reflectionProbes) { return radianceOfProbes(direction, roughness, position); }
+    return EnvironmentRadiance(direction, roughness);
+}
+
 [gives("shadow", "forward", "forward-base", "forward-add", "directional-base", "directional-add")]
 [fragment]
 float shadowWithMask(int index, float3 position, float4 mask = shadowsOfLightmap) {

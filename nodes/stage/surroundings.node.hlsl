@@ -11,6 +11,16 @@ const float ENVIRONMENT_STEPS = 5;  // level of the map for a roughness of 1
 // scale of f0, green: offset
 [extern] Texture2D splitSumTable;
 
+/// Objects reflect the probes near them instead of the environment.
+[switch] bool reflectionProbes;
+[extern] [with("reflectionProbes")] TextureCube probeMap;  // of the object's first probe. environmentMap is then that
+                                                             // of the second one, or what is around
+[extern("Ambient")] [with("reflectionProbes")] float4 probeCenter[2];  // xyz: where each map was taken; w: 1 if what it
+                                                                        // shows is at the walls of its box, 0 if far away
+[extern("Ambient")] [with("reflectionProbes")] float4 probeBoxMin[2];  // xyz: corners of its box
+[extern("Ambient")] [with("reflectionProbes")] float4 probeBoxMax[2];
+[extern("Ambient")] [with("reflectionProbes")] float probeShare;        // of the first probe, 0 to 1
+
 /// Ambient irradiance divided by pi: a diffuse colour times it is radiance.
 ///
 /// source: Ramamoorthi & Hanrahan, "An Efficient Representation for Irradiance Environment Maps", SIGGRAPH 2001
@@ -55,4 +65,22 @@ void SplitSumTable(
     float2 share = splitSumShare(saturate(roughness), saturate(ndotv));
     scale = share.x;
     offset = share.y;
+}
+
+/// Where to look in the map of a probe. A point outside of its box counts as on the nearest wall.
+float3 directionInProbe(int probe, float3 direction, float3 position) {
+    float3 low = probeBoxMin[probe].xyz;
+    float3 high = probeBoxMax[probe].xyz;
+    float3 corrected = BoxProjectedDirection(direction, clamp(position, low, high), probeCenter[probe].xyz, low, high);
+    return probeCenter[probe].w > 0 ? corrected : direction;
+}
+
+/// EnvironmentRadiance of the probes near an object.
+///
+/// source: Lagarde and Zanuttini, "Local Image-based Lighting With Parallax-corrected Cubemaps", SIGGRAPH 2012
+float3 radianceOfProbes(float3 direction, float roughness, float3 position) {
+    float level = MipFromRoughness(saturate(roughness), ENVIRONMENT_STEPS);
+    float3 first = probeMap.SampleLevel(directionInProbe(0, direction, position), level).rgb;
+    float3 second = environmentMap.SampleLevel(directionInProbe(1, direction, position), level).rgb;
+    return lerp(second, first, probeShare);
 }

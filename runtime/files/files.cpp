@@ -14,6 +14,8 @@
 #include <filesystem>
 #include <vector>
 
+#include "patina/patina.h"
+
 namespace patina::runtime {
 namespace {
 
@@ -23,6 +25,11 @@ constexpr int kMostLinks = 40;  // as many as Linux follows
 
 std::string cannot_write(const std::string& path, const std::string& why) {
     return "cannot write '" + path + "': " + why;
+}
+
+// The folder of a file.
+std::string cannot_make(const std::string& path, const std::string& why) {
+    return "cannot make the folder '" + fs::path(path).parent_path().string() + "': " + why;
 }
 
 // "/proc/self/fd/1" is 1, which is -1 for what is not a descriptor of this process.
@@ -129,7 +136,7 @@ private:
         folders_.insert(folders_.end(), missing.rbegin(), missing.rend());
         fs::create_directories(folder, failure);
         if (!failure) return "";
-        return "cannot make the folder '" + fs::path(file.path).parent_path().string() + "': " + failure.message();
+        return cannot_make(file.path, failure.message());
     }
 
     // A new file next to the destination, so that it can be renamed. The name is short: that of the destination may
@@ -182,6 +189,31 @@ Destination destination_of(const std::string& path) {
         at = folder / target;  // which is the target alone if that is absolute
     }
     return {.path = path, .error = std::strerror(ELOOP)};
+}
+
+std::string obstacle_to(const std::string& path) {
+    const Destination to = destination_of(path);
+    if (!to.error.empty()) return cannot_write(path, to.error);
+    if (to.kind == Destination::Kind::Folder) return cannot_write(path, "it is a folder");
+    if (to.kind != Destination::Kind::File) return "";
+    std::error_code failure;
+    if (fs::exists(to.path, failure) && ::access(to.path.c_str(), W_OK) != 0)
+        return cannot_write(path, std::strerror(errno));
+    const fs::path folder = fs::path(to.path).parent_path();
+    fs::path there = folder;
+    while (!fs::exists(there, failure) && there.has_relative_path()) there = there.parent_path();
+    const bool is_folder = fs::is_directory(there, failure);
+    if (is_folder && ::access(there.c_str(), W_OK | X_OK) == 0) return "";
+    const std::string why = std::strerror(is_folder ? errno : ENOTDIR);
+    return there == folder && is_folder ? cannot_write(path, why) : cannot_make(path, why);
+}
+
+std::string no_file(const std::string& path) {
+    std::error_code ignored;
+    if (fs::is_directory(path, ignored)) return "cannot read '" + path + "': it is a folder";
+    if (fs::is_regular_file(path, ignored)) return "";
+    const std::string advice = file_suggestion(path);
+    return "there is no file '" + path + "'" + (advice.empty() ? "" : ": " + advice);
 }
 
 std::string write_files(std::span<const OutputFile> files) {

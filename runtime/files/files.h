@@ -34,6 +34,13 @@ struct Destination {
 };
 Destination destination_of(const std::string& path);
 
+// What would be in the way of writing a file there, as write_files() would say it; empty: nothing that can be seen now.
+std::string obstacle_to(const std::string& path);
+
+// Nothing, or why no file can be read there: "there is no file 'sizi.glb': did you mean 'suzi.glb'?", "cannot read
+// 'out': it is a folder".
+std::string no_file(const std::string& path);
+
 // Makes missing folders and writes everything, or nothing. Returns nothing, or what is wrong: "cannot write 'x': ...".
 std::string write_files(std::span<const OutputFile> files);
 std::string write_file(const std::string& path, std::string bytes);

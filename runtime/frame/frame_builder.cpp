@@ -27,6 +27,12 @@ glm::vec4 lightmap_decode(LightmapEncoding encoding) {
     return {1, 1, 0, 0};
 }
 
+// Whose map the texture of the engine is; null: it is what is around, or something else.
+const Probe* probe_of(std::string_view texture, const ProbeChoice& probes) {
+    if (texture == "probeMap") return probes.first;
+    return texture == "environmentMap" ? probes.second : nullptr;
+}
+
 std::shared_ptr<const TextureData> white_texture() {
     static const auto kWhite =
         std::make_shared<const TextureData>(TextureData{.levels = mip_chain(default_texture("white")), .sampler = {}});
@@ -148,8 +154,12 @@ std::span<const LoadedTexture> FrameBuilder::textures_of(const PlannedStep& step
     const DrawnMaterial& material = materials_[step.material];
     std::vector<LoadedTexture> bound;
     for (const Texture& texture : material.reflection->textures) {
-        if (texture.is_material || !texture.reads.empty() || texture.dimension != TextureDimension::Flat) continue;
-        if (!reads_texture(*step.pass, texture)) continue;
+        if (texture.is_material || !texture.reads.empty() || !reads_texture(*step.pass, texture)) continue;
+        if (const Probe* probe = probe_of(texture.name, step.seen.probes))
+            bound.push_back({.name = texture.name,
+                             .data = probe->environment->map(),
+                             .dimension = TextureDimension::Cube});
+        if (texture.dimension != TextureDimension::Flat) continue;
         const Light* cookie = texture.name == "lightCookie" ? cookie_light(step.seen.lights) : nullptr;
         if (has_own(step, texture.name))
             bound.push_back(*find_texture(options_.object_textures[*step.object], texture.name));

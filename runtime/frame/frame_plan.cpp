@@ -12,6 +12,7 @@
 #include "runtime/frame/plan_check.h"
 #include "runtime/lights/light_split.h"
 #include "runtime/lights/light_volume.h"
+#include "runtime/lights/probe_choice.h"
 
 namespace patina::runtime {
 namespace {
@@ -62,6 +63,11 @@ bool reads_own_targets(const Passes& passes, const std::vector<Texture>& texture
     return false;
 }
 
+const Mesh& screen_mesh() {
+    static const Mesh kScreen = make_fullscreen();
+    return kScreen;
+}
+
 struct PlannedObject {
     std::size_t index = 0;  // in the world
     Passes passes{};        // one of groups_of()
@@ -89,6 +95,7 @@ public:
         find_shadow_maps();
         if (error_.empty()) error_ = builder_.make_targets(used_, !shadow_maps_.empty());
         if (error_.empty()) {
+            draw_background();
             draw_shadow_maps();
             draw_added(Phase::Before);
             for (Phase phase : {Phase::Wanted, Phase::OtherPath}) draw_opaque(phase);
@@ -110,6 +117,7 @@ private:
     std::vector<std::vector<SeenInstance>> draws_of(std::size_t object) const;
     void place_objects();
     void find_shadow_maps();
+    void draw_background();
     void draw_shadow_maps();
     void draw_opaque(Phase phase);
     void draw_added(Phase phase);
@@ -187,6 +195,7 @@ void Planner::place_objects() {
         }
         used.insert(object.material);
     }
+    if (options_.background) used.insert(*options_.background);
     used_.assign(used.begin(), used.end());
 }
 
@@ -228,6 +237,13 @@ void Planner::find_shadow_maps() {
                 : directional_shadow(light, objects, view_, scene_.mixed_lighting.shadow_distance, tile));
         shadow_lights_.push_back(i);
     }
+}
+
+void Planner::draw_background() {
+    if (!options_.background) return;
+    for (const Pass& pass : reflection_of(*options_.background).passes)
+        builder_.add(
+            {.material = *options_.background, .pass = &pass, .mesh = &screen_mesh(), .seen = seen_with({})});
 }
 
 void Planner::draw_shadow_maps() {
@@ -352,6 +368,7 @@ void Planner::draw_object(const PlannedObject& object, const Pass& pass, Phase p
         EngineScene seen = seen_with(lights);
         seen.object_to_world = object.object_to_world;
         seen.instances = object.instances;
+        seen.probes = choose_probes(scene_.probes, object.bounds.center);
         if (pass.lights == PassLights::Main) {
             for (std::size_t i : object.split.vertex)
                 seen.vertex_lights.push_back({.light = &scene_.lights[i], .index = i});
@@ -381,7 +398,6 @@ void Planner::draw_volume(PlannedStep step, const Light& light) {
 
 // The pass of this name where it draws no object: once for each group of the materials.
 void Planner::draw_lighting(const std::vector<std::size_t>& materials, const std::string& name, Phase phase) {
-    static const Mesh kScreen = make_fullscreen();
     for (std::size_t material : materials) {
         const std::vector<Pass>& passes = reflection_of(material).passes;
         const auto pass = std::find_if(passes.begin(), passes.end(), [&](const Pass& p) { return p.name == name; });
@@ -391,7 +407,7 @@ void Planner::draw_lighting(const std::vector<std::size_t>& materials, const std
             group ? fmt::format("{}\n{}", name, group) : "\n" + lighting_key(materials_, material, *pass);
         if (!drawn_.insert(key).second) continue;
 
-        PlannedStep step{.material = material, .pass = &*pass, .mesh = &kScreen, .group = group};
+        PlannedStep step{.material = material, .pass = &*pass, .mesh = &screen_mesh(), .group = group};
         const std::vector<std::size_t> lights = lights_for(*pass, nullptr);
         if (pass->each == PassEach::Once && pass->draws == PassDraws::Fullscreen) {
             step.seen = seen_with(lights);

@@ -3,6 +3,7 @@
 // contains no names of passes or paths. It reads no files: materials are compiled and textures loaded before.
 //
 // The order:
+//   0. the background, if it is a picture
 //   1. shadow maps: passes that draw from lights, over all objects that have such a pass
 //   2. passes that materials add with a lower queue than their own, by queue
 //   3. opaque objects of the requested path: pass by pass in the order of the reflection; in each, objects by queue,
@@ -48,6 +49,7 @@ struct FrameOptions {
     int shadow_atlas_size = 2048;  // texels along a side; even
     bool exact = false;            // every colour target in rgba32f
     std::optional<TargetFormat> shown_format = TargetFormat::Rgba32F;  // of "color"; nothing: as the passes say
+    std::optional<std::size_t> background{};  // a material of the world whose passes are drawn behind everything
     // For each object of the world its textures of the engine ("lightmapTexture", "shadowMaskTexture"); may be
     // shorter. Missing ones are white, and an object without a lightmap has no baked light.
     std::span<const std::vector<LoadedTexture>> object_textures{};

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "runtime/files/files.h"
 #include "runtime/gltf/gltf_draco.h"
 
 namespace patina::runtime {
@@ -104,7 +105,7 @@ std::string_view picture_bytes(const tinygltf::Model& model, std::size_t index) 
 Outcome<tinygltf::Model> open_gltf(const std::string& path) {
     std::vector<unsigned char> bytes;
     std::string why, warning;
-    if (!exists(path, nullptr)) return Failure{"cannot read " + path + ": there is no such file"};
+    if (std::string error = no_file(path); !error.empty()) return Failure{std::move(error)};
     if (!read_whole(&bytes, &why, path, nullptr)) return Failure{"cannot read " + one_line(why)};
     bytes = readable(std::move(bytes));
     tinygltf::TinyGLTF reader;

@@ -28,6 +28,7 @@ std::string shown_counts(std::array<std::int32_t, 3> counts) {
 }  // namespace
 
 Outcome<MerlTable> read_merl(const std::string& path) {
+    if (std::string error = no_file(path); !error.empty()) return Failure{std::move(error)};
     std::error_code failure;
     const std::uintmax_t size = std::filesystem::file_size(path, failure);
     std::ifstream file(path, std::ios::binary);

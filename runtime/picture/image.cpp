@@ -13,6 +13,7 @@
 
 #include "runtime/files/files.h"
 #include "runtime/picture/layers.h"
+#include "runtime/picture/quiet_libpng.h"
 
 namespace patina::runtime {
 namespace {
@@ -139,6 +140,7 @@ Image quantized(const Image& encoded) {
 namespace {
 
 Outcome<Image> read_image(const std::string& path, OIIO::Filesystem::IOProxy* bytes) {
+    const QuietLibpng quiet;
     OIIO::ImageSpec straight;
     straight.attribute("oiio:UnassociatedAlpha", 1);  // a texture's alpha is data: keep the colours under it
     if (bytes) straight.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &bytes);
@@ -171,9 +173,7 @@ Outcome<Image> read_image(const std::string& path, OIIO::Filesystem::IOProxy* by
 }  // namespace
 
 Outcome<Image> load_image(const std::string& path) {
-    std::error_code ignored;
-    if (std::filesystem::is_directory(path, ignored)) return Failure{"cannot read '" + path + "': it is a folder"};
-    if (!std::filesystem::is_regular_file(path, ignored)) return Failure{"there is no file '" + path + "'"};
+    if (std::string error = no_file(path); !error.empty()) return Failure{std::move(error)};
     return read_image(path, nullptr);
 }
 

@@ -240,6 +240,7 @@ private:
     World world_before() {
         World world = world_;
         world.view.background.a = 0;
+        world.view.backdrop = SceneBackdrop::Color;
         for (Light& light : world.view.lights) light.shadow.casts = false;  // nothing here is lit
         world.materials = {shown_material()};
         world.objects.clear();

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "runtime/render/complaints.h"
 #include "runtime/render/prepare_material.h"
@@ -52,9 +53,10 @@ std::string take_words(const RenderRequest& request, Scene& scene) {
         scene.environment = nullptr;
     }
     if (!request.background.empty()) {
-        Outcome<glm::vec4> background = parse_background(request.background);
+        const Outcome<Background> background = parse_background(request.background);
         if (!background) return background.error;
-        scene.background = background.value;
+        scene.background = background.value.color;
+        scene.backdrop = background.value.backdrop;
     }
     if (!request.camera.empty()) {
         Outcome<Camera> camera = parse_camera(request.camera, scene.camera);
@@ -84,8 +86,10 @@ Outcome<Scene> read_scene(const RenderRequest& request) {
     return scene;
 }
 
-// Every pixel is what it would be without an object.
-bool is_empty(const Image& image, const glm::vec4& background) {
+// Every pixel is what it would be without an object. Not known of a picture before its surroundings.
+bool is_empty(const Image& image, const Scene& view) {
+    const glm::vec4& background = view.background;
+    if (view.backdrop != SceneBackdrop::Color) return false;
     for (std::size_t i = 0; i < image.pixels.size(); ++i) {
         const float without = background[int(i % 4)];
         if (!(std::abs(image.pixels[i] - without) <= 1e-5f)) return false;
@@ -244,12 +248,22 @@ RenderOutcome draw(const Compiler& compiler, const RenderRequest& request, const
 RenderOutcome render_preview(const Compiler& compiler, const RenderRequest& request, World world,
                              RenderMachine& machine) {
     // Only what the object covers is data.
+    const SceneBackdrop backdrop = std::exchange(world.view.backdrop, SceneBackdrop::Color);
     const glm::vec4 background = world.view.background;
     world.view.background.a = 0;
     RenderOutcome drawn = draw(compiler, request, world, request.options, machine);
     if (!drawn.ok) return drawn;
     show_values(request, drawn.image);
-    if (background.a > 0) put_before(drawn.image, background.r, background.g, background.b);
+    if (backdrop == SceneBackdrop::Color) {
+        if (background.a > 0) put_before(drawn.image, background.r, background.g, background.b);
+        return drawn;
+    }
+    world.view.backdrop = backdrop;
+    world.materials.clear();
+    world.objects.clear();
+    const RenderOutcome around = draw_world(compiler, world, request.options, machine);
+    if (!around.ok) return around;
+    put_before(drawn.image, around.image);
     return drawn;
 }
 
@@ -353,7 +367,7 @@ RenderOutcome render(const Compiler& compiler, const RenderRequest& request, Ren
                                               : render_preview(compiler, request, world, machine);
     put_first(outcome.diagnostics, drawn);
     drawn.dependencies.insert(drawn.dependencies.end(), outcome.dependencies.begin(), outcome.dependencies.end());
-    if (!is_scene(request) && drawn.ok && is_empty(drawn.image, world.view.background))
+    if (!is_scene(request) && drawn.ok && is_empty(drawn.image, world.view))
         drawn.diagnostics.push_back(complaint(request.graph, Severity::Warning, Complaint::NothingSeen, {}));
     return drawn;
 }

@@ -39,7 +39,7 @@ struct RenderRequest {
     std::string ambient{};                           // empty: the default sky
     std::string environment{};   // "sunset.hdr", "sunset.hdr rotation=90 intensity=2", "studio"; empty: the studio
     std::string camera{};        // empty: frames the mesh
-    std::string background{};    // "#203040", "0.2", "none" (transparent); empty: dark grey
+    std::string background{};    // "#203040", "0.2", "none" (transparent), "env", "blur"; empty: dark grey
     std::optional<int> light{};  // of a preview: the only light that there is, by its number; nothing: all of them
     // Of a preview: its values in this range as colours (data_picture.h); nothing: the values as they are.
     std::optional<DataRange> range{};

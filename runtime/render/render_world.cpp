@@ -21,6 +21,7 @@ namespace patina::runtime {
 namespace {
 
 constexpr std::string_view kPicture = "color";
+constexpr const char* kBackgroundPath = "background";
 
 // The properties of an object that its shaders depend on, in addition to its graph.
 struct Variant {
@@ -138,6 +139,7 @@ private:
     // Checks each material, the textures of the objects, and the shaders; reports as many problems as possible.
     void prepare() {
         for (std::size_t i = 0; i < variants_.size(); ++i) compile(i);
+        compile_background();
         ObjectTextures loaded = load_object_textures(world_);
         report(loaded.diagnostics);
         add_dependencies(loaded.files);
@@ -152,9 +154,9 @@ private:
     // Empty, or why nothing would be seen: no pass draws into the picture.
     std::string no_picture() const {
         std::vector<std::string> drawn;
-        if (compiled_.empty() || !options_.also_shown.empty()) return "";
-        for (const auto& material : compiled_) {
-            for (const Pass& pass : material->compiled.reflection.passes) {
+        if (variants_.empty() || !options_.also_shown.empty()) return "";
+        for (std::size_t i = 0; i < variants_.size(); ++i) {
+            for (const Pass& pass : compiled_[i]->compiled.reflection.passes) {
                 for (const RenderTarget& target : pass.targets) {
                     if (target.name == kPicture) return "";
                     if (std::find(drawn.begin(), drawn.end(), target.name) == drawn.end()) drawn.push_back(target.name);
@@ -180,6 +182,7 @@ private:
                         .shadow_atlas_size = options_.shadow_atlas_size,
                         .exact = options_.exact_targets,
                         .shown_format = options_.stated_formats ? std::nullopt : std::optional(TargetFormat::Rgba32F),
+                        .background = background_,
                         .object_textures = object_textures_,
                         .instance_values = instance_values_});
         return frame ? with_further_targets(std::move(frame.value)) : std::move(frame);
@@ -282,6 +285,7 @@ private:
         set("shadows", any_light([](const Light& light) { return light.shadow.casts; }));
         set("cookies", any_light([](const Light& light) { return light.cookie != nullptr; }));
         set("fog", view.fog.mode != FogMode::None);
+        set("reflectionProbes", !view.probes.empty());
         set("lightmap", variant.lightmap);
         set("shadowMask", variant.shadow_mask);
         const MixedLighting& mixed = view.mixed_lighting;
@@ -335,6 +339,28 @@ private:
         add_dependencies(made->loaded.files);
         if (made->ok) finish(material, *made);
         ok_ &= made->ok;
+        compiled_.push_back(std::move(made));
+    }
+
+    // A material of no object, after the others, whose path draws what is around.
+    void compile_background() {
+        spread_.materials.resize(variants_.size());
+        if (world_.view.backdrop == SceneBackdrop::Color) return;
+        const WorldMaterial material{.name = "the background", .graph = "background"};
+        CompileOptions options;
+        options.path = kBackgroundPath;
+        options.targets = is_drawing_ && !is_tracing_ ? std::vector{target()} : std::vector<Target>();
+        options.keep_programs = on_cpu();
+        const bool is_blurred = world_.view.backdrop == SceneBackdrop::Blurred;
+        options.switches = {{"blurredBackground", is_blurred ? "true" : "false"},
+                            {"tiles", is_in_tiles_ ? "true" : "false"}};
+        Result compiled = compiler_.compile_text(material.graph, R"({ "patina": 1, "workflow": "unlit" })", options);
+        report(compiled.diagnostics);
+        auto made = std::make_unique<PreparedMaterial>(prepare_material(material, std::move(compiled), options_));
+        if (made->ok) finish(material, *made);
+        ok_ &= made->ok;
+        background_ = spread_.materials.size();
+        spread_.materials.push_back(material);
         compiled_.push_back(std::move(made));
     }
 
@@ -458,7 +484,8 @@ private:
     bool is_tracing_ = false;
     World spread_{};  // the world, with a material for each variant
     std::vector<Variant> variants_{};
-    std::vector<std::unique_ptr<PreparedMaterial>> compiled_{};  // one for each variant
+    std::optional<std::size_t> background_{};                    // a material of `spread_`
+    std::vector<std::unique_ptr<PreparedMaterial>> compiled_{};  // one for each variant, and the background's
     std::vector<DrawnMaterial> drawn_{};                         // in their order
     std::vector<std::vector<LoadedTexture>> object_textures_{};
     std::vector<std::vector<MaterialValues>> instance_values_{};  // by object

@@ -66,6 +66,16 @@ struct MixedLighting {
     std::optional<float> shadow_fade{};      // metres before it over which they fade; nothing: a fifth of it
 };
 
+// What objects near it reflect, instead of the environment.
+struct Probe {
+    std::shared_ptr<const Environment> environment{};  // never null
+    glm::vec3 position{0};                             // where it was taken
+    glm::vec3 box_min{-1}, box_max{1};
+    float blend = 0;             // metres outside of the box over which it fades
+    bool is_box_projected = true;  // what it shows is at the walls of the box, not far away
+    int importance = 1;
+};
+
 inline constexpr std::size_t kMostLights = 16;
 inline constexpr float kMostDegrees = 1e5f, kMostIntensity = 1e6f;  // of an environment's rotation, and its factor
 
@@ -79,12 +89,14 @@ struct Scene {
     std::vector<Light> lights{};                       // at most kMostLights
     SphericalHarmonics ambient{};                      // what is around, for diffuse light
     std::shared_ptr<const Environment> environment{};  // the same for mirrors; null: what `ambient` says
+    std::vector<Probe> probes{};
     Fog fog{};
     MixedLighting mixed_lighting{};
     float time = 0;  // seconds
     int width = 512, height = 512;
     int samples = 1;                                // per pixel along each axis: 4 averages 16
     glm::vec4 background{0.03f, 0.03f, 0.032f, 1};  // linear
+    SceneBackdrop backdrop = SceneBackdrop::Color;  // else it hides the colour
 };
 
 // The studio that `patina render` uses: a key light from the upper left front, a weak cool fill, a rim, the studio

@@ -270,11 +270,12 @@ std::string set_environment(Scene& scene, const EnvironmentChoice& choice, const
     return "";
 }
 
-Outcome<glm::vec4> parse_background(std::string_view text) {
-    if (text == "none") return glm::vec4(0);
+Outcome<Background> parse_background(std::string_view text) {
+    if (text == "none") return Background{.color = glm::vec4(0)};
+    if (const std::optional<SceneBackdrop> word = from_word<SceneBackdrop>(text)) return Background{.backdrop = *word};
     Outcome<glm::vec4> color = Settings::parse_color(text);
-    if (!color) return Failure{"the background: " + color.error + ", or none"};
-    return color;
+    if (!color) return Failure{"the background: " + color.error + ", or none, env or blur"};
+    return Background{.color = color.value};
 }
 
 Outcome<Camera> parse_camera(std::string_view text, const Camera& base) {

@@ -32,8 +32,12 @@ std::string set_environment(Scene& scene, const EnvironmentChoice& choice, const
 // Words that are not given keep the values of `base`.
 Outcome<Camera> parse_camera(std::string_view text, const Camera& base);
 
-// Behind everything: a colour, or "none", which is transparent.
-Outcome<glm::vec4> parse_background(std::string_view text);
+// Behind everything: a colour, "none", which is transparent, or a word of a scene's "background".
+struct Background {
+    SceneBackdrop backdrop = SceneBackdrop::Color;
+    glm::vec4 color{0, 0, 0, 1};  // linear
+};
+Outcome<Background> parse_background(std::string_view text);
 
 // --- what is said in part: a scene file follows the same rules
 // A colour that is not given is the mean of the others, or the one other.

@@ -89,17 +89,30 @@ Light make_light(const SceneLight& light, WorldFile& file) {
     return made;
 }
 
-// A picture that cannot be loaded is reported at its name.
-void load_picture(const ScenePicture& picture, const EnvironmentProgress& progress, WorldFile& file) {
+// A picture that cannot be loaded is reported at its name, and null.
+std::shared_ptr<const Environment> load_picture(const ScenePicture& picture, const EnvironmentProgress& progress,
+                                                WorldFile& file) {
     Outcome<std::shared_ptr<const Environment>> loaded = load_environment(
         {.path = picture.file.path, .rotation = picture.rotation, .intensity = picture.intensity}, progress);
     if (!loaded) {
         file.diagnostics.push_back(
             diagnostic_at(picture.file.place, std::string(code_of(Complaint::BadEnvironment)), loaded.error));
-        return;
+        return nullptr;
     }
     file.dependencies.push_back(picture.file.path);
-    file.world.view.environment = std::move(loaded.value);
+    return std::move(loaded.value);
+}
+
+void load_probes(const SceneFile& scene, const EnvironmentProgress& progress, WorldFile& file) {
+    for (const SceneProbe& probe : scene.probes) {
+        file.world.view.probes.push_back({.environment = load_picture(probe.picture, progress, file),
+                                          .position = vector(probe.position),
+                                          .box_min = vector(probe.box_min),
+                                          .box_max = vector(probe.box_max),
+                                          .blend = float(probe.blend),
+                                          .is_box_projected = probe.box_projection,
+                                          .importance = probe.importance});
+    }
 }
 
 void set_surroundings(Scene& view, const SceneFile& scene) {
@@ -120,6 +133,7 @@ void set_surroundings(Scene& view, const SceneFile& scene) {
                            .shadow_color = vector(scene.mixed_lighting.shadow_color),
                            .shadow_distance = number(scene.mixed_lighting.shadow_distance),
                            .shadow_fade = number(scene.mixed_lighting.shadow_fade)};
+    view.backdrop = scene.backdrop;
     if (scene.background) {
         const std::array<double, 4>& color = *scene.background;
         view.background = {float(color[0]), float(color[1]), float(color[2]), float(color[3])};
@@ -224,7 +238,8 @@ WorldFile make_world(const SceneFile& scene, const EnvironmentProgress& progress
     World& world = file.world;
     world.view.camera = make_camera(scene.camera);
     for (const SceneLight& light : scene.lights) world.view.lights.push_back(make_light(light, file));
-    if (scene.picture) load_picture(*scene.picture, progress, file);
+    if (scene.picture) world.view.environment = load_picture(*scene.picture, progress, file);
+    load_probes(scene, progress, file);
     set_surroundings(world.view, scene);
     world.view.time = float(scene.time);
     world.pixel_light_count = scene.pixel_light_count;

@@ -147,6 +147,20 @@ void add_shadow_maps(Values& values, std::span<const ShadowView> maps, int atlas
     values["shadowTexel"] = scalar(1.0 / atlas_size);
 }
 
+void add_probes(Values& values, const ProbeChoice& probes) {
+    EngineValue center{4, {}}, low{4, {}}, high{4, {}};
+    for (const Probe* chosen : {probes.first, probes.second}) {
+        const Probe probe = chosen ? *chosen : Probe{.box_min = {}, .box_max = {}, .is_box_projected = false};
+        append(center, glm::vec4(probe.position, probe.is_box_projected ? 1 : 0));
+        append(low, glm::vec4(probe.box_min, 0));
+        append(high, glm::vec4(probe.box_max, 0));
+    }
+    values["probeCenter"] = center;
+    values["probeBoxMin"] = low;
+    values["probeBoxMax"] = high;
+    values["probeShare"] = scalar(probes.share);
+}
+
 }  // namespace
 
 const Light* cookie_light(std::span<const SeenLight> lights) {
@@ -170,6 +184,7 @@ std::map<std::string, EngineValue> engine_values(const EngineScene& seen) {
     EngineValue ambient{4, {}};
     for (const glm::vec3& coefficient : seen.ambient.coefficients) append(ambient, glm::vec4(coefficient, 0));
     values["ambientSH"] = ambient;
+    add_probes(values, seen.probes);
     return values;
 }
 

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "runtime/lights/probe_choice.h"
 #include "runtime/lights/shadow_view.h"
 #include "runtime/scene/scene.h"
 #include "runtime/scene/view.h"
@@ -45,6 +46,7 @@ struct EngineScene {
     std::vector<SeenLight> lights{};         // at most kMostLights count
     std::vector<SeenLight> vertex_lights{};  // at most kMostVertexLights count
     SphericalHarmonics ambient{};
+    ProbeChoice probes{};                       // of the object
     std::span<const ShadowView> shadow_maps{};  // at most kMostShadowMaps count
     int shadow_atlas_size = 1;                  // texels along a side
     glm::vec4 lightmap_decode{1, 1, 0, 0};      // of Unity's DecodeHDR; these leave texels as they are
@@ -58,7 +60,8 @@ struct EngineScene {
 // slots without a light have no shadow map), vertexLightCount, worldToShadow, shadowTile, shadowStrength, shadowTexel,
 // worldToCookie (of cookie_light()), lightMask (1 in the channel of shadow masks that is the light's: lights that
 // cast shadows have one each, in the scene's order), mainLight (slot of the light that subtractive lightmaps hold,
-// or -1), shadowColor, shadowFade (scale and offset of ShadowFade). Ambient: ambientSH.
+// or -1), shadowColor, shadowFade (scale and offset of ShadowFade). Ambient: ambientSH,
+// probeCenter, probeBoxMin, probeBoxMax (of what is around: all 0), probeShare.
 std::map<std::string, EngineValue> engine_values(const EngineScene& seen);
 
 // What an object's place says: objectToWorld, worldToObject.

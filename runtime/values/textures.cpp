@@ -83,7 +83,7 @@ std::shared_ptr<const TextureData> map_of(const SphericalHarmonics& ambient) {
 
 std::shared_ptr<const TextureData> engine_texture(const std::string& name, const Scene& scene) {
     if (name == "splitSumTable") return split_sum_table();
-    if (name != "environmentMap") return nullptr;
+    if (name != "environmentMap" && name != "probeMap") return nullptr;
     return scene.environment ? scene.environment->map() : map_of(scene.ambient);
 }
 

@@ -15,6 +15,8 @@ FLAT = """{ "patina": 1, "workflow": "unlit", "properties": [
   "surface": { "color": "= float3($_C, $_C, $_C) * $_D" } }"""
 LIT = """{ "patina": 1, "workflow": "metallic-roughness", %s
   "surface": { "baseColor": [0.6, 0.5, 0.4], "roughness": 0.4 } }"""
+DOT = """{ "patina": 1, "workflow": "unlit", "nodes": [
+  { "id": "dot", "expr": "distance(@uv0, float2(0.5, 0.5)) < 0.03 ? 100.0 : 0.2" } ], "surface": { "color": "dot" } }"""
 OWN = """{ "patina": 1, "kind": "lighting", "direct": "= @surface.diffuseColor * @light.radiance" }"""
 
 
@@ -107,9 +109,25 @@ class Test(unittest.TestCase):
     def test_all_models_that_fit(self):
         self.expect(0, "", "lit.graph.json", "--lighting", "all", "-o", "all.png")
         write("own.graph.json", LIT.replace('"roughness": 0.4', '"exponent": 20') % '"lighting": "blinn-phong",')
-        self.expect(0, "do not fit: cl-pbr-specular (", "own.graph.json", "--lighting", "all", "-o", "few.png")
+        result = render("own.graph.json", "--lighting", "all", "-o", "few.png")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        lines = [each for each in result.stderr.splitlines() if " not fit: " in each]
+        # One reason, one line.
+        self.assertEqual(len(lines), 1, result.stderr)
+        self.assertTrue(lines[0].startswith("cl-pbr-specular, "), lines)
+        self.assertTrue(lines[0].endswith(" do not fit: the workflow 'metallic-roughness' and the lighting model have no "
+                                          "surface input 'exponent'"), lines)
         few, every = picture("few.png"), picture("all.png")
         self.assertLess(few.width * few.height, every.width * every.height)
+
+    def test_light_that_clips(self):
+        # Everything is at 4: two stops less shows all. A bright dot of one in a thousand and more is a highlight.
+        self.expect(0, "100.0 % of the pixels are brighter than white and clip: --exposure -2.00 shows all light",
+                    "flat.graph.json", "--set", "_C=4", "--mesh", "plane", "--camera", "position=0,0,1 target=0,0,0",
+                    "-o", "bright.png")
+        write("dot.graph.json", DOT)
+        self.expect(0, "clip: --tonemap khronos-neutral shows such highlights", "dot.graph.json", "--mesh", "plane",
+                    "--camera", "position=0,0,1 target=0,0,0", "-o", "dot.png")
 
     def test_layers(self):
         self.expect(0, "flat.exr", "flat.graph.json", "--aov", "color", "-o", "flat.exr")

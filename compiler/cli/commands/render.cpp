@@ -42,10 +42,11 @@ struct Arguments {
 struct Drawn {
     runtime::RenderOutcome outcome{};
     std::vector<runtime::Layer> layers{};  // of --aov
-    std::vector<std::string> left_out{};   // lighting models that do not fit
+    std::vector<LeftOut> left_out{};       // of --lighting all
 };
 
 constexpr std::size_t kMostFrames = 10000;
+constexpr double kHighlights = 0.05;  // of the pixels: as many as highlights may cover
 
 bool is_picture(std::string_view path) {
     return path.ends_with(".png") || path.ends_with(".exr");
@@ -107,9 +108,14 @@ void say_clipping(const Console& console, const Arguments& arguments, const std:
     if (!arguments.request.options.preview.empty() || path.ends_with(".exr")) return;
     const std::optional<runtime::Clipping> clipped = runtime::clipping(image);
     if (!clipped) return;
-    remark(console, fmt::format("{:.1f} % of the pixels are brighter than white and clip: --exposure {:.2f} shows all "
-                                "light, and --tonemap khronos-neutral compresses it",
-                                100 * clipped->share, arguments.tone.exposure + clipped->exposure));
+    // A dark picture is no answer to a few highlights.
+    const std::string advice =
+        clipped->share < kHighlights
+            ? "--tonemap khronos-neutral shows such highlights"
+            : fmt::format("--exposure {:.2f} shows all light, and --tonemap khronos-neutral compresses it",
+                          arguments.tone.exposure + clipped->exposure);
+    remark(console, fmt::format("{:.1f} % of the pixels are brighter than white and clip: {}", 100 * clipped->share,
+                                advice));
 }
 
 // A picture, a sheet of pictures, or a picture with layers, with its tone.
@@ -163,6 +169,7 @@ std::optional<runtime::RenderRequest> request_for(const Console& console, const 
 Exit render_graph(Outputs& outputs, const Console& console, const Arguments& arguments, const Compiler& compiler,
                   const std::string& graph, runtime::RenderRequest request, std::size_t frame, Said& said,
                   runtime::RenderMachine& machine) {
+    if (!outputs.is_possible(output_of(arguments, graph, frame))) return Exit::Wrong;
     request.time = arguments.times[frame];
     request.options.progress = [&](double share, std::string_view file) {
         show_share(console, share, file.empty() ? graph : fmt::format("prefiltering {}", file));
@@ -178,8 +185,8 @@ Exit render_graph(Outputs& outputs, const Console& console, const Arguments& arg
     report(console, news);
     if (!outcome.error.empty()) complain(console, Complaint::CannotRender, {outcome.error});
     if (outcome.missing_machine) return Exit::Machine;
-    if (outcome.ok && frame == 0 && !drawn.left_out.empty())
-        remark(console, fmt::format("lighting models that do not fit: {}", fmt::join(drawn.left_out, ", ")));
+    if (outcome.ok && frame == 0)
+        for (const std::string& line : lines_of(drawn.left_out)) remark(console, line);
     if (outcome.ok && frame == 0) {
         say_range(console, arguments, outcome);
         say_clipping(console, arguments, output_of(arguments, graph, frame), outcome.image);

@@ -97,11 +97,19 @@ std::vector<Variant> variants_of(const Context& context) {
     return made;
 }
 
-std::string names_of(const std::vector<Variant>& variants) {
-    std::string names;
+std::vector<std::string> names_of(const std::vector<Variant>& variants) {
+    std::vector<std::string> names;
     for (const Variant& each : variants)
-        if (each.index) names += (names.empty() ? "" : ", ") + each.name;
-    return names.empty() ? "none" : names;
+        if (each.index) names.push_back(each.name);
+    return names;
+}
+
+// "'a.glb' has no cameras, so there is no 'Front'".
+std::string nothing_named(const std::string& path, const std::string& what, const std::string& name,
+                          const std::vector<std::string>& known) {
+    if (known.empty()) return fmt::format("'{}' has no {}s, so there is no '{}'", path, what, name);
+    const std::string advice = suggestion(name, known);
+    return fmt::format("'{}' has no {} '{}'{}{}", path, what, name, advice.empty() ? "" : "; ", advice);
 }
 
 // --- all of it
@@ -113,15 +121,13 @@ Imported import_model(const Context& context, const runtime::GltfModel& model, c
     if (!options.variant.empty()) {
         std::erase_if(wanted, [&](const Variant& each) { return each.name != options.variant; });
         if (wanted.empty())
-            return {.error = fmt::format("{} has no variant '{}'; there are: {}", context.path, options.variant,
-                                         names_of(variants))};
+            return {.error = nothing_named(context.path, "variant", options.variant, names_of(variants))};
     }
     const runtime::ModelCamera* camera = find_camera(model, options.camera);
     if (!camera && !options.camera.empty()) {
-        std::string names;
-        for (const runtime::ModelCamera& each : model.cameras) names += (names.empty() ? "" : ", ") + each.node;
-        return {.error = fmt::format("{} has no camera '{}'; there are: {}", context.path, options.camera,
-                                     names.empty() ? "none" : names)};
+        std::vector<std::string> names;
+        for (const runtime::ModelCamera& each : model.cameras) names.push_back(each.node);
+        return {.error = nothing_named(context.path, "camera", options.camera, names)};
     }
 
     const std::size_t count = count_of(context, "materials");

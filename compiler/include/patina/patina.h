@@ -50,6 +50,8 @@ PATINA_API Diagnostic diagnostic_at(const ScenePlace& place, std::string code, s
 // "did you mean 'Lerp'?", or a list of the known words if it is short, or nothing. For words that a program reads
 // itself.
 PATINA_API std::string suggestion(std::string_view word, const std::vector<std::string>& known);
+// "did you mean 'models/suzi.glb'?" if a file of nearly this name is in its folder; else nothing.
+PATINA_API std::string file_suggestion(const std::string& path);
 
 // A target: a language as an engine takes it. The engine says where values come from and what holds a shader; the
 // language says how a stage is spelled. `patina engines` and Compiler::engines() list all of them.

@@ -76,6 +76,17 @@ struct ScenePicture {
     double intensity = 1;
 };
 
+// What objects near it reflect, instead of the environment.
+struct SceneProbe {
+    ScenePicture picture{};
+    SceneVector position{};                            // where the picture was taken, inside the box
+    SceneVector box_min{-1, -1, -1}, box_max{1, 1, 1};  // along the axes of the world
+    double blend = 0;            // metres outside of the box over which it fades
+    bool box_projection = true;  // what is seen in the picture is as far away as the walls of the box
+    int importance = 1;          // 0 to 1000: more important ones hide others
+};
+inline constexpr std::size_t kMostSceneProbes = 32;
+
 struct SceneFog {
     FogMode mode = FogMode::Linear;
     SceneVector color{0.5, 0.5, 0.5};
@@ -134,9 +145,11 @@ struct SceneFile {
     bool has_studio_ambient = false;        // although there is a picture
     SceneEnvironment environment = SceneEnvironment::Studio;
     std::optional<ScenePicture> picture{};  // the environment, instead of `environment`
+    std::vector<SceneProbe> probes{};       // at most kMostSceneProbes
     std::optional<SceneFog> fog{};
     SceneMixedLighting mixed_lighting{};
     std::optional<std::array<double, 4>> background{};  // linear, with alpha; nothing: the runtime's own
+    SceneBackdrop backdrop = SceneBackdrop::Color;      // else `background` is nothing
     double time = 0;                                    // seconds
     int pixel_light_count = 4;                          // 0 to kMostSceneLights
     std::vector<SceneMaterial> materials{};

@@ -327,6 +327,14 @@ inline constexpr auto kWords<SceneEnvironment> = std::to_array<Word<SceneEnviron
     {"none", SceneEnvironment::None},
 });
 
+// What is behind everything: a colour, which has no word; the surroundings; the same out of focus.
+enum class SceneBackdrop { Color, Environment, Blurred };
+template <>
+inline constexpr auto kWords<SceneBackdrop> = std::to_array<Word<SceneBackdrop>>({
+    {"env", SceneBackdrop::Environment},
+    {"blur", SceneBackdrop::Blurred},
+});
+
 // None: there is no fog; it has no word.
 enum class FogMode { None, Linear, Exponential, ExponentialSquared };
 template <>
