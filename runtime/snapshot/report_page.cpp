@@ -6,8 +6,8 @@
 #include <cmath>
 #include <cstdint>
 
-#include "runtime/snapshot/escaped.h"
-#include "runtime/snapshot/report_frame.h"
+#include "runtime/page/escaped.h"
+#include "runtime/page/page_frame.h"
 
 namespace patina::runtime {
 namespace {
@@ -194,7 +194,7 @@ std::string report_page(const SnapshotReport& report, const std::string& folder)
     const std::pair<std::string_view, std::string> parts[] = {
         {"@TITLE@", "Snapshots of " + escaped(folder)}, {"@SUMMARY@", summary(report)}, {"@CASES@", all_cases(report)}};
     std::string page;
-    for (std::string_view rest = kReportFrame; !rest.empty();) {
+    for (std::string_view rest = kPageFrame; !rest.empty();) {
         std::size_t at = rest.npos;
         const std::pair<std::string_view, std::string>* next = nullptr;
         for (const auto& part : parts) {

@@ -10,7 +10,7 @@
 #include <iterator>
 
 #include "compiler/cli/pages/model_cost.h"
-#include "compiler/cli/pages/spirv_size.h"
+#include "patina/spirv_size.h"
 #include "patina/patina.h"
 #include "patina/validate.h"
 #include "tests/bench/figures.h"
@@ -155,7 +155,7 @@ void print_passes() {
     std::size_t in_vertex = 0;
     for (const Shader& shader : result.shaders) {
         const Validated validated = validate(shader);
-        const cli::SpirvSize size = cli::size_of(optimised(validated.spirv));
+        const SpirvSize size = size_of(optimised(validated.spirv));
         if (shader.stage == Stage::Vertex) {
             in_vertex = size.instructions;
         } else {

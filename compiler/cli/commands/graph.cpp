@@ -5,7 +5,7 @@
 
 #include "compiler/cli/commands/commands.h"
 #include "compiler/cli/outputs.h"
-#include "compiler/cli/pages/drawing.h"
+#include "runtime/page/drawing.h"
 #include "patina/output_name.h"
 
 namespace patina::cli {
@@ -28,7 +28,7 @@ Exit draw_graph(const Console& console, const Arguments& arguments) {
     report(console, view.diagnostics);
     if (!view.ok) return Exit::Wrong;
     const std::string path = arguments.output.empty() ? output_name(arguments.graph) + ".svg" : arguments.output;
-    std::string text = dot_of(view);
+    std::string text = runtime::dot_of(view);
     if (!path.ends_with(".dot")) {
         if (view.boxes.size() > kMostBoxes) {
             complain(
@@ -37,7 +37,7 @@ Exit draw_graph(const Console& console, const Arguments& arguments) {
                              arguments.graph, view.boxes.size(), kMostBoxes)});
             return Exit::Wrong;
         }
-        Drawing drawing = draw(text);
+        runtime::Drawing drawing = runtime::draw(text);
         if (!drawing.error.empty()) {
             complain(console, Complaint::CannotRender, {drawing.error});
             return Exit::Wrong;

@@ -1,4 +1,4 @@
-#include "compiler/cli/pages/drawing.h"
+#include "runtime/page/drawing.h"
 
 #include <fmt/format.h>
 #include <graphviz/gvc.h>
@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cstdlib>
 
-namespace patina::cli {
+namespace patina::runtime {
 namespace {
 
 constexpr std::size_t kLongest = 48;  // characters of a value
@@ -104,4 +104,4 @@ Drawing draw(const std::string& dot) {
     return made;
 }
 
-}  // namespace patina::cli
+}  // namespace patina::runtime

@@ -8,7 +8,7 @@
 
 #include "patina/graph_view.h"
 
-namespace patina::cli {
+namespace patina::runtime {
 
 // In Graphviz's language.
 std::string dot_of(const GraphView& view);
@@ -19,4 +19,4 @@ struct Drawing {
 };
 Drawing draw(const std::string& dot);
 
-}  // namespace patina::cli
+}  // namespace patina::runtime
