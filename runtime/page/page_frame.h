@@ -1,6 +1,4 @@
-// The room `page` makes pages of HTML and drawings. It renders nothing.
-//
-// The page that report_page() fills: page.html, with @TITLE@, @SUMMARY@ and @CASES@.
+// The frame that make_page() fills: page.html, with @TITLE@, @TOOLS@ and @CONTENT@.
 #pragma once
 
 #include <string_view>
