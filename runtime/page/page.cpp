@@ -28,9 +28,9 @@ std::string picture_tag(std::string_view png, std::string_view what, std::string
                        css.empty() ? "" : fmt::format(" class=\"{}\"", css), escaped(what), base64(png));
 }
 
-std::string kind_button(std::string_view kind, std::size_t count) {
-    return fmt::format("<button type=\"button\" data-state=\"{0}\" aria-pressed=\"false\">{1} {0}</button> ", kind,
-                       count);
+std::string kind_button(std::string_view kind, std::size_t count, std::string_view ending) {
+    return fmt::format("<button type=\"button\" data-state=\"{0}\" aria-pressed=\"false\">{1} {0}{2}</button> ", kind,
+                       count, ending);
 }
 
 std::string make_page(const Page& page) {

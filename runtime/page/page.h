@@ -3,8 +3,8 @@
 // A page: page.html is its frame, with the style and the scripts of all pages; what is in it is given as HTML, and its
 // pictures are inside of it.
 //
-//   std::string cards = "<section class=\"card\"><h2>" + escaped(name) + "</h2>" + picture_tag(png, name) + "</section>";
-//   write_file("index.html", make_page({.title = "Graphs of art", .tools = {}, .content = cards}));
+//   std::string cards = "<section class=\"card\"><h2>" + escaped(name) + "</h2>" + picture_tag(png, name) +
+//   "</section>"; write_file("index.html", make_page({.title = "Graphs of art", .tools = {}, .content = cards}));
 #pragma once
 
 #include <string>
@@ -25,7 +25,7 @@ std::string base64(std::string_view bytes);
 // An image whose bytes are in the page. `what` is read where it cannot be seen; `css` are classes.
 std::string picture_tag(std::string_view png, std::string_view what, std::string_view css = {});
 
-// A button that shows one kind of what has the attribute data-case: "3 failed".
-std::string kind_button(std::string_view kind, std::size_t count);
+// A button that shows one kind of what has the attribute data-case: "3 failed", "2 scenes" with the ending "s".
+std::string kind_button(std::string_view kind, std::size_t count, std::string_view ending = {});
 
 }  // namespace patina::runtime

@@ -1,6 +1,7 @@
 // Renders on several threads, each with a device of its own.
 //
-//   render_jobs(cases.size(), jobs, [&](std::size_t i, RenderMachine& machine) { results[i] = run(cases[i], machine); },
+//   render_jobs(cases.size(), jobs, [&](std::size_t i, RenderMachine& machine) { results[i] = run(cases[i], machine);
+//   },
 //               [&](std::size_t i) { tell(results[i]); });
 #pragma once
 

@@ -53,8 +53,8 @@ public:
         if (kind_.is_drawn && !draw_whole()) return;
         if (kind_.name != "scene") draw_graph();
         entry_.ok = entry_.error.empty() && std::ranges::none_of(entry_.diagnostics, [](const Diagnostic& each) {
-            return each.severity == Severity::Error;
-        });
+                        return each.severity == Severity::Error;
+                    });
     }
 
 private:

@@ -65,14 +65,13 @@ std::string limits(const Property& property) {
 std::string properties(const Reflection& reflection) {
     std::string rows;
     for (const Property& property : reflection.properties) {
+        const auto texture = std::ranges::find(reflection.textures, property.name, &Texture::name);
+        const bool is_texture = texture != reflection.textures.end();
         const std::string help = property.help.empty() ? property.label : property.help;
         rows += "<tr>" + cell(escaped(property.name)) + cell(std::string(to_string(property.type))) +
-                cell(value_of(property), true) + cell(limits(property)) + cell(escaped(help)) + "</tr>\n";
-    }
-    for (const Texture& texture : reflection.textures) {
-        if (!texture.is_material) continue;
-        rows += "<tr>" + cell(escaped(texture.name)) + cell("texture") + cell(escaped(texture.default_value), true) +
-                cell(std::string(to_string(texture.usage))) + cell("") + "</tr>\n";
+                cell(is_texture ? escaped(texture->default_value) : value_of(property), true) +
+                cell(is_texture ? std::string(to_string(texture->usage)) : limits(property)) + cell(escaped(help)) +
+                "</tr>\n";
     }
     const std::string made = table({"property", "type", "default", "values", ""}, rows);
     return made.empty() ? made : "<h3>Properties</h3>\n" + made;
@@ -111,8 +110,7 @@ std::string inlined(std::string svg, std::size_t index) {
 
 std::string drawing(const SheetEntry& entry, std::size_t index) {
     std::string made;
-    if (!entry.drawing.empty())
-        made = fmt::format("<div class=\"drawing\">{}</div>\n", inlined(entry.drawing, index));
+    if (!entry.drawing.empty()) made = fmt::format("<div class=\"drawing\">{}</div>\n", inlined(entry.drawing, index));
     if (!entry.without_nodes.empty()) made += fmt::format("<p class=\"note\">{}</p>\n", escaped(entry.without_nodes));
     if (made.empty()) return made;
     return fmt::format("<details open><summary>Nodes: {}</summary>\n{}</details>\n", entry.nodes.size(), made);
@@ -163,8 +161,9 @@ std::string card(const SheetEntry& entry, const std::string& id, std::size_t ind
     return fmt::format(
         "<section class=\"card\" data-case=\"{0}\" data-words=\"{1}\" id=\"{2}\">\n<div class=\"head\"><h2>{3}</h2>"
         "<span class=\"kind\">{0}</span>{4}<span class=\"file\">{5}</span></div>\n{6}{7}{8}{9}</section>\n",
-        entry.kind, words(entry), escaped(id), escaped(entry.name), entry.ok ? "" : "<span class=\"state failed\">wrong</span>",
-        escaped(entry.file), messages(entry), shown, drawing(entry, index), shaders(entry));
+        entry.kind, words(entry), escaped(id), escaped(entry.name),
+        entry.ok ? "" : "<span class=\"state failed\">wrong</span>", escaped(entry.file), messages(entry), shown,
+        drawing(entry, index), shaders(entry));
 }
 
 std::string thumbnail(const SheetEntry& entry, const std::string& id) {
@@ -179,7 +178,7 @@ std::string tools(const Sheet& sheet) {
     std::map<std::string_view, std::size_t> kinds;
     for (const SheetEntry& entry : sheet.entries) ++kinds[entry.kind];
     std::string text;
-    for (const auto& [kind, number] : kinds) text += kind_button(kind, number);
+    for (const auto& [kind, number] : kinds) text += kind_button(kind, number, number > 1 ? "s" : "");
     return text + "<input type=\"search\" placeholder=\"name, node or property\" aria-label=\"search\">";
 }
 

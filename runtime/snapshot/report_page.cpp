@@ -171,8 +171,7 @@ std::string all_cases(const SnapshotReport& report) {
 }  // namespace
 
 std::string report_page(const SnapshotReport& report, const std::string& folder) {
-    return make_page(
-        {.title = "Snapshots of " + folder, .tools = summary(report), .content = all_cases(report)});
+    return make_page({.title = "Snapshots of " + folder, .tools = summary(report), .content = all_cases(report)});
 }
 
 }  // namespace patina::runtime

@@ -19,16 +19,17 @@ GREY = """{ "patina": 1, "workflow": "unlit",
                   { "name": "_Amount", "type": "float", "default": 0.25, "range": [0, 2] },
                   { "name": "_Kind", "type": "enum", "values": ["Wet", "Dry"], "default": "Dry" },
                   { "name": "_Mask", "type": "texture2d", "usage": "data" } ],
-  "nodes": [ { "id": "tint", "expr": "_Tint.rgb" },
+  "nodes": [ { "id": "tint", "expr": "$_Tint.rgb" },
              { "id": "mask", "node": "SampleTexture2D", "in": { "texture": "$_Mask" } },
-             { "id": "mixed", "node": "Lerp", "in": { "from": 0.5, "to": "tint", "t": "= 0 * (_Amount + mask.r) + (_Kind == Dry ? 0 : 1)" } } ],
+             { "id": "mixed", "node": "Lerp", "in": { "from": 0.5, "to": "tint", "t": "= 0 * ($_Amount + mask.r) + ($_Kind == Dry ? 0 : 1)" } } ],
   "surface": { "color": "mixed" } }"""
 SUBGRAPH = """{ "patina": 1, "kind": "subgraph", "inputs": [ { "name": "a", "type": "float" } ],
-  "nodes": [ { "id": "half", "expr": "a * 0 + 0.5" } ], "outputs": { "out": "half" } }"""
+  "nodes": [ { "id": "half", "expr": "$a * 0 + 0.5" } ], "outputs": { "out": "half" } }"""
 LIGHTING = """{ "patina": 1, "kind": "lighting", "nodes": [ { "id": "ndotl", "node": "NdotL" } ],
   "direct": "= ndotl * @light.radiance * @surface.baseColor" }"""
-SCENE = """{ "patina": 1, "kind": "scene", "materials": { "grey": { "graph": "grey.graph.json" } },
-  "objects": [ { "mesh": "sphere", "material": "grey" } ] }"""
+SCENE = """{ "patina": 1, "kind": "scene", "camera": { "position": [0, 0, 4], "target": [0, 0, 0], "fov": 35 },
+  "materials": [ { "name": "grey", "graph": "grey.graph.json" } ],
+  "objects": [ { "id": "ball", "mesh": "sphere", "material": "grey" } ] }"""
 
 
 def write(path, text):
@@ -104,13 +105,14 @@ class SheetPage(unittest.TestCase):
             return [...card.querySelectorAll(".drawing g.node")].map(node => {
                 const image = node.querySelector("image"), box = node.getBoundingClientRect();
                 const at = image?.getBoundingClientRect();
-                return [node.querySelector("text").textContent.trim(), !!image && at.width > 60 && at.width == at.height &&
+                return [node.querySelector("text").textContent.trim(), !!image && at.width > 60 && Math.abs(at.width - at.height) < 0.1 &&
                         at.left >= box.left && at.right <= box.right && at.top >= box.top && at.bottom <= box.bottom];
             })"""
         self.assertEqual(dict(self.browser.run(where)), {"tint": True, "mask": True, "mixed": True, "surface": False})
-        for i, color in enumerate((RED_BYTES, (255, 255, 255), GREY_BYTES)):
+        for name, color in {"tint": RED_BYTES, "mask": (255, 255, 255), "mixed": GREY_BYTES}.items():
             node = self.browser.run("""
-                return document.getElementById("grey (material)").querySelectorAll(".drawing image")[arguments[0]]""", i)
+                return [...document.getElementById("grey (material)").querySelectorAll(".drawing g.node")].find(node =>
+                    node.querySelector("text").textContent.trim() === arguments[0]).querySelector("image")""", name)
             self.browser.run("arguments[0].scrollIntoView()", node)
             self.assertEqual(self.browser.picture(node).at(0.5, 0.5), color)
         ids = self.browser.run("return [...document.querySelectorAll('[id]')].map(each => each.id)")
@@ -123,7 +125,7 @@ class SheetPage(unittest.TestCase):
         self.assertIn(["_Tint", "color", "1, 0, 0, 1", "", "Of <b>paint</b>"], rows)
         self.assertIn(["_Amount", "float", "0.25", "0 to 2", ""], rows)
         self.assertIn(["_Kind", "enum", "Dry", "Wet, Dry", ""], rows)
-        self.assertIn(["_Mask", "texture", "white", "data", ""], rows)
+        self.assertEqual([row for row in rows if row[0] == "_Mask"], [["_Mask", "texture2d", "white", "data", ""]])
         self.assertEqual(self.browser.run("""
             return getComputedStyle(document.querySelector(".swatch")).backgroundColor"""), "rgb(255, 0, 0)")
         made = patina("compile", "art/grey.graph.json", "-t", "glsl", "-o", "out")
@@ -131,7 +133,7 @@ class SheetPage(unittest.TestCase):
         lines = 0
         texts = self.browser.run("""
             return [...document.getElementById("grey (material)").querySelectorAll("details details")].map(each =>
-                [each.querySelector("summary").innerText.split(":")[0], each.querySelector("pre").textContent])""")
+                [each.querySelector("summary").textContent.split(":")[0], each.querySelector("pre").textContent])""")
         for name, text in texts:
             with open(os.path.join("out", name), encoding="utf-8") as file:
                 self.assertEqual(text, file.read())

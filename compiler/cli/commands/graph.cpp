@@ -5,8 +5,8 @@
 
 #include "compiler/cli/commands/commands.h"
 #include "compiler/cli/outputs.h"
-#include "runtime/page/drawing.h"
 #include "patina/output_name.h"
+#include "runtime/page/drawing.h"
 
 namespace patina::cli {
 namespace {

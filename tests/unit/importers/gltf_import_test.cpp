@@ -302,10 +302,12 @@ TEST(GltfImport, BrokenContainersAreRefusedAtTheirPlace) {
          "byte 8: the file shall have 100 bytes, and has 22: it is cut off"},
         {"old.glb", "glTF" + number(1) + number(12), "byte 4: version 1 of the container is not read, only 2"},
         {"short.glb", "glTF" + number(2) + number(12), "byte 8: 12 bytes hold no chunk"},
-        {"kind.glb", "glTF" + number(2) + number(22) + number(2) + "BIN " + "{}", "byte 16: the first chunk is not JSON"},
+        {"kind.glb", "glTF" + number(2) + number(22) + number(2) + "BIN " + "{}",
+         "byte 16: the first chunk is not JSON"},
         {"chunk.glb", "glTF" + number(2) + number(22) + number(90) + "JSON{}",
          "byte 12: the first chunk shall have 90 bytes, and 2 are left"},
-        {"text.gltf", "{ \"asset\": { \"version\": \"2.0\" },\n  \"nodes\": [ { ] ] }", "text.gltf:2:16: it is broken JSON"},
+        {"text.gltf", "{ \"asset\": { \"version\": \"2.0\" },\n  \"nodes\": [ { ] ] }",
+         "text.gltf:2:16: it is broken JSON"},
     };
     for (const Broken& each : cases) {
         const std::string path = testing::TempDir() + each.name;
