@@ -45,6 +45,8 @@ public:
           entry_(entry),
           kind_(*kind_of(entry.file)),
           request_(options.request) {
+        // A scene has meshes, lights and a camera of its own.
+        if (kind_.name == "scene") request_ = {.samples = options.request.samples, .options = options.request.options};
         request_.graph = entry.file;
         request_.options.accept_parts = true;
     }

@@ -53,9 +53,9 @@ class SheetPage(unittest.TestCase):
         write("art/own.lighting.json", LIGHTING)
         write("art/<b>wrong.graph.json", GREY.replace("Lerp", "<i>Lrp"))
         write("art/.old/hidden.graph.json", GREY)
-        cls.result = patina("sheet", "art", "--size", "64", "--no-node-pictures")
+        patina("sheet", "art", "--size", "64", "--no-node-pictures")
         cls.without_pictures = os.path.getsize("index.html") if os.path.exists("index.html") else 0
-        cls.result = patina("sheet", "art", "--size", "64")
+        cls.result = patina("sheet", "art", "--size", "64", "--segments", "80", "--light", "directional direction=0,0,1")
         cls.browser = browser.Browser()
 
     @classmethod
