@@ -1,0 +1,92 @@
+#!/usr/bin/env python3
+"""The lessons keep their word: each figure is shown, each graph checks and is linked, each printed command runs.
+
+    lessons.py ROOT PATINA      ROOT: the repository; PATINA: the command
+"""
+
+import json
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+LIMIT = 6 * 1024 * 1024
+
+
+def files_of(figures, root):
+    """The graphs, scenes and lighting graphs that figures are made of."""
+    words = re.findall(r"[\w./-]+\.json", json.dumps(figures))
+    return {word for word in words if (root / word).exists() or "docs/lessons" in word}
+
+
+def bad_figures(root, lesson, figures, text):
+    shown = re.findall(r"!\[[^\]]*\]\(pictures/([^)]*)\)", text)
+    made = [f"{lesson}-{figure['name']}.{'svg' if 'plots' in figure else 'png'}" for figure in figures]
+    for name in set(shown) ^ set(made):
+        yield f"{lesson}: {name} is {'not shown' if name in made else 'no figure of docs/lessons/figures'}"
+    for name in made:
+        if not (root / "docs/lessons/pictures" / name).exists():
+            yield f"{lesson}: run scripts/pictures lessons:{lesson}, which makes {name}"
+    for name in files_of(figures, root):
+        link = os.path.relpath(root / name, root / "docs/lessons")
+        if f"]({link})" not in text:
+            yield f"{lesson}: the page does not link {name}, of which a figure is made"
+
+
+def bad_folder(root, names):
+    folder = root / "docs/lessons"
+    for path in (folder / "pictures").iterdir():
+        if not any(path.name.startswith(f"{name}-") for name in names):
+            yield f"{path.name} is of no lesson"
+    size = sum(path.stat().st_size for path in folder.rglob("*") if path.is_file())
+    if size > LIMIT:
+        yield f"docs/lessons has {size} bytes: more than {LIMIT}"
+
+
+def bad_graphs(root, patina, used):
+    graphs = sorted(path for path in (root / "docs/lessons/graphs").rglob("*.json"))
+    for graph in graphs:
+        if graph.relative_to(root).as_posix() not in used and not graph.name.endswith((".lighting.json", ".subgraph.json")):
+            yield f"{graph.relative_to(root)} makes no figure"
+    checked = [str(path) for path in graphs if path.name.endswith((".graph.json", ".scene.json", ".lighting.json"))]
+    ran = subprocess.run([patina, "check", *checked], capture_output=True, encoding="utf-8")
+    if ran.returncode != 0 or "warning" in ran.stderr:
+        yield ran.stdout + ran.stderr
+
+
+def commands_of(text):
+    for block in re.findall(r"^```sh\n(.*?)^```$", text, re.MULTILINE | re.DOTALL):
+        yield from (line for line in block.splitlines() if line.startswith("build/patina "))
+
+
+def bad_commands(root, patina, pages):
+    with tempfile.TemporaryDirectory() as work:
+        for name, target in ("build", pathlib.Path(patina).resolve().parent), ("docs", root / "docs"), ("examples", root / "examples"):
+            os.symlink(target, f"{work}/{name}")
+        for lesson, text in pages.items():
+            for command in commands_of(text):
+                ran = subprocess.run(["bash", "-c", command], cwd=work, capture_output=True, encoding="utf-8")
+                if ran.returncode != 0:
+                    yield f"{lesson}: {command}\n{ran.stdout}{ran.stderr}"
+
+
+def main():
+    root, patina = pathlib.Path(sys.argv[1]).resolve(), os.path.abspath(sys.argv[2])
+    folder = root / "docs/lessons"
+    pages = {path.stem: path.read_text(encoding="utf-8") for path in sorted(folder.glob("*.md"))}
+    figures = {path.stem: json.loads(path.read_text(encoding="utf-8"))["figures"] for path in sorted((folder / "figures").glob("*.json"))}
+    wrong = [f"docs/lessons/figures/{name}.json has no page" for name in figures.keys() - pages.keys()]
+    for name in figures.keys() & pages.keys():
+        wrong += bad_figures(root, name, figures[name], pages[name])
+    wrong += bad_folder(root, figures)
+    wrong += bad_graphs(root, patina, set().union(*(files_of(f, root) for f in figures.values())))
+    wrong += bad_commands(root, patina, pages)
+    count = sum(len(list(commands_of(text))) for text in pages.values())
+    print("\n".join(wrong) or f"{len(figures)} lessons, {sum(map(len, figures.values()))} figures, {count} commands: all is well")
+    sys.exit(1 if wrong or len(figures) < 2 else 0)
+
+
+if __name__ == "__main__":
+    main()
