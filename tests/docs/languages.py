@@ -27,16 +27,15 @@ def without_comments(language, line):
 
 
 def code(text):
-    """The text without its blocks of code and without code between backticks, and the blocks."""
-    blocks = []
+    """The text without its blocks of code and without code between backticks, and the lines of the blocks."""
+    lines = []
 
     def block(found):
-        language, lines = found.group(1), found.group(2).splitlines()
-        blocks.append((language, [without_comments(language, line) for line in lines]))
+        lines.extend([found.group(1), *(without_comments(found.group(1), line) for line in found.group(2).splitlines())])
         return ""
 
     text = re.sub(r"^```(\w*)\n(.*?)^```$", block, text, flags=re.MULTILINE | re.DOTALL)
-    return re.sub(r"`[^`\n]*`", "", text), blocks
+    return re.sub(r"`[^`\n]*`", "", text), lines
 
 
 def targets(root, page, text):
@@ -58,11 +57,11 @@ def canonical(root, path):
 
 def parts(root, page):
     """What both pages must have, by the word for it."""
-    text, blocks = code(page.read_text(encoding="utf-8"))
+    text, lines = code(page.read_text(encoding="utf-8"))
     found = list(targets(root, page, text))
     return {
         "headings": [len(marks) for marks in re.findall(r"^(#+) ", text, re.MULTILINE)],
-        "code": blocks,
+        "lines of code": lines,
         "pictures": [canonical(root, path) for bang, path, _ in found if bang],
         # Words move within a sentence, and so do its links.
         "links": sorted({canonical(root, path) for bang, path, _ in found if not bang} - {canonical(root, page)}

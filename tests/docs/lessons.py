@@ -21,9 +21,13 @@ def files_of(figures, root):
     return {word for word in words if (root / word).exists() or "docs/lessons" in word}
 
 
+def pictures_of(lesson, figures):
+    return [f"{lesson}-{figure['name']}.{'svg' if 'plots' in figure else 'png'}" for figure in figures]
+
+
 def bad_figures(root, lesson, figures, text):
     shown = re.findall(r"!\[[^\]]*\]\(pictures/([^)]*)\)", text)
-    made = [f"{lesson}-{figure['name']}.{'svg' if 'plots' in figure else 'png'}" for figure in figures]
+    made = pictures_of(lesson, figures)
     for name in set(shown) ^ set(made):
         yield f"{lesson}: {name} is {'not shown' if name in made else 'no figure of docs/lessons/figures'}"
     for name in made:
@@ -35,14 +39,15 @@ def bad_figures(root, lesson, figures, text):
             yield f"{lesson}: the page does not link {name}, of which a figure is made"
 
 
-def bad_folder(root, names):
+def bad_folder(root, figures):
     folder = root / "docs/lessons"
+    made = {name for lesson in figures for name in pictures_of(lesson, figures[lesson])}
     for path in (folder / "pictures").iterdir():
-        if not any(path.name.startswith(f"{name}-") for name in names):
-            yield f"{path.name} is of no lesson"
+        if path.name not in made:
+            yield f"docs/lessons/pictures/{path.name} is no figure"
     size = sum(path.stat().st_size for path in folder.rglob("*") if path.is_file())
     if size > LIMIT:
-        yield f"docs/lessons has {size} bytes: more than {LIMIT}"
+        yield f"docs/lessons has {size} bytes: at most {LIMIT} are allowed"
 
 
 def bad_graphs(root, patina, used):
@@ -80,8 +85,8 @@ def main():
     pages = {path.stem: path.read_text(encoding="utf-8") for path in sorted(folder.glob("*.md"))}
     figures = {path.stem: json.loads(path.read_text(encoding="utf-8"))["figures"] for path in sorted((folder / "figures").glob("*.json"))}
     wrong = [f"docs/lessons/figures/{name}.json has no page" for name in figures.keys() - pages.keys()]
-    for name in figures.keys() & pages.keys():
-        wrong += bad_figures(root, name, figures[name], pages[name])
+    for name, text in pages.items():
+        wrong += bad_figures(root, name, figures.get(name, []), text)
     wrong += bad_folder(root, figures)
     wrong += bad_graphs(root, patina, set().union(*(files_of(f, root) for f in figures.values())))
     wrong += bad_commands(root, patina, pages)
