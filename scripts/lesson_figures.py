@@ -141,8 +141,10 @@ def draw(axes, panel):
     else:
         axes.set_xlabel(panel.get("xlabel", ""))
         axes.set_ylabel(panel.get("ylabel", ""))
-        axes.margins(x=0)
+        axes.margins(x=0.08 if "equal" in panel else 0)
         axes.tick_params(bottom=False, left=False)
+        if "equal" in panel:
+            axes.set_aspect("equal")
     if "limits" in panel:
         axes.set_ylim(*panel["limits"])
 

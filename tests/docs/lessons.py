@@ -63,6 +63,20 @@ def bad_graphs(root, patina, used):
         yield ran.stdout + ran.stderr
 
 
+def bad_coefficients(root, patina):
+    """The lesson about spherical harmonics prints what its picture gives, and its graph has the same numbers."""
+    folder = root / "docs/lessons"
+    ran = subprocess.run([patina, "env", "--json", str(folder / "graphs/harmonics/sky.exr")], capture_output=True, encoding="utf-8")
+    if ran.returncode != 0:
+        yield ran.stderr
+        return
+    words = [[f"{number:.3f}" for number in row] for row in json.loads(ran.stdout)["coefficients"]]
+    for name in "harmonics.md", "graphs/harmonics/sum.graph.json":
+        numbers = re.findall(r"-?\d\.\d{3}\b", (folder / name).read_text(encoding="utf-8"))
+        if numbers != [word for row in words for word in row]:
+            yield f"{name} has other coefficients than sky.exr, whose are {words}"
+
+
 def commands_of(text):
     for block in re.findall(r"^```sh\n(.*?)^```$", text, re.MULTILINE | re.DOTALL):
         yield from (line for line in block.splitlines() if line.startswith("build/patina "))
@@ -89,6 +103,7 @@ def main():
         wrong += bad_figures(root, name, figures.get(name, []), text)
     wrong += bad_folder(root, figures)
     wrong += bad_graphs(root, patina, set().union(*(files_of(f, root) for f in figures.values())))
+    wrong += bad_coefficients(root, patina)
     wrong += bad_commands(root, patina, pages)
     count = sum(len(list(commands_of(text))) for text in pages.values())
     print("\n".join(wrong) or f"{len(figures)} lessons, {sum(map(len, figures.values()))} figures, {count} commands: all is well")
