@@ -1,4 +1,4 @@
-#include "runtime/snapshot/escaped.h"
+#include "runtime/page/escaped.h"
 
 namespace patina::runtime {
 

@@ -1,15 +1,27 @@
-#include "compiler/cli/pages/drawing.h"
+#include "runtime/page/drawing.h"
 
 #include <fmt/format.h>
 #include <graphviz/gvc.h>
 
 #include <algorithm>
-#include <cstdlib>
+#include <locale>
+#include <mutex>
+#include <sstream>
 
-namespace patina::cli {
+#include "runtime/page/page.h"
+
+namespace patina::runtime {
 namespace {
 
 constexpr std::size_t kLongest = 48;  // characters of a value
+constexpr int kPictureSize = 72;      // points
+
+// Graphviz wants the pictures of boxes as files. So their places are drawn in colours that nothing else has, and the
+// pictures replace them.
+constexpr std::size_t kFirstColor = 0x010000;
+std::string color_of(std::size_t box) {
+    return fmt::format("#{:06x}", kFirstColor + box);
+}
 
 // Graphviz's labels are XML of its own: no control characters, and long values are cut between characters.
 std::string label(std::string text) {
@@ -54,7 +66,8 @@ std::string row(const GraphBox& box, std::size_t i) {
     return text + "</TR>";
 }
 
-std::string table(const GraphBox& box) {
+// `picture`: the colour of the place for a picture; empty: there is none.
+std::string table(const GraphBox& box, const std::string& picture) {
     const std::size_t rows = std::max(box.inputs.size(), box.outputs.size());
     const int columns = box.inputs.empty() || box.outputs.empty() ? 1 : 2;
     std::string text = fmt::format(
@@ -63,25 +76,30 @@ std::string table(const GraphBox& box) {
         columns, box.is_node ? "#dbeafe" : "#fde68a", label(box.id));
     if (!box.title.empty()) text += "<BR/>" + label(box.title);
     text += "</TD></TR>";
+    if (!picture.empty())
+        text += fmt::format(
+            "<TR><TD COLSPAN=\"{0}\"><TABLE BORDER=\"0\" CELLBORDER=\"0\" CELLSPACING=\"0\" CELLPADDING=\"0\"><TR>"
+            "<TD FIXEDSIZE=\"TRUE\" WIDTH=\"{1}\" HEIGHT=\"{1}\" BGCOLOR=\"{2}\"></TD></TR></TABLE></TD></TR>",
+            columns, kPictureSize, picture);
     for (std::size_t i = 0; i < rows; ++i) text += row(box, i);
     return text + "</TABLE>";
 }
 
-}  // namespace
-
-std::string dot_of(const GraphView& view) {
+std::string dot_with_places(const GraphView& view, const BoxPictures& pictures) {
     std::string text =
         "digraph patina {\n  graph [rankdir=LR, ranksep=0.6, nodesep=0.25, bgcolor=white]\n"
         "  node [shape=plain, fontname=\"DejaVu Sans,Helvetica,sans-serif\", fontsize=11]\n"
         "  edge [color=\"#4b5563\", arrowsize=0.6]\n";
     for (std::size_t i = 0; i < view.boxes.size(); ++i)
-        text += fmt::format("  n{} [label=<{}>]\n", i, table(view.boxes[i]));
+        text += fmt::format("  n{} [label=<{}>]\n", i, table(view.boxes[i], pictures.contains(i) ? color_of(i) : ""));
     for (const GraphEdge& edge : view.edges)
         text += fmt::format("  n{}:o{}:e -> n{}:i{}:w\n", edge.from, edge.from_port, edge.to, edge.to_port);
     return text + "}\n";
 }
 
-Drawing draw(const std::string& dot) {
+Drawing run_graphviz(const std::string& dot) {
+    static std::mutex graphviz;  // it has global variables
+    const std::scoped_lock lock(graphviz);
     const auto silent = [](char*) { return 0; };
     agseterrf(silent);
     GVC_t* context = gvContext();
@@ -104,4 +122,46 @@ Drawing draw(const std::string& dot) {
     return made;
 }
 
-}  // namespace patina::cli
+// The value of an attribute of the tag that begins at `tag`.
+std::string attribute(std::string_view svg, std::size_t tag, std::string_view name) {
+    const std::size_t begin = svg.find(name, tag) + name.size();
+    return std::string(svg.substr(begin, svg.find('"', begin) - begin));
+}
+
+// Puts the pictures where their places are.
+void put(const BoxPictures& pictures, std::string& svg) {
+    for (const auto& [box, png] : pictures) {
+        const std::size_t begin = svg.find(fmt::format("<polygon fill=\"{}\"", color_of(box)));
+        if (begin == svg.npos) continue;
+        std::istringstream points(attribute(svg, begin, "points=\""));
+        points.imbue(std::locale::classic());
+        double left = 0, top = 0, right = 0, bottom = 0;
+        for (int i = 0; i < 4; ++i) {
+            double x = 0, y = 0;
+            char comma = 0;
+            points >> x >> comma >> y;
+            left = i == 0 ? x : std::min(left, x), right = i == 0 ? x : std::max(right, x);
+            top = i == 0 ? y : std::min(top, y), bottom = i == 0 ? y : std::max(bottom, y);
+        }
+        svg.replace(begin, svg.find("/>", begin) + 2 - begin,
+                    fmt::format("<image x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" "
+                                "xlink:href=\"data:image/png;base64,{}\"/>",
+                                left, top, right - left, bottom - top, base64(png)));
+    }
+}
+
+}  // namespace
+
+std::string dot_of(const GraphView& view) {
+    return dot_with_places(view, {});
+}
+
+Drawing draw(const GraphView& view, const BoxPictures& pictures) {
+    if (view.boxes.size() > kMostBoxes)
+        return {.error = fmt::format("it has {} nodes, and a drawing has at most {}", view.boxes.size(), kMostBoxes)};
+    Drawing drawing = run_graphviz(dot_with_places(view, pictures));
+    put(pictures, drawing.svg);
+    return drawing;
+}
+
+}  // namespace patina::runtime

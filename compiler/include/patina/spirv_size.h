@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace patina::cli {
+namespace patina {
 
 struct SpirvSize {
     std::size_t instructions = 0;  // with declarations
@@ -19,4 +19,4 @@ struct SpirvSize {
 // All zero if the words are not a module.
 SpirvSize size_of(const std::vector<std::uint32_t>& spirv);
 
-}  // namespace patina::cli
+}  // namespace patina

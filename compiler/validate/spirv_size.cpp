@@ -1,11 +1,11 @@
-#include "compiler/cli/pages/spirv_size.h"
+#include "patina/spirv_size.h"
 
 #include <algorithm>
 #include <map>
 #include <set>
 #include <span>
 
-namespace patina::cli {
+namespace patina {
 namespace {
 
 constexpr std::uint32_t kMagic = 0x07230203u;
@@ -132,4 +132,4 @@ SpirvSize size_of(const std::vector<std::uint32_t>& spirv) {
     return Reader(spirv).size();
 }
 
-}  // namespace patina::cli
+}  // namespace patina
