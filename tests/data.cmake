@@ -40,3 +40,5 @@ add_python_test(sources ${CMAKE_CURRENT_SOURCE_DIR}/docs/sources.py ${CMAKE_SOUR
 # The lessons, and what is written in two languages.
 add_python_test(languages ${CMAKE_CURRENT_SOURCE_DIR}/docs/languages.py ${CMAKE_SOURCE_DIR})
 add_python_test(lessons ${CMAKE_CURRENT_SOURCE_DIR}/docs/lessons.py ${CMAKE_SOURCE_DIR} $<TARGET_FILE:patina_cli>)
+add_python_test(lesson_figures ${CMAKE_CURRENT_SOURCE_DIR}/docs/lessons.py ${CMAKE_SOURCE_DIR} $<TARGET_FILE:patina_cli> figures)
+set_tests_properties(lesson_figures PROPERTIES LABELS slow)
