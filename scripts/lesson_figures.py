@@ -127,4 +127,4 @@ def plots(figure, path):
             axes.legend(title=panel.get("legend"), loc=panel.get("legendAt", "center left"),
                         bbox_to_anchor=panel.get("legendPlace", [1.02, 0.5]), fontsize=8)
     canvas.tight_layout()
-    save_svg(canvas, f"{path}.svg")
+    save_svg(canvas, f"{path}.svg", numbered=True)
