@@ -38,7 +38,8 @@ def font(size):
     return ImageFont.truetype(os.path.join(matplotlib.get_data_path(), "fonts/ttf/DejaVuSans.ttf"), size)
 
 
-def save_svg(figure, path):
+def save_svg(figure, path, numbered=False):
+    """`numbered`: the areas that clip curves have numbers, for the names of round ones differ from run to run."""
     text = io.StringIO()
     figure.savefig(text, format="svg", bbox_inches="tight", metadata={"Date": None, "Creator": None})
     pyplot.close(figure)
@@ -46,4 +47,6 @@ def save_svg(figure, path):
     text = re.sub(r">[^<]*<|\d+\.\d{3,}", lambda found: found.group() if found.group().startswith(">")
                   else f"{float(found.group()):.2f}", text.getvalue())
     text = re.sub(r"\s*<metadata>.*</metadata>", "", text, flags=re.DOTALL)
+    for number, name in enumerate(re.findall(r'<clipPath id="(\w+)"', text) if numbered else []):
+        text = text.replace(name, f"clip{number}")
     write(path, text)

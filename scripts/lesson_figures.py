@@ -90,6 +90,8 @@ def draw(axes, panel):
     if "scale" in panel:
         axes.set_yscale(panel["scale"])
         axes.minorticks_off()
+    if "limits" in panel:
+        axes.set_ylim(*panel["limits"])
     for number, curve in enumerate(curves_of(panel)):
         rows = list(csv.DictReader(io.StringIO(patina("eval", *shlex.split(curve["eval"])))))
         x, y = ([float(row[curve[which]]) for row in rows] for which in ("x", "y"))
@@ -110,8 +112,6 @@ def draw(axes, panel):
         axes.tick_params(bottom=False, left=False)
         if "equal" in panel:
             axes.set_aspect("equal")
-    if "limits" in panel:
-        axes.set_ylim(*panel["limits"])
 
 
 def plots(figure, path):
@@ -127,4 +127,4 @@ def plots(figure, path):
             axes.legend(title=panel.get("legend"), loc=panel.get("legendAt", "center left"),
                         bbox_to_anchor=panel.get("legendPlace", [1.02, 0.5]), fontsize=8)
     canvas.tight_layout()
-    save_svg(canvas, f"{path}.svg")
+    save_svg(canvas, f"{path}.svg", numbered=True)
