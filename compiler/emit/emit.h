@@ -73,6 +73,8 @@ struct TextureParts {
     TextureView view{};
 };
 Typed make_texture(Emitter& emitter, const TextureParts& parts, Scope& scope);
+// As expression_as(), but a texture keeps its view: for what may have the type of its value.
+Typed view_as(Emitter& emitter, const Expr& expr, ir::Type type, Scope& scope, std::string_view what);
 bool is_texture(const Emitter& emitter, ir::Type type);
 // True for two types of textures that differ at most in what is read of them.
 bool is_view_of(const Emitter& emitter, ir::Type type, ir::Type texture);

@@ -267,12 +267,7 @@ Typed GraphScope::value_as(const Expr& expr, Type type, std::string_view what, b
         if (!rgb.ok()) return {};
         return {.value = b.construct(type, std::array{rgb.value, b.constant(ir::kFloat, {1})}), .type = type};
     }
-    if (!emit::is_texture(lowering_.emitter, type))
-        return emit::expression_as(lowering_.emitter, expr, type, scope_, what);
-    const Typed texture = emit::primary(lowering_.emitter, value(expr), scope_, expr.span);
-    return emit::is_view_of(lowering_.emitter, texture.type, type)
-               ? texture
-               : emit::convert(lowering_.emitter, texture, type, scope_, expr.span, what);
+    return emit::view_as(lowering_.emitter, expr, type, scope_, what);
 }
 
 // Instructions that belong to no node belong to the port.

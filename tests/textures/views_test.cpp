@@ -179,7 +179,7 @@ TEST_P(TextureViews, ANormalMapMayHaveBoth) {
 TEST_P(TextureViews, ViewsPassThroughSubGraphsAndFunctions) {
     std::ofstream(testing::TempDir() + "pick.node.hlsl") << R"(
 /// Reads a texture through a function of its own.
-[node("Test/Pick")] float4 Pick(Texture2D map, float2 at = uv0) { return map.Sample(map.sampler, at); }
+[node("Test/Pick")] float4 Pick(Texture2D map, float2 at = uv0) { Texture2D own = map; return own.Sample(own.sampler, at); }
 )";
     std::ofstream(testing::TempDir() + "inner.subgraph.json") << R"({ "patina": 1, "kind": "subgraph",
         "inputs": [ { "name": "map", "type": "texture2d" } ],
@@ -197,6 +197,63 @@ TEST_P(TextureViews, ViewsPassThroughSubGraphsAndFunctions) {
     expect_at(seen, 0, 0, {0.6, 0.4, 0.2}, "bgr");
     expect_at(seen, 1, 0, {0.2, 0.4, 0.6}, "as it is");
     expect_at(seen, 1, 1, {0.8, 0.8, 0.8}, "a");
+}
+
+// A relief that moves the coordinates, vertices that a texture moves, a lighting graph that gets a texture, and sizes
+// and tilings: a material whose textures are rearranged looks like one whose files are.
+TEST_P(TextureViews, EverythingThatReadsATextureSeesItsView) {
+    constexpr int kTexels = 8;
+    std::mt19937 random(11);
+    std::vector<std::array<float, 4>> height, height_in_alpha, ramp, ramp_reversed;
+    for (int i = 0; i < kTexels * kTexels; ++i) {
+        const auto byte = [&] { return static_cast<float>(random() % 256) / 255; };
+        const float h = byte(), r = byte(), g = byte(), b = byte();
+        height.push_back({h, h, h, 1});
+        height_in_alpha.push_back({byte(), byte(), byte(), h});
+        ramp.push_back({r, g, b, 1});
+        ramp_reversed.push_back({b, g, r, byte()});
+    }
+    std::ofstream(testing::TempDir() + "ramp.lighting.json") << R"j({ "patina": 1, "kind": "lighting",
+        "properties": [ { "name": "_Ramp", "type": "texture2d", "usage": "data" } ],
+        "direct": "= @surface.diffuseColor * SampleTexture2DLevel($_Ramp, float2(saturate(dot(@surface.normalWS, @light.direction)), 0.3)).rgb" })j";
+    const auto picture = [&](const std::string& height_key, const std::string& ramp_key, const std::string& height_file,
+                             const std::string& ramp_file) {
+        static const Compiler compiler;
+        static RenderMachine machine;
+        const std::string path = testing::TempDir() + "everything.graph.json";
+        std::ofstream(path) << R"j({ "patina": 1, "workflow": "metallic-roughness",
+          "lighting": { "use": "./ramp.lighting.json", "in": { "_Ramp": "$_Mine" } },
+          "properties": [
+            { "name": "_Height", "type": "texture2d", "usage": "data", "tiling": true)j"
+                            << height_key << R"j( }, { "name": "_Mine", "type": "texture2d", "usage": "data")j"
+                            << ramp_key << R"j( } ],
+          "nodes": [
+            { "id": "view", "node": "ViewDirection", "in": { "space": "Tangent" } },
+            { "id": "relief", "node": "ParallaxOcclusion", "in": { "texture": "$_Height", "viewTS": "view" } },
+            { "id": "color", "node": "SampleTexture2DGrad", "in": { "texture": "$_Mine", "uv": "relief", "smoothUV": "@uv0" } },
+            { "id": "size", "expr": "$_Height.texelSize.z * 0.1 + $_Height.tiling.x * 0.1 + TexelSize($_Mine).x" } ],
+          "vertex": { "positionOS": "= @positionOS + @normalOS * SampleTexture2DLevel($_Height).r * 0.2" },
+          "surface": { "baseColor": "= color.rgb * size" } })j";
+        RenderRequest request{.graph = path,
+                              .mesh = "sphere",
+                              .size = 48,
+                              .samples = 1,
+                              .overrides = {{"_Height", height_file}, {"_Mine", ramp_file}, {"_Height_ST", "2,2,0,0"}}};
+        request.options.via = GetParam();
+        request.options.exact_textures = true;
+        RenderOutcome outcome = render(compiler, request, machine);
+        for (const Diagnostic& each : outcome.diagnostics) ADD_FAILURE() << to_text(each);
+        EXPECT_TRUE(outcome.ok) << outcome.error;
+        return outcome.image;
+    };
+    const Image expected =
+        picture("", "", png_of("height", kTexels, kTexels, height), png_of("ramp", kTexels, kTexels, ramp));
+    const std::string alpha = png_of("height_in_alpha", kTexels, kTexels, height_in_alpha),
+                      reversed = png_of("ramp_reversed", kTexels, kTexels, ramp_reversed);
+    const Image same = picture(R"(, "swizzle": "a")", R"(, "swizzle": "bgr")", alpha, reversed);
+    EXPECT_EQ(same.pixels, expected.pixels);
+    EXPECT_NE(picture("", R"(, "swizzle": "bgr")", alpha, reversed).pixels, expected.pixels);
+    EXPECT_NE(picture(R"(, "swizzle": "a")", "", alpha, reversed).pixels, expected.pixels);
 }
 
 INSTANTIATE_TEST_SUITE_P(Via, TextureViews, testing::Values("glsl", "hlsl", "cpu"));

@@ -141,6 +141,12 @@ Value seen(const TextureView& view, Value texel, ir::Builder& b) {
 
 }  // namespace
 
+Typed view_as(Emitter& emitter, const Expr& expr, Type wanted, Scope& scope, std::string_view what) {
+    if (!is_texture(emitter, wanted)) return expression_as(emitter, expr, wanted, scope, what);
+    const Typed given = primary(emitter, expression(emitter, expr, scope), scope, expr.span);
+    return is_view_of(emitter, given.type, wanted) ? given : convert(emitter, given, wanted, scope, expr.span, what);
+}
+
 bool is_texture(const Emitter& emitter, Type type) {
     return texture_of(emitter, type).kind != nullptr;
 }
