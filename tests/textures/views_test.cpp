@@ -256,6 +256,27 @@ TEST_P(TextureViews, EverythingThatReadsATextureSeesItsView) {
     EXPECT_NE(picture(R"(, "swizzle": "a")", "", alpha, reversed).pixels, expected.pixels);
 }
 
+// Unity keeps two channels of what it imports as a normal map, so a swizzle reads a plain texture.
+TEST(TextureViewsInUnity, ANormalMapWithASwizzleIsAPlainTexture) {
+    static const Compiler compiler;
+    const auto text = [&](const std::string& keys) {
+        const std::string path = testing::TempDir() + "unitys.graph.json";
+        std::ofstream(path) << R"({ "patina": 1, "workflow": "unlit", )" << bump(keys, kNormalReaders.at("map"))
+                            << " }";
+        CompileOptions options;
+        options.targets = {{"unity", "hlsl"}};
+        const Result made = compiler.compile_file(path, options);
+        EXPECT_TRUE(made.ok);
+        return made.ok ? made.shaders[0].text : std::string();
+    };
+    const std::string plain = text(""), turned = text(R"("handedness": "directx", )"),
+                      packed = text(R"("swizzle": "ag1", )");
+    const auto has = [](const std::string& all, const char* part) { return all.find(part) != all.npos; };
+    EXPECT_TRUE(has(plain, "[Normal] _Bump") && has(plain, "UnpackScaleNormal("));
+    EXPECT_TRUE(has(turned, "[Normal] _Bump") && has(turned, "NormalTexel(UNITY_SAMPLE_TEX2D(_Bump"));
+    EXPECT_TRUE(has(packed, "_Bump") && !has(packed, "[Normal]") && !has(packed, "NormalTexel("));
+}
+
 INSTANTIATE_TEST_SUITE_P(Via, TextureViews, testing::Values("glsl", "hlsl", "cpu"));
 
 }  // namespace
