@@ -19,6 +19,7 @@ namespace {
 
 // As floats, a picture of so many takes 2 GiB.
 constexpr std::size_t kMostPixels = std::size_t(kLargestImage) * kLargestImage / 2;
+constexpr std::uintmax_t kMostBytes = std::uintmax_t(1) << 32;  // of a file
 
 Failure unreadable(const std::string& path, const std::string& why) {
     return {"cannot read '" + path + "' as an image: " + why};
@@ -99,6 +100,7 @@ Outcome<Image> load_image(const std::string& path) {
     std::error_code ignored;
     if (std::filesystem::is_directory(path, ignored)) return Failure{"cannot read '" + path + "': it is a folder"};
     if (!std::filesystem::is_regular_file(path, ignored)) return Failure{"there is no file '" + path + "'"};
+    if (std::filesystem::file_size(path, ignored) > kMostBytes) return unreadable(path, "it is larger than 4 GiB");
     if (!std::ifstream(path, std::ios::binary)) return Failure{"cannot read '" + path + "': it cannot be opened"};
     return checked_image(path, bytes_of(path), nullptr);
 }

@@ -189,6 +189,12 @@ TEST_F(PictureFile, OfGigabytesIsRefusedBeforeItTakesMemory) {
     exr.replace(at + word.size() + 4 + 8, 8, number(16383, false) + number(7999, false));
     write("claim.exr", exr);
     expect_fault("claim.exr", "cannot read");
+    // A file of holes, which takes no room on the disk.
+    write("holes.tif", std::string("II*\0\x08\0\0\0", 8));
+    fs::resize_file(path("holes.tif"), std::uintmax_t(5) << 30);
+    const Outcome<Image> holes = load_image(path("holes.tif"));
+    ASSERT_FALSE(holes);
+    EXPECT_EQ(holes.error, "cannot read '" + path("holes.tif") + "' as an image: it is larger than 4 GiB");
     EXPECT_LT(peak_kilobytes() - before, 400 * 1024);
 }
 
