@@ -158,7 +158,7 @@ endfunction()
 # The command uses the public headers, as any program does that embeds the compiler. The commands that draw or import do
 # so through the runtime and the importers. The others need at most the lighting at one point, and write files.
 file(GLOB_RECURSE files ${ROOT}/compiler/cli/*.h ${ROOT}/compiler/cli/*.cpp ${ROOT}/compiler/cli/*.in)
-set(draws "/(bake|render|check_scene|snapshot|trace)\\.cpp$|/picture_(options|sweep)\\.(h|cpp)$")
+set(draws "/(bake|render|check_scene|graph|sheet|snapshot|trace)\\.cpp$|/picture_(options|sweep)\\.(h|cpp)$")
 foreach(file IN LISTS files)
   if(file MATCHES "/(render|model_file)\\.(h|cpp)$")  # a model is imported before it is drawn
     check_includes(${file} "^(compiler/cli|patina|runtime)/|^compiler/importers/importer\\.h$")
@@ -169,7 +169,7 @@ foreach(file IN LISTS files)
   elseif(file MATCHES "/import\\.cpp$")
     check_includes(${file} "^(compiler/cli|patina)/|^compiler/importers/importer\\.h$")
   else()
-    check_includes(${file} "^(compiler/cli|patina)/|^runtime/(lighting/model|files/files)\\.h$")
+    check_includes(${file} "^(compiler/cli|patina)/|^runtime/(lighting/model|files/(files|find_files)|jobs/jobs|outcome)\\.h$")
   endif()
 endforeach()
 
@@ -203,8 +203,9 @@ endforeach()
 
 # --- the rooms of the runtime, from the bottom to the top: room -> rooms that it may include (itself and outcome.h
 # always). A room includes only rooms above it in this list, so that there are no circles.
-set(runtime_rooms files picture lighting mesh gltf scene lights values frame cpu gpu render bake snapshot)
+set(runtime_rooms files jobs picture lighting mesh gltf scene lights values frame cpu gpu render bake page snapshot sheet)
 set(runtime_files "")
+set(runtime_jobs "")
 set(runtime_picture "files")
 set(runtime_lighting "files;picture")
 set(runtime_mesh "")
@@ -215,9 +216,11 @@ set(runtime_values "picture;lighting;mesh;scene;lights")
 set(runtime_frame "picture;mesh;scene;lights;values")
 set(runtime_cpu "picture;mesh;scene;values;frame")
 set(runtime_gpu "picture;values;frame")
-set(runtime_render "picture;mesh;scene;values;frame;cpu;gpu")
+set(runtime_render "jobs;picture;mesh;scene;values;frame;cpu;gpu")
 set(runtime_bake "picture;mesh;gltf;scene;values;render")
-set(runtime_snapshot "files;picture;mesh;gltf;scene;render")
+set(runtime_page "")
+set(runtime_snapshot "files;picture;mesh;gltf;scene;render;page")
+set(runtime_sheet "files;picture;render;page")
 
 set(lower_rooms "")
 foreach(room IN LISTS runtime_rooms)

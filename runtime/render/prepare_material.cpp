@@ -64,6 +64,7 @@ CompileOptions compile_options(const RenderOptions& options) {
     made.preview = options.preview;
     if (options.files) made.loader = loader_of(options.files);
     made.lighting = options.lighting;
+    made.accept_parts = options.accept_parts;
     return made;
 }
 
