@@ -54,7 +54,7 @@ void add_engine_textures(std::vector<LoadedTexture>& textures, const Reflection&
 
 // The reflection's own defaults are files below `graph_folder`. `files` maps texture names to a default's name or a
 // file, as one opens it, and wins over them. `in_memory`: files of a model, which are found before those of the file
-// system; null: none. What the pictures of a model state of their colour space does not count (glTF 2.0, 3.9.2).
+// system; null: none. What the pictures of a model state of their colour space does not count (glTF 2.0, "Images").
 LoadedTextures load_textures(const Reflection& reflection, const std::string& graph_folder,
                              const std::map<std::string, std::string>& files, bool exact,
                              const MemoryFiles* in_memory = nullptr);
