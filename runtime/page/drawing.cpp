@@ -8,6 +8,7 @@
 #include <mutex>
 #include <sstream>
 
+#include "runtime/page/escaped.h"
 #include "runtime/page/page.h"
 
 namespace patina::runtime {
@@ -30,17 +31,9 @@ std::string label(std::string text) {
         while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;
         text = text.substr(0, end) + "...";
     }
-    std::string made;
-    for (char c : text) {
-        switch (c) {
-            case '&': made += "&amp;"; break;
-            case '<': made += "&lt;"; break;
-            case '>': made += "&gt;"; break;
-            case '"': made += "&quot;"; break;
-            default: made += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
-        }
-    }
-    return made;
+    std::ranges::replace_if(
+        text, [](char c) { return static_cast<unsigned char>(c) < 0x20; }, ' ');
+    return escaped(text);
 }
 
 std::string small(const std::string& text) {

@@ -145,10 +145,5 @@ void print_figures(const Figures& figures) {
 }  // namespace patina::bench
 
 int main(int argc, char** argv) {
-    benchmark::Initialize(&argc, argv);
-    if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
-    patina::bench::register_all();
-    patina::bench::Figures figures;
-    benchmark::RunSpecifiedBenchmarks(&figures);
-    patina::bench::print_figures(figures);
+    return patina::bench::run(argc, argv, patina::bench::register_all, patina::bench::print_figures);
 }

@@ -7,7 +7,7 @@
 #include <memory>
 
 #include "compiler/cli/commands/commands.h"
-#include "compiler/cli/commands/compile_arguments.h"
+#include "compiler/cli/compile/arguments.h"
 #include "compiler/cli/files.h"
 #include "compiler/cli/outputs.h"
 #include "patina/output_name.h"

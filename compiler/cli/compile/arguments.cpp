@@ -1,4 +1,4 @@
-#include "compiler/cli/commands/compile_arguments.h"
+#include "compiler/cli/compile/arguments.h"
 
 #include <fmt/format.h>
 

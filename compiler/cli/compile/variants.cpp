@@ -1,4 +1,4 @@
-#include "compiler/cli/commands/compile_variants.h"
+#include "compiler/cli/compile/variants.h"
 
 #include <fmt/format.h>
 #include <rapidjson/prettywriter.h>

@@ -1,3 +1,5 @@
+// The room `cli/compile` is what `patina compile` needs beside its command: its words, and its variants.
+//
 // The words of `patina compile`, and what they mean for the library's engines.
 #pragma once
 
@@ -5,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "compiler/cli/commands/compile_variants.h"
+#include "compiler/cli/compile/variants.h"
 #include "compiler/cli/inputs.h"
 #include "compiler/cli/program.h"
 
