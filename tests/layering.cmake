@@ -187,7 +187,7 @@ foreach(folder IN LISTS folders)
   get_filename_component(importer ${folder} NAME)
   file(GLOB_RECURSE files ${folder}/*.h ${folder}/*.cpp)
   foreach(file IN LISTS files)
-    check_includes(${file} "^compiler/(json|base)/|^compiler/importers/([a-z_]+\\.h$|${importer}/)|^patina/|^runtime/(picture/image|lighting/merl|gltf/gltf_(file|model)|mesh/framing)\\.h$|^runtime/outcome\\.h$")
+    check_includes(${file} "^compiler/(json|base)/|^compiler/importers/([a-z_]+\\.h$|${importer}/)|^patina/|^runtime/(picture/(image|picture_kind)|lighting/merl|gltf/gltf_(file|model)|mesh/framing)\\.h$|^runtime/outcome\\.h$")
   endforeach()
 endforeach()
 
