@@ -1,5 +1,5 @@
 # Tests in Python: pages in a browser; reference values, derived independently of Patina from the papers; and the rows
-# and links of docs/sources.md.
+# and links of docs/sources.md and of the lessons.
 find_package(Python3 COMPONENTS Interpreter)
 
 # A test that is a Python script; without Python it is skipped with a message.
@@ -19,6 +19,12 @@ if(Python3_Interpreter_FOUND)
   set_tests_properties(report_page PROPERTIES SKIP_REGULAR_EXPRESSION "(^|\n)skipped: " TIMEOUT 300)
 endif()
 
+# The page of `patina sheet`, in the same browser.
+add_python_test(sheet_page ${CMAKE_CURRENT_SOURCE_DIR}/report/sheet_test.py $<TARGET_FILE:patina_cli>)
+if(Python3_Interpreter_FOUND)
+  set_tests_properties(sheet_page PROPERTIES SKIP_REGULAR_EXPRESSION "(^|\n)skipped: " TIMEOUT 300)
+endif()
+
 # Sheets of pictures that compare.
 add_python_test(looking ${CMAKE_CURRENT_SOURCE_DIR}/report/looking_test.py $<TARGET_FILE:patina_cli>)
 
@@ -30,3 +36,9 @@ add_python_test(guard ${CMAKE_CURRENT_SOURCE_DIR}/guard/guard_test.py $<TARGET_F
 
 add_python_test(brdf_values ${CMAKE_CURRENT_SOURCE_DIR}/data/derive_brdf_values.py)
 add_python_test(sources ${CMAKE_CURRENT_SOURCE_DIR}/docs/sources.py ${CMAKE_SOURCE_DIR} $<TARGET_FILE:patina_cli>)
+
+# The lessons, and what is written in two languages.
+add_python_test(languages ${CMAKE_CURRENT_SOURCE_DIR}/docs/languages.py ${CMAKE_SOURCE_DIR})
+add_python_test(lessons ${CMAKE_CURRENT_SOURCE_DIR}/docs/lessons.py ${CMAKE_SOURCE_DIR} $<TARGET_FILE:patina_cli>)
+add_python_test(lesson_figures ${CMAKE_CURRENT_SOURCE_DIR}/docs/lessons.py ${CMAKE_SOURCE_DIR} $<TARGET_FILE:patina_cli> figures)
+set_tests_properties(lesson_figures PROPERTIES LABELS slow)

@@ -111,8 +111,8 @@ bool order_passes(Compilation& c) {
 }
 
 bool reflect(Compilation& c) {
-    c.result.reflection =
-        output::reflect(*c.materials.front(), c.linked.front().lowered, c.passes, c.session.options.hashes);
+    c.result.reflection = output::reflect(*c.materials.front(), c.linked.front().lowered, c.passes, c.session.sources,
+                                          c.session.options.hashes);
     return true;
 }
 

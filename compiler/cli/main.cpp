@@ -23,15 +23,19 @@ int turn_into(const std::string& name, char** argv) {
     return static_cast<int>(Exit::Machine);
 }
 
+// Scenes are checked by patina-render. A folder or a list may hold some.
+bool may_name_scenes(std::string_view word) {
+    std::error_code ignored;
+    return is_scene(word) || word.starts_with("--files") || std::filesystem::is_directory(word, ignored);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
     const std::string_view first = argc > 1 ? argv[1] : "";
     const CommandInfo* command = find_command(first);
     Home home = command ? command->home : Home::Patina;
-    if (first == "check" && std::any_of(argv, argv + argc, [](const char* word) { return is_scene(word); })) {
-        home = Home::Render;
-    }
+    if (first == "check" && std::any_of(argv, argv + argc, may_name_scenes)) home = Home::Render;
     switch (home) {
         case Home::Import: return turn_into("patina-import", argv);
         case Home::Render: return turn_into("patina-render", argv);

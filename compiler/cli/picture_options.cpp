@@ -82,7 +82,7 @@ void add_light_options(CLI::App& command, runtime::RenderRequest& request) {
 void add_camera_option(CLI::App& command, runtime::RenderRequest& request) {
     command
         .add_option("--camera", request.camera,
-                    "The camera: 'position=2,1,3 target=0,0,0 fov=35', or the name of a camera of a model")
+                    "The camera: 'position=2,1,3 target=0,0,0 fov=35'; of a model also the name of one of its cameras")
         ->type_name("CAMERA");
 }
 

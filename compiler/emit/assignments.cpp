@@ -124,7 +124,7 @@ void declare(Emitter& emitter, const Stmt& stmt, Scope& scope) {
                 }
             }
         } else {
-            local.value = expression_as(emitter, *stmt.value, wanted, scope, fmt::format("'{}'", stmt.name));
+            local.value = view_as(emitter, *stmt.value, wanted, scope, fmt::format("'{}'", stmt.name));
             if (stmt.is_const) local.constant = constant_value(emitter.known, *stmt.value, scope);
         }
         if (local.value.ok() && stmt.value) {

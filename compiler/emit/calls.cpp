@@ -120,7 +120,7 @@ Typed call_gathered(Emitter& emitter, const FunctionDecl& function, const Declar
         const Span at = arguments[i] ? arguments[i]->span : span;
         const Type wanted = type(emitter, param.type, border);
         Typed value = gathered[i].value;
-        if (value.type != wanted) {
+        if (value.type != wanted && !is_view_of(emitter, value.type, wanted)) {
             value = convert(emitter, value, wanted, scope, at,
                             fmt::format("the input '{}' of {}", param.name, function.name));
         }

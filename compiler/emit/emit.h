@@ -14,18 +14,31 @@
 // All of them use conversion.h, types.h and constant_value.h.
 #pragma once
 
+#include <array>
 #include <deque>
+#include <tuple>
 
 #include "compiler/emit/instances.h"
 #include "compiler/emit/known.h"
 
 namespace patina::emit {
 
+// What is read of a texture, if that is not what its file has. It is part of the texture's type: whoever reads texels
+// applies it, and each function that takes textures is emitted for each view of them.
+struct TextureView {
+    std::array<char, 4> channels{'r', 'g', 'b', 'a'};  // of the four components: r, g, b, a, 0 or 1
+    bool green_is_down = false;                        // the component that is green after that is 1 - green
+    friend bool operator==(const TextureView&, const TextureView&) = default;
+    friend bool operator<(const TextureView& a, const TextureView& b) {
+        return std::tie(a.channels, a.green_is_down) < std::tie(b.channels, b.green_is_down);
+    }
+};
+
 // The struct types that have been made.
 struct Structures {
     std::map<const StructDecl*, ir::Type> made{};
     // The values of textures: {texture, sampler}, and of Texture2D {texture, sampler, texelSize, tiling}.
-    std::map<ir::Kind, ir::Type> textures{};
+    std::map<std::pair<ir::Kind, TextureView>, ir::Type> textures{};
 };
 
 // What the emission into one module needs and keeps.
@@ -57,8 +70,14 @@ struct TextureParts {
     ir::Value texture, sampler;
     ir::Value tiling{};      // float4: scale and offset; null: 1 and 0
     ir::Value texel_size{};  // float4: (1/width, 1/height, width, height); null: the shader asks the texture
+    TextureView view{};
 };
 Typed make_texture(Emitter& emitter, const TextureParts& parts, Scope& scope);
+// As expression_as(), but a texture keeps its view: for what may have the type of its value.
+Typed view_as(Emitter& emitter, const Expr& expr, ir::Type type, Scope& scope, std::string_view what);
+bool is_texture(const Emitter& emitter, ir::Type type);
+// True for two types of textures that differ at most in what is read of them.
+bool is_view_of(const Emitter& emitter, ir::Type type, ir::Type texture);
 
 // --- types
 // The type that a word of the language means here. Reports a word that means none.

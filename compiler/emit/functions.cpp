@@ -165,11 +165,12 @@ const Outputs* begin_body(Emitter& emitter, const FunctionDecl& function, const 
     }
     for (std::size_t i = 0; i < function.params.size(); ++i) {
         const ParamDecl& param = function.params[i];
-        const Type param_type = type(emitter, param.type, scope);
+        Type param_type = type(emitter, param.type, scope);
         if (param_type.is_error()) {
             scope.result = Type::error();
             return nullptr;
         }
+        if (is_view_of(emitter, arguments[i].value.type, param_type)) param_type = arguments[i].value.type;
         Local local{.name = param.name, .value = {}, .is_const = param.is_const, .constant = {}};
         if (param.is_out) {
             outputs.names.emplace_back(param.name);
@@ -205,6 +206,7 @@ const Instance& instantiate(Emitter& emitter, const FunctionDecl& function, cons
     InstanceKey key{.function = &function, .width = width, .half = half};
     for (std::size_t i = 0; i < function.params.size(); ++i) {
         if (function.params[i].is_const) key.constants.push_back(bits_as<std::uint64_t>(*arguments[i].constant));
+        if (is_texture(emitter, arguments[i].value.type)) key.textures.push_back(arguments[i].value.type.ref);
     }
     if (const Instance* made = emitter.instances.find(key)) return *made;
     if (std::find(emitter.active.begin(), emitter.active.end(), &function) != emitter.active.end() ||

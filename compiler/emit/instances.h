@@ -1,5 +1,6 @@
 // The store of the functions that have been emitted. A function of the language becomes one IR function ("instance")
-// for each width of floatN, each precision and each list of constant arguments that somebody calls it with.
+// for each width of floatN, each precision, each list of constant arguments and each view of its textures that somebody
+// calls it with.
 //
 // An instance is passing if its body depends on an answer of Known::make_static that holds only for the pass that is
 // being lowered. The code that gives such an answer calls note_passing_answer(); forget_passing() then drops these
@@ -30,8 +31,11 @@ struct InstanceKey {
     unsigned width = 0;
     bool half = false;
     std::vector<std::uint64_t> constants{};  // the bits of the constant arguments, which are doubles
+    std::vector<std::uint32_t> textures{};   // the struct types of its textures, one for each view
     friend bool operator<(const InstanceKey& a, const InstanceKey& b) {
-        const auto key = [](const InstanceKey& k) { return std::tie(k.function, k.width, k.half, k.constants); };
+        const auto key = [](const InstanceKey& k) {
+            return std::tie(k.function, k.width, k.half, k.constants, k.textures);
+        };
         return key(a) < key(b);
     }
 };

@@ -75,6 +75,7 @@ struct Engine {
 
     // How the engine stores the values of a material, by type; empty: as the shader reads them.
     std::map<std::string, std::string, std::less<>> storage;
+    bool shares_samplers = true;      // a sampler can serve several textures; else each texture brings its own
     std::string texture_sizes;        // the ending of the name of a texture's size; empty: there is no such value
     std::uint32_t most_varyings = 0;  // vectors from the vertex stage to the fragment stage
     std::string varyings_note;        // which of the engine's own values take some of these; may be empty

@@ -47,6 +47,8 @@ public:
         word(json, "matrices", "an order of matrices", engine_.matrices);
         word(json, "uvOrigin", "an origin of texture coordinates", engine_.uv_origin);
         engine_.storage = map(json, "storage");
+        if (const Json* shared = json.find("sharedSamplers"))
+            engine_.shares_samplers = graph::read_bool(reading_, *shared, "'sharedSamplers'").value_or(true);
         engine_.texture_sizes = text(json, "textureSizes");
         if (const Json* limits = object(json, "limits", EngineLimits)) {
             number(*limits, "varyings", engine_.most_varyings);

@@ -79,6 +79,9 @@ void suggest(Reading& reading, DiagnosticRecord& record, std::string_view word,
 void check_range(Reading& reading, Span span, double value, const std::array<double, 2>& range, bool hard,
                  std::string_view name);
 
+// The keys of a property that is a texture: "usage", "sampler" and so on (read_texture_keys.cpp).
+void read_texture_keys(Reading& reading, const Json& json, Property& property);
+
 // The word in `known` of which `word` is a synonym, or `word` itself.
 std::string_view meant_by(std::string_view word, std::span<const std::string_view> known);
 

@@ -20,4 +20,7 @@ std::shared_ptr<Graph> read_graph(const Json& json, std::string path, const Sour
 const nodelang::Expr* read_value(const Json& json, const SourceMap& sources, nodelang::Ast& ast,
                                  Diagnostics& diagnostics);
 
+// Where something stands in its file, for what only a renderer can check.
+FilePlace place_of(const SourceMap& sources, Span span);
+
 }  // namespace patina::graph

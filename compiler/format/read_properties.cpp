@@ -49,7 +49,9 @@ std::size_t ranged_count(PropertyType type) {
 void check_keys_of_type(Reading& reading, const Json& json, const Property& property) {
     const std::string what = fmt::format("a property of type {}", to_string(property.type));
     if (!is_texture(property.type)) {
-        for (const std::string_view key : {"usage", "sampler"}) refuse_key(reading, json, key, what, "a texture");
+        for (const std::string_view key : {"usage", "swizzle", "sampler"})
+            refuse_key(reading, json, key, what, "a texture");
+        refuse_key(reading, json, "handedness", what, "a texture2d of the usage normal");
     }
     if (property.type != PropertyType::Texture2D) refuse_key(reading, json, "tiling", what, "a texture2d");
     const bool has_layers = property.type == PropertyType::Texture2DArray || property.type == PropertyType::Texture3D;
@@ -188,52 +190,6 @@ void read_enum_values(Reading& reading, const Json& json, Property& property) {
         property.values.push_back(read_identifier(reading, value, "a value of an enum"));
         property.value_spans.push_back(value.span);
         if (value.kind == Json::Kind::String) names.add(reading, value, "value");
-    }
-}
-
-void read_sampler(Reading& reading, const Json& json, Sampler& sampler) {
-    if (!expect(reading, json, Json::Kind::Object, "'sampler'")) return;
-    check_keys(reading, json, ObjectKind::Sampler);
-    if (const Json* wrap = json.find("wrap")) {
-        sampler.wrap = read_word<Wrap>(reading, *wrap, "wrap", "a wrap mode").value_or(Wrap::Repeat);
-    }
-    if (const Json* filter = json.find("filter")) {
-        sampler.filter = read_word<Filter>(reading, *filter, "filter", "a filter").value_or(Filter::Linear);
-    }
-    if (const Json* anisotropy = json.find("anisotropy")) {
-        sampler.anisotropy = read_int(reading, *anisotropy, "'anisotropy'", 1, 16).value_or(1);
-    }
-}
-
-// "grid": [4, 2]: the picture holds 2 rows of 4 layers.
-void read_grid(Reading& reading, const Json& json, Property& property) {
-    if (json.kind != Json::Kind::Array || json.elements.size() != 2) {
-        report_type(reading, json, "'grid'", "[columns, rows] of its layers in the picture, such as [4, 2]");
-        return;
-    }
-    for (std::size_t i = 0; i < 2; ++i) {
-        constexpr int kMost = 256;
-        property.grid[i] = read_int(reading, json.elements[i], "'grid'", 1, kMost).value_or(1);
-    }
-}
-
-void read_texture_keys(Reading& reading, const Json& json, Property& property) {
-    if (const Json* usage = json.find("usage")) {
-        property.usage_span = usage->span;
-        property.usage =
-            read_word<TextureUsage>(reading, *usage, "usage", "a texture's usage").value_or(TextureUsage::Color);
-    }
-    if (const Json* tiling = json.find("tiling")) {
-        property.tiling = read_bool(reading, *tiling, "'tiling'").value_or(false);
-    }
-    if (property.usage == TextureUsage::Normal && property.type != PropertyType::Texture2D) {
-        reading.diagnostics.report(Code::ImpossibleValue, property.usage_span.value_or(json.span), "usage",
-                                   fmt::format("color or data: a {} holds no normal map", to_string(property.type)));
-    }
-    if (const Json* grid = json.find("grid")) read_grid(reading, *grid, property);
-    if (const Json* sampler = json.find("sampler")) {
-        property.sampler_span = sampler->span;
-        read_sampler(reading, *sampler, property.sampler);
     }
 }
 

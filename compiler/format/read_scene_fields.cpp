@@ -16,19 +16,6 @@ std::optional<double> read_within(Reading& reading, const Json& json, std::strin
 
 }  // namespace
 
-ScenePlace place_of(const Reading& reading, Span span) {
-    const Position begin = reading.sources.resolve(span.begin), end = reading.sources.resolve(span.end);
-    ScenePlace place{.file = std::string(begin.file),
-                     .line = begin.line,
-                     .column = begin.column,
-                     .end_line = end.line,
-                     .end_column = end.column,
-                     .source_line = {}};
-    constexpr std::size_t kMaxLine = 1000;  // a scene may be one line, which is too long to copy for each word
-    if (begin.line_text.size() <= kMaxLine) place.source_line = begin.line_text;
-    return place;
-}
-
 bool read_number(Reading& reading, const Json& object, std::string_view key, double low, double high, double& target) {
     const Json* json = object.find(key);
     if (!json) return false;

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "compiler/format/color.h"
+#include "compiler/format/read_graph.h"
 #include "compiler/format/read_scene.h"
 
 namespace patina::graph {
@@ -16,7 +17,9 @@ struct SceneReading : Reading {
 // The limit of positions and sizes. A float is still exact to a tenth of a metre there.
 inline constexpr double kFarthest = 1e6;
 
-ScenePlace place_of(const Reading& reading, Span span);
+inline FilePlace place_of(const Reading& reading, Span span) {
+    return place_of(reading.sources, span);
+}
 
 // True if the key is present and valid; `target` changes only then.
 bool read_number(Reading& reading, const Json& object, std::string_view key, double low, double high, double& target);

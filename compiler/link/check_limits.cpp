@@ -29,8 +29,8 @@ void check_block(graph::Session& session, const graph::Material& material, const
     }
 }
 
-// The textures that a stage samples; each stands before its sampler.
-std::vector<std::string_view> textures_of(const ir::Module& stage) {
+// The samplers that a stage reads, each by its texture, or by the first of those that share it, which stands before it.
+std::vector<std::string_view> samplers_of(const ir::Module& stage) {
     std::set<std::uint32_t> read;
     for (const ir::Function& function : stage.functions) {
         for (const ir::Inst& inst : function.insts) {
@@ -47,17 +47,19 @@ std::vector<std::string_view> textures_of(const ir::Module& stage) {
 void check_samplers(graph::Session& session, const graph::Material& material, const LinkedPass& pass) {
     const std::uint32_t most = session.engine.most_samplers;
     for (const ir::Module* stage : {&pass.vertex, &pass.fragment}) {
-        const std::vector<std::string_view> textures = textures_of(*stage);
-        if (textures.size() <= most) continue;
+        const std::vector<std::string_view> samplers = samplers_of(*stage);
+        if (samplers.size() <= most) continue;
         const auto is_over = [&](const graph::MaterialProperty& entry) {
-            const auto found = std::find(textures.begin(), textures.end(), entry.property->name);
-            return found != textures.end() && std::size_t(found - textures.begin()) >= most;
+            const auto found = std::find(samplers.begin(), samplers.end(), entry.property->name);
+            return found != samplers.end() && std::size_t(found - samplers.begin()) >= most;
         };
         const auto first = std::find_if(material.properties.begin(), material.properties.end(), is_over);
         if (first == material.properties.end()) continue;
         session.diagnostics
-            .report(Code::TooMany, first->property->name_span, textures.size(), "textures in one stage", most)
-            .note(fmt::format("the pass '{}' reads all of them, and each needs a sampler", pass.pass->name));
+            .report(Code::TooMany, first->property->name_span, samplers.size(), "samplers in one stage", most)
+            .note(fmt::format("the pass '{}' reads a texture with each of them; textures can share one: \"sampler\": "
+                              "\"trilinearRepeat\"",
+                              pass.pass->name));
         return;
     }
 }

@@ -62,6 +62,16 @@ Numbering numbering_of(const engines::Engine& engine, std::span<const ExternDecl
     return made;
 }
 
+// The sampler of a texture: its own, or the one that textures before it have declared under the name that it shares.
+ir::GlobalId add_sampler(ir::Module& module, const engines::Engine& engine, const Property& property,
+                         std::map<std::string, ir::GlobalId>& shared) {
+    const bool is_shared = engine.shares_samplers && !property.shared_sampler.empty();
+    ir::GlobalId& known = shared[is_shared ? property.shared_sampler : std::string()];
+    if (is_shared && known) return known;
+    const std::string name = is_shared ? property.shared_sampler : "sampler" + property.name;
+    return known = add_resource(module, name, ir::Kind::Sampler, ir::Group::Material, property.span);
+}
+
 // Keywords stay bools, because they are not in a uniform block.
 ir::GlobalId add_keyword(ir::Module& module, const MaterialProperty& entry) {
     const Property& property = *entry.property;
@@ -206,6 +216,7 @@ std::vector<PropertyGlobals> declare_material(const engines::Engine& engine, con
                                               ir::Module& module, bool keep_variants,
                                               std::optional<std::uint32_t> instances) {
     std::vector<PropertyGlobals> globals;
+    std::map<std::string, ir::GlobalId> shared;  // samplers that textures share, by their names
     std::uint32_t constant_id = 0;
     module.blocks.push_back(
         {.name = std::string(engine.block_name("material")), .group = ir::Group::Material, .members = {}});
@@ -229,8 +240,7 @@ std::vector<PropertyGlobals> declare_material(const engines::Engine& engine, con
         }
         made.texture =
             add_resource(module, property.name, texture_kind(property.type), ir::Group::Material, property.span);
-        made.sampler =
-            add_resource(module, "sampler" + property.name, ir::Kind::Sampler, ir::Group::Material, property.span);
+        made.sampler = add_sampler(module, engine, property, shared);
         if (property.tiling) {
             made.tiling = add_block_global(module, block, property.name + "_ST", ir::kFloat4, property.span);
         }

@@ -267,7 +267,7 @@ Typed GraphScope::value_as(const Expr& expr, Type type, std::string_view what, b
         if (!rgb.ok()) return {};
         return {.value = b.construct(type, std::array{rgb.value, b.constant(ir::kFloat, {1})}), .type = type};
     }
-    return emit::expression_as(lowering_.emitter, expr, type, scope_, what);
+    return emit::view_as(lowering_.emitter, expr, type, scope_, what);
 }
 
 // Instructions that belong to no node belong to the port.
@@ -380,6 +380,16 @@ Typed GraphScope::stand_in(const Property& property) {
     return {.value = scope_.builder->splat_constant(type, property.value[0]), .type = type};
 }
 
+namespace {
+
+emit::TextureView view_of(const Property& property) {
+    emit::TextureView view{.green_is_down = property.handedness == Handedness::DirectX};
+    std::copy(property.swizzle.begin(), property.swizzle.end(), view.channels.begin());
+    return view;
+}
+
+}  // namespace
+
 Typed GraphScope::material_property(std::size_t index) {
     const PropertyGlobals& globals = lowering_.out.property_globals[index];
     const Property& property = *lowering_.material.properties[index].property;
@@ -394,7 +404,11 @@ Typed GraphScope::material_property(std::size_t index) {
         const Value texture = read(globals.texture), sampler = read(globals.sampler);
         const Value texel_size = globals.texel_size ? read(globals.texel_size) : Value();
         return emit::make_texture(lowering_.emitter,
-                                  {.texture = texture, .sampler = sampler, .tiling = tiling, .texel_size = texel_size},
+                                  {.texture = texture,
+                                   .sampler = sampler,
+                                   .tiling = tiling,
+                                   .texel_size = texel_size,
+                                   .view = view_of(property)},
                                   scope_);
     }
     const Value value = read(globals.value);

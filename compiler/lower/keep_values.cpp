@@ -91,7 +91,9 @@ std::string_view stored_as(const engines::Engine& engine, const Property& proper
 std::string_view usage_of(const PathDeclarations& paths, const CheckedGraph& graph, const Property& property) {
     if (property.type == PropertyType::Color) return is_hdr(paths, graph, property) ? "" : "color";
     if (!is_texture(property.type)) return {};
-    return property.usage == TextureUsage::Normal ? "normal" : property.usage == TextureUsage::Color ? "color" : "";
+    // An engine's own normal maps keep only what a decoder makes of them: other channels are those of a plain texture.
+    if (property.usage == TextureUsage::Normal) return property.swizzle.empty() ? "normal" : "";
+    return property.usage == TextureUsage::Color ? "color" : "";
 }
 
 // The included file that declares a value of materials with this name and type; empty if there is none.

@@ -13,7 +13,8 @@ bool is_sampler(const ir::Global& global) {
     return global.type.kind == ir::Kind::Sampler;
 }
 
-// How many blocks or textures an owner has, and which number each has among them. A sampler has its texture's.
+// How many blocks or textures an owner has, and which number each has among them. A sampler has the number of the
+// texture before it.
 class Numbers {
 public:
     explicit Numbers(const std::map<std::string, std::uint32_t, std::less<>>* known) : known_(known) {}
@@ -64,7 +65,7 @@ std::vector<SetShifts> place_globals(ir::Module& module, const engines::Engine& 
                 number = textures.of(global.name);
                 global.place = place(first.textures + number, shift->textures);
             }
-            // The sampler follows its texture.
+            // The sampler follows its texture, or the first of those that share it.
             if (is_sampler(global)) global.place = place(first.samplers + number, shift->samplers);
         }
     }

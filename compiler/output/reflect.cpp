@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "compiler/format/read_graph.h"
 #include "compiler/format/words.h"
 #include "compiler/ir/passes/passes.h"
 #include "compiler/link/canonical_hash.h"
@@ -100,7 +101,7 @@ Texture bound_texture(const ir::Global& texture, const ir::Global& sampler) {
 }
 
 Texture reflect_texture(const ir::Module& module, const graph::MaterialProperty& entry,
-                        const graph::PropertyGlobals& globals, const std::string& graph) {
+                        const graph::PropertyGlobals& globals, const std::string& graph, const SourceMap& sources) {
     const Property& property = *entry.property;
     Texture made = bound_texture(module.globals[globals.texture.index], module.globals[globals.sampler.index]);
     made.name = property.name;
@@ -109,6 +110,9 @@ Texture reflect_texture(const ir::Module& module, const graph::MaterialProperty&
     if (globals.tiling) made.tiling = module.globals[globals.tiling.index].name;
     made.sampler = property.sampler;
     made.grid = property.grid;
+    made.handedness = property.handedness;
+    made.swizzle = property.swizzle;
+    made.place = graph::place_of(sources, property.name_span);
     return made;
 }
 
@@ -347,7 +351,7 @@ bool is_bound(const Reflection& reflection, std::uint32_t set) {
 }
 
 Reflection reflect(const graph::Material& material, const graph::Lowered& lowered, std::span<const LinkedPass> passes,
-                   bool with_hashes) {
+                   const SourceMap& sources, bool with_hashes) {
     const graph::Graph& graph = *material.graph->graph;
     Reflection made;
     made.name = graph.name;
@@ -370,7 +374,8 @@ Reflection reflect(const graph::Material& material, const graph::Lowered& lowere
         const graph::MaterialProperty& entry = material.properties[i];
         made.properties.push_back(reflect_property(lowered.module, entry, lowered.property_globals[i]));
         if (is_texture(entry.property->type)) {
-            made.textures.push_back(reflect_texture(lowered.module, entry, lowered.property_globals[i], graph.path));
+            made.textures.push_back(
+                reflect_texture(lowered.module, entry, lowered.property_globals[i], graph.path, sources));
         }
     }
     for (const auto& [option, value] : material.variants) {

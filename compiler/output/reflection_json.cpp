@@ -144,6 +144,8 @@ void write_texture(Writer& writer, const Texture& texture) {
     json.text("identifier", texture.identifier);
     json.word("dimension", texture.dimension);
     json.word("usage", texture.usage);
+    if (texture.handedness != Handedness::OpenGL) json.word("handedness", texture.handedness);
+    json.text_if("swizzle", texture.swizzle);
     json.flag("material", texture.is_material);
     json.text_if("default", texture.default_value);
     if (texture.grid != Texture{}.grid) json.list("grid", texture.grid, [&](int v) { json.raw(std::to_string(v)); });

@@ -37,7 +37,11 @@ std::string range_text(const Property& property, bool by_hardness) {
     return fmt::format("the range {} to {}", shortest((*property.range)[0]), shortest((*property.range)[1]));
 }
 
-std::string sampler_text(const Sampler& sampler, const Sampler& other) {
+std::string sampler_text(const Property& property, const Property& from) {
+    const Sampler &sampler = property.sampler, &other = from.sampler;
+    if (property.shared_sampler != from.shared_sampler)
+        return property.shared_sampler.empty() ? "a sampler of its own"
+                                               : fmt::format("the shared sampler {}", property.shared_sampler);
     if (sampler.wrap != other.wrap) return fmt::format("the wrap mode {}", to_string(sampler.wrap));
     if (sampler.filter != other.filter) return fmt::format("the filter {}", to_string(sampler.filter));
     return fmt::format("an anisotropy of {}", sampler.anisotropy);
@@ -82,11 +86,17 @@ std::optional<Difference> differing_choice(const Session& session, const Propert
         return difference(a, b, [&](auto& p) { return range_text(p, a.range == b.range); });
     if (a.tiling != b.tiling)
         return difference(a, b, [](auto& p) { return std::string(p.tiling ? "tiling" : "no tiling"); });
-    if (a.sampler == b.sampler) return {};
-    Difference of{sampler_text(a.sampler, b.sampler), sampler_text(b.sampler, a.sampler), {}, {}};
-    of.first_at = a.sampler_span ? a.sampler_span : a.name_span;
-    of.second_at = b.sampler_span ? b.sampler_span : b.name_span;
-    return of;
+    if (a.handedness != b.handedness)
+        return difference(
+            a, b, [](auto& p) { return fmt::format("the handedness {}", to_string(p.handedness)); },
+            &Property::handedness_span);
+    if (a.swizzle != b.swizzle)
+        return difference(
+            a, b, [](auto& p) { return p.swizzle.empty() ? "no swizzle" : fmt::format("the swizzle {}", p.swizzle); },
+            &Property::swizzle_span);
+    if (a.sampler == b.sampler && a.shared_sampler == b.shared_sampler) return {};
+    return difference(
+        a, b, [&](auto& p) { return sampler_text(p, &p == &a ? b : a); }, &Property::sampler_span);
 }
 
 MaterialProperty entry_of(Session& session, const Property& property, const JoinOptions& options) {

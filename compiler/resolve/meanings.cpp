@@ -324,11 +324,18 @@ private:
         if (whole.kind == Expr::Kind::Semantic) return {.meaning = member_of_semantic(whole.text, expr.text)};
         Value value = value_of(whole);
         value.texture = nullptr;
-        const bool is_alpha = expr.text == "a" || expr.text == "w";
-        if (is_alpha) return {};  // alpha is never decoded
+        if (is_alpha(expr.text, value.texel_of)) return {};  // alpha is never decoded
         const bool is_all = expr.text == "rgb" || expr.text == "xyz" || expr.text == "rgba" || expr.text == "xyzw";
         if (!is_all) value.meaning = {}, value.texel_of = nullptr;
         return value;
+    }
+
+    // True for one component that is the alpha of the texture's file.
+    static bool is_alpha(std::string_view component, const Property* texel_of) {
+        const std::size_t at =
+            std::min(std::string_view("rgba").find(component), std::string_view("xyzw").find(component));
+        if (component.size() != 1 || at > 3) return false;
+        return (texel_of && !texel_of->swizzle.empty() ? texel_of->swizzle[at] : "rgba"[at]) == 'a';
     }
 
     // A named output of a node, or of a sub-graph; nothing if it is not one.

@@ -42,7 +42,7 @@ float4 SampleTexture2DGrad(
 /// Give the texture the usage "normal", so that it is not decoded as a colour.
 [node("Texture/Sample Normal Map")] [also("NormalMap", "BumpMap")] [is("normalTS")]
 float3 SampleNormalMap(
-    [is("normalMap")] Texture2D texture,  ///< a normal map, y up
+    [is("normalMap")] Texture2D texture,  ///< a normal map; its property says if its green is down
     float2 uv = uv0,                ///< texture coordinates, before the texture's own tiling
     [range(-2, 2)] float scale = 1  ///< strength of the bumps
 ) {

@@ -282,7 +282,7 @@ BakedMaterial baked_material(const std::string& name, BakedTargets drawn, const 
 }
 
 Outcome<std::string> encode_map(const BakedMap& map) {
-    return map.is_color ? encode_png(map.image) : encode_png_as_is(map.image);
+    return map.is_color ? encode_png(map.image) : encode_png_data(map.image);
 }
 
 }  // namespace patina::runtime

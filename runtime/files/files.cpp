@@ -12,6 +12,8 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <vector>
 
 #include "patina/patina.h"
@@ -84,6 +86,14 @@ std::string write_to_stream(const OutputFile& file, const Destination& to) {
     return written && closed ? "" : cannot_write(file.path, std::strerror(written ? errno : failure));
 }
 
+// True if the file holds these bytes already.
+bool holds(const std::string& path, const struct stat& there, std::string_view bytes) {
+    if (!S_ISREG(there.st_mode) || std::size_t(there.st_size) != bytes.size()) return false;
+    std::ifstream in(path, std::ios::binary);
+    const std::string held(std::istreambuf_iterator<char>(in), {});
+    return in && held == bytes;
+}
+
 // Files on their way to their names. What has not arrived is taken back.
 class Replacement {
 public:
@@ -103,6 +113,7 @@ public:
         const bool is_there = ::stat(destination.c_str(), &there) == 0;
         // Renaming would replace a file that is protected from writing, too.
         if (is_there && ::access(destination.c_str(), W_OK) != 0) return cannot_write(file.path, std::strerror(errno));
+        if (is_there && !file.is_stamp && holds(destination, there, file.bytes)) return "";
         const int descriptor = open_temporary(destination, file.path);
         if (descriptor < 0) return cannot_write(file.path, std::strerror(errno));
         if (is_there) take_over(descriptor, there);

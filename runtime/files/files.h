@@ -3,7 +3,8 @@
 // Files are whole or not there: they are written under temporary names in their folders, and renamed when all of them
 // are there. Nobody else can have such a name, because opening the file fails if there is one already. Of a symbolic
 // link the target is replaced, not the link. A file that is replaced keeps its permissions. What is not a regular file
-// (a device, a FIFO, /dev/stdout) is written to and stays what it is.
+// (a device, a FIFO, /dev/stdout) is written to and stays what it is. A file that holds the bytes already is left alone
+// with its time, so that a build does not do again what depends on it.
 //
 //   std::string error = write_files(std::vector<OutputFile>{{.path = "out/rust.png", .bytes = png}});
 //   // empty: written
@@ -17,6 +18,7 @@ namespace patina::runtime {
 struct OutputFile {
     std::string path{};
     std::string bytes{};
+    bool is_stamp = false;  // its time says when the work was done: it is written even if it holds these bytes already
 };
 
 // What a path stands for when its symbolic links are followed.

@@ -1,5 +1,8 @@
 #include "runtime/gltf/gltf_file.h"
 
+#include <fmt/format.h>
+
+#include <cstdio>
 #include <cstring>
 #include <exception>
 #include <filesystem>
@@ -85,6 +88,34 @@ bool read_whole(std::vector<unsigned char>* out, std::string* why, const std::st
     return static_cast<bool>(in);
 }
 
+// What is wrong with the container of a .glb, and where; empty: nothing. (glTF 2.0, section 4.4.)
+std::string container_mistake(const std::vector<unsigned char>& bytes) {
+    constexpr std::size_t kHeader = 12, kChunkHeader = 8;
+    if (!has_header_of_glb(bytes)) return {};
+    if (number_at(bytes, 4) != 2)
+        return fmt::format("byte 4: version {} of the container is not read, only 2", number_at(bytes, 4));
+    const std::size_t stated = number_at(bytes, 8);
+    if (stated > bytes.size())
+        return fmt::format("byte 8: the file shall have {} bytes, and has {}: it is cut off", stated, bytes.size());
+    if (stated < kHeader + kChunkHeader) return fmt::format("byte 8: {} bytes hold no chunk", stated);
+    const std::size_t text = number_at(bytes, kHeader);
+    if (std::memcmp(bytes.data() + kHeader + 4, "JSON", 4) != 0) return "byte 16: the first chunk is not JSON";
+    if (text > stated - kHeader - kChunkHeader)
+        return fmt::format("byte 12: the first chunk shall have {} bytes, and {} are left", text,
+                           stated - kHeader - kChunkHeader);
+    return {};
+}
+
+// The JSON parser's message with its place before it: ":4:7: it is broken JSON: unexpected ']'"; empty: it names none.
+std::string located(const std::string& why) {
+    int line = 0, column = 0;
+    const std::size_t at = why.find("at line ");
+    if (at == why.npos || std::sscanf(why.c_str() + at, "at line %d, column %d", &line, &column) != 2) return {};
+    const std::size_t reason = why.find(" - ", at);
+    return fmt::format(":{}:{}: it is broken JSON{}", line, column,
+                       reason == why.npos ? "" : ": " + why.substr(reason + 3));
+}
+
 // tinygltf's messages are lines; some end in a full stop.
 std::string one_line(std::string text) {
     while (!text.empty() && (text.back() == '\n' || text.back() == '.' || text.back() == ' ')) text.pop_back();
@@ -107,6 +138,7 @@ Outcome<tinygltf::Model> open_gltf(const std::string& path) {
     std::string why, warning;
     if (std::string error = no_file(path); !error.empty()) return Failure{std::move(error)};
     if (!read_whole(&bytes, &why, path, nullptr)) return Failure{"cannot read " + one_line(why)};
+    if (std::string mistake = container_mistake(bytes); !mistake.empty()) return Failure{path + ": " + mistake};
     bytes = readable(std::move(bytes));
     tinygltf::TinyGLTF reader;
     reader.SetImageLoader(keep_picture, nullptr);
@@ -125,6 +157,8 @@ Outcome<tinygltf::Model> open_gltf(const std::string& path) {
     }
     if (!is_read) {
         why = one_line(why);
+        if (const std::string place = located(why); !place.empty() && !has_header_of_glb(bytes))
+            return Failure{path + place};
         return Failure{path + " is not a glTF file that can be read: " + (why.empty() ? "it is broken" : why)};
     }
     if (std::string mistake = expand_draco(model); !mistake.empty()) return Failure{path + ": " + mistake};

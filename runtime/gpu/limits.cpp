@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "runtime/frame/pixel_format.h"
 #include "runtime/frame/tiles.h"
@@ -40,6 +41,18 @@ struct Need {
     std::uint64_t limit = 0;
     const char* name = "";  // Vulkan's
 };
+
+// Textures may share samplers.
+std::size_t sampler_count(const FrameStep& step) {
+    std::set<std::pair<std::uint32_t, std::uint32_t>> places;
+    const auto add = [&](const std::string& name) {
+        for (const Texture& texture : step.reflection->textures)
+            if (texture.name == name) places.insert({texture.set, texture.sampler_binding});
+    };
+    for (const LoadedTexture& texture : step.textures) add(texture.name);
+    for (const FrameRead& read : step.reads) add(read.texture);
+    return places.size();
+}
 
 class Needs {
 public:
@@ -103,7 +116,9 @@ void Needs::add_bindings(const FrameStep& step) {
     for (const Block& block : reflection.blocks) sets = std::max(sets, block.set + 1);
     for (const Texture& texture : reflection.textures) sets = std::max(sets, texture.set + 1);
     const std::string all_textures = fmt::format("the material's {} textures", textures);
-    add(all_textures, textures, limits_.maxPerStageDescriptorSamplers, "maxPerStageDescriptorSamplers");
+    const std::size_t samplers = sampler_count(step);
+    add(fmt::format("the material's {} samplers", samplers), samplers, limits_.maxPerStageDescriptorSamplers,
+        "maxPerStageDescriptorSamplers");
     add(all_textures, textures, limits_.maxPerStageDescriptorSampledImages, "maxPerStageDescriptorSampledImages");
     add(fmt::format("the material's {} uniform buffers", buffers), buffers, limits_.maxPerStageDescriptorUniformBuffers,
         "maxPerStageDescriptorUniformBuffers");

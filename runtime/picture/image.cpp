@@ -8,22 +8,14 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
-#include <filesystem>
 #include <functional>
 
 #include "runtime/files/files.h"
 #include "runtime/picture/layers.h"
-#include "runtime/picture/quiet_libpng.h"
+#include "runtime/picture/reason.h"
 
 namespace patina::runtime {
 namespace {
-
-// OpenImageIO's own words: the first line, without the full stop.
-std::string reason(std::string text) {
-    text = text.substr(0, text.find('\n'));
-    while (!text.empty() && (text.back() == '.' || text.back() == ' ')) text.pop_back();
-    return text.empty() ? "unknown reason" : text;
-}
 
 template <class Function>
 void change_colors(Image& image, Function function) {
@@ -66,19 +58,23 @@ Outcome<std::string> encode(const char* name, const OIIO::ImageSpec& spec,
     return bytes;
 }
 
+// `color_space`: what the file says of its numbers. Null: nothing.
 OIIO::ImageSpec spec_of(const Image& image, OIIO::TypeDesc type, const char* color_space) {
     OIIO::ImageSpec spec(image.width, image.height, 4, type);
     spec.attribute("oiio:UnassociatedAlpha", 1);
-    spec.attribute("oiio:ColorSpace", color_space);
+    if (color_space) spec.attribute("oiio:ColorSpace", color_space);
     return spec;
 }
+
+constexpr const char* kSrgb = "sRGB";
 
 float to_unit_range(float value) {
     return std::isnan(value) ? 0 : std::clamp(value, 0.0f, 1.0f);
 }
 
 // Row after row, so that no second picture is made. `encoding` is applied to the colours, and not to alpha.
-Outcome<std::string> encode_png_with(const Image& image, float (*encoding)(float), const PictureNotes& notes = {}) {
+Outcome<std::string> encode_png_with(const Image& image, float (*encoding)(float), const char* color_space,
+                                     const PictureNotes& notes = {}) {
     const auto write = [&](OIIO::ImageOutput& output) {
         std::vector<unsigned char> row(4 * std::size_t(image.width));
         for (int y = 0; y < image.height; y++) {
@@ -91,7 +87,7 @@ Outcome<std::string> encode_png_with(const Image& image, float (*encoding)(float
         }
         return true;
     };
-    OIIO::ImageSpec spec = spec_of(image, OIIO::TypeDesc::UINT8, "sRGB");
+    OIIO::ImageSpec spec = spec_of(image, OIIO::TypeDesc::UINT8, color_space);
     for (const auto& [keyword, text] : notes) spec.attribute(keyword, text);
     return encode("picture.png", spec, write);
 }
@@ -137,53 +133,8 @@ Image quantized(const Image& encoded) {
     return result;
 }
 
-namespace {
-
-Outcome<Image> read_image(const std::string& path, OIIO::Filesystem::IOProxy* bytes) {
-    const QuietLibpng quiet;
-    OIIO::ImageSpec straight;
-    straight.attribute("oiio:UnassociatedAlpha", 1);  // a texture's alpha is data: keep the colours under it
-    if (bytes) straight.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &bytes);
-    auto input = OIIO::ImageInput::open(path, &straight);
-    if (!input) return Failure{"cannot read '" + path + "' as an image: " + reason(OIIO::geterror())};
-
-    const OIIO::ImageSpec spec = input->spec();
-    if (spec.width < 1 || spec.height < 1 || spec.depth > 1)
-        return Failure{"cannot read '" + path + "' as an image: it has no pixels, or is a volume"};
-    if (spec.width > kLargestImage || spec.height > kLargestImage)
-        return Failure{"'" + path + "' is " + std::to_string(spec.width) + " x " + std::to_string(spec.height) +
-                       " pixels, and the limit is " + std::to_string(kLargestImage) + " on a side"};
-    int channels = std::clamp(spec.nchannels, 1, 4);
-    std::size_t count = std::size_t(spec.width) * spec.height;
-    std::vector<float> read(count * channels);
-    if (!input->read_image(0, 0, 0, channels, OIIO::TypeDesc::FLOAT, read.data()))
-        return Failure{"cannot read '" + path + "' as an image: " + reason(input->geterror())};
-
-    Image image{.width = spec.width, .height = spec.height, .bits = int(spec.format.size() * 8), .pixels = {}};
-    image.pixels.reserve(count * 4);
-    for (std::size_t i = 0; i < count; i++) {
-        const float* p = &read[i * channels];
-        bool grey = channels < 3;
-        float alpha = channels == 4 ? p[3] : channels == 2 ? p[1] : 1;
-        image.pixels.insert(image.pixels.end(), {p[0], grey ? p[0] : p[1], grey ? p[0] : p[2], alpha});
-    }
-    return image;
-}
-
-}  // namespace
-
-Outcome<Image> load_image(const std::string& path) {
-    if (std::string error = no_file(path); !error.empty()) return Failure{std::move(error)};
-    return read_image(path, nullptr);
-}
-
-Outcome<Image> decode_image(const std::string& path, std::string_view bytes) {
-    OIIO::Filesystem::IOMemReader reader(const_cast<char*>(bytes.data()), bytes.size());  // it only reads
-    return read_image(path, &reader);
-}
-
 Outcome<std::string> encode_png(const Image& linear) {
-    return encode_png_with(linear, srgb_encode);
+    return encode_png_with(linear, srgb_encode, kSrgb);
 }
 
 Outcome<std::string> encode_exr(const Image& linear) {
@@ -229,25 +180,15 @@ std::string save_png(const std::string& path, const Image& linear) {
 }
 
 std::string save_png_as_is(const std::string& path, const Image& encoded) {
-    return save(path, encode_png_with(encoded, nullptr));
+    return save(path, encode_png_data(encoded));
 }
 
 Outcome<std::string> encode_png_as_is(const Image& encoded, const PictureNotes& notes) {
-    return encode_png_with(encoded, nullptr, notes);
+    return encode_png_with(encoded, nullptr, kSrgb, notes);
 }
 
-PictureNotes load_notes(const std::string& path) {
-    PictureNotes notes;
-    std::error_code ignored;
-    if (!std::filesystem::is_regular_file(path, ignored)) return notes;
-    const auto input = OIIO::ImageInput::open(path);
-    if (!input) {
-        OIIO::geterror();  // or it would be the next file's
-        return notes;
-    }
-    for (const OIIO::ParamValue& each : input->spec().extra_attribs)
-        if (each.type() == OIIO::TypeDesc::STRING) notes[each.name().string()] = each.get_string();
-    return notes;
+Outcome<std::string> encode_png_data(const Image& numbers) {
+    return encode_png_with(numbers, nullptr, nullptr);
 }
 
 std::string save_exr(const std::string& path, const Image& linear) {

@@ -43,7 +43,8 @@ void decode_srgb(Image& image);
 // What an 8-bit file keeps of encoded values: clamped to 0..1 and rounded to n / 255; NaN becomes 0.
 Image quantized(const Image& encoded);
 
-// Any format that OpenImageIO reads. One channel is a grey, two a grey and alpha; without alpha it is 1.
+// Any format that OpenImageIO reads (read_image.cpp). One channel is a grey, two a grey and alpha; without alpha it
+// is 1.
 Outcome<Image> load_image(const std::string& path);
 // The same from the bytes of a file; `path` says the format by its ending, and names it in messages.
 Outcome<Image> decode_image(const std::string& path, std::string_view bytes);
@@ -62,11 +63,14 @@ Outcome<std::string> encode_image(const std::string& path, const Image& linear);
 std::string save_png(const std::string& path, const Image& linear);
 std::string save_exr(const std::string& path, const Image& linear);
 std::string save_image(const std::string& path, const Image& linear);
-// For pictures whose numbers are meant as they stand, such as differences: no encoding.
+// For pictures whose numbers are meant as they stand, such as normals and differences: they are not encoded, and the
+// file says nothing of a colour space.
+Outcome<std::string> encode_png_data(const Image& numbers);
 std::string save_png_as_is(const std::string& path, const Image& encoded);
 
 // What a PNG file says of itself, in its text chunks: keyword -> text. Keywords have 1 to 79 characters of ASCII.
 using PictureNotes = std::map<std::string, std::string>;
+// Colours that are encoded as sRGB already.
 Outcome<std::string> encode_png_as_is(const Image& encoded, const PictureNotes& notes = {});
 // None if there are none, or if the file is no picture.
 PictureNotes load_notes(const std::string& path);

@@ -10,7 +10,7 @@ ObjectTextures load_object_textures(const World& world) {
     ObjectTextures made;
     std::map<std::string, LoadedTexture> known;
     made.textures.resize(world.objects.size());
-    const auto load = [&](std::size_t object, const std::string& name, const std::string& file, const ScenePlace& place,
+    const auto load = [&](std::size_t object, const std::string& name, const std::string& file, const FilePlace& place,
                           bool is_color) {
         if (file.empty()) return;
         const std::string key = (is_color ? "color " : "data ") + file;

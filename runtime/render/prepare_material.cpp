@@ -4,6 +4,7 @@
 #include <fstream>
 #include <iterator>
 #include <optional>
+#include <vector>
 
 #include "patina/complaints.h"
 #include "runtime/render/complaints.h"
@@ -12,16 +13,33 @@
 namespace patina::runtime {
 namespace {
 
+// Where a scene gives the texture its file; else the property. `of_file`: the file is wrong, and not the property, so
+// that for a file of the command line it is the graph as a whole.
+FilePlace place_of(const WorldMaterial& material, const PreparedMaterial& made, const std::string& texture,
+                   bool of_file) {
+    if (const FilePlace* place = place_of_value(material, texture)) return *place;
+    FilePlace found;
+    found.file = material.graph;
+    const bool is_elsewhere = of_file && made.values.textures.contains(texture);
+    for (const Texture& each : made.compiled.reflection.textures)
+        if (each.name == texture && !is_elsewhere) found = each.place;
+    return found;
+}
+
 void load(const WorldMaterial& material, const RenderOptions& options, PreparedMaterial& made) {
     const std::string folder = std::filesystem::path(material.graph).parent_path().string();
     made.loaded = load_textures(made.compiled.reflection, folder, made.values.textures, options.exact_textures,
                                 options.files.get());
-    for (std::size_t i = 0; i < made.loaded.errors.size(); ++i) {
-        const ScenePlace* place = place_of_value(material, made.loaded.failed[i]);
-        made.diagnostics.push_back(
-            place ? diagnostic_at(*place, std::string(code_of(Complaint::BadTexture)), made.loaded.errors[i])
-                  : complaint(material.graph, Severity::Error, Complaint::BadTexture, {made.loaded.errors[i]}));
-    }
+    const auto say = [&](const std::vector<TextureRemark>& remarks, Severity severity, Complaint code) {
+        for (const TextureRemark& each : remarks) {
+            Diagnostic& said = made.diagnostics.emplace_back(
+                diagnostic_at(place_of(material, made, each.texture, severity == Severity::Error),
+                              std::string(code_of(code)), each.text));
+            said.severity = severity;
+        }
+    };
+    say(made.loaded.warnings, Severity::Warning, Complaint::OtherColorSpace);
+    say(made.loaded.errors, Severity::Error, Complaint::BadTexture);
 }
 
 // Files in memory first, then those of the file system.
@@ -46,6 +64,7 @@ CompileOptions compile_options(const RenderOptions& options) {
     made.preview = options.preview;
     if (options.files) made.loader = loader_of(options.files);
     made.lighting = options.lighting;
+    made.accept_parts = options.accept_parts;
     return made;
 }
 

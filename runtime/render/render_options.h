@@ -23,6 +23,7 @@ struct RenderOptions {
     // As CompileOptions::switches; a world asks for more of them by what it holds.
     std::vector<std::pair<std::string, std::string>> switches{};
     std::string lighting{};       // as CompileOptions::lighting, of all materials; empty: their own
+    bool accept_parts = false;    // as CompileOptions::accept_parts
     std::string preview{};        // a port to look at, unlit: "mask", "rust.amount"; empty: the material
     std::string via = "glsl";     // glsl | hlsl | cpu
     std::string engine{};         // whose shaders are drawn; empty: the default one. It takes GLSL or HLSL for Vulkan

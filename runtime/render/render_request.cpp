@@ -186,7 +186,10 @@ bool world_of_file(const Compiler& compiler, const RenderRequest& request, World
         outcome.error = std::move(error);
         return false;
     };
-    if (!request.overrides.empty()) return refuse("a scene sets the values of its materials itself, under \"set\"");
+    if (!request.overrides.empty())
+        return refuse(request.options.files
+                          ? "a model has values of its own: 'patina import' makes graphs of it, and --set is for these"
+                          : "a scene sets the values of its materials itself, under \"set\"");
     if (request.mesh != RenderRequest{}.mesh || request.segments != 0)
         return refuse("a scene has its own meshes, in its objects");
     if (!is_time(request.time.value_or(0))) return refuse("the time must be a number of seconds that a float can hold");

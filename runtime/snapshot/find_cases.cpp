@@ -8,6 +8,7 @@
 #include <set>
 
 #include "patina/complaints.h"
+#include "runtime/files/find_files.h"
 
 namespace patina::runtime {
 namespace {
@@ -21,23 +22,17 @@ struct Files {
 };
 
 Outcome<Files> list(const std::string& folder) {
+    Outcome<std::vector<std::string>> paths = files_below(folder);
+    if (!paths) return Failure{paths.error};
     Files files;
-    std::error_code error;
-    for (fs::recursive_directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
-        const std::string path = at->path().lexically_normal().string();
-        std::error_code ignored;
-        if (at->is_directory(ignored)) {
-            if (at->path().filename().string().starts_with('.')) at.disable_recursion_pending();
-        } else if (path.ends_with(kSnapshotEnding)) {
-            files.snapshots.push_back(path);
-        } else if (path.ends_with(".graph.json") || path.ends_with(".scene.json")) {
-            files.shown.push_back(path);
-        } else if (path.ends_with(kReferenceEnding)) {
-            files.references.push_back(path);
-        }
+    for (std::string& path : paths.value) {
+        if (path.ends_with(kSnapshotEnding))
+            files.snapshots.push_back(std::move(path));
+        else if (path.ends_with(".graph.json") || path.ends_with(".scene.json"))
+            files.shown.push_back(std::move(path));
+        else if (path.ends_with(kReferenceEnding))
+            files.references.push_back(std::move(path));
     }
-    if (error) return Failure{"cannot read the folder '" + folder + "': " + error.message()};
-    for (auto* each : {&files.snapshots, &files.shown, &files.references}) std::sort(each->begin(), each->end());
     return files;
 }
 

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "runtime/snapshot/escaped.h"
+#include "runtime/page/escaped.h"
 
 namespace patina::runtime {
 namespace {

@@ -4,36 +4,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 
-#include "runtime/snapshot/escaped.h"
-#include "runtime/snapshot/report_frame.h"
+#include "runtime/page/escaped.h"
+#include "runtime/page/page.h"
 
 namespace patina::runtime {
 namespace {
 
-// RFC 4648.
-std::string base64(std::string_view bytes) {
-    constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string text;
-    for (std::size_t i = 0; i < bytes.size(); i += 3) {
-        std::uint32_t three = 0;
-        for (std::size_t j = 0; j < 3; j++)
-            three = three << 8 | (i + j < bytes.size() ? static_cast<unsigned char>(bytes[i + j]) : 0u);
-        for (std::size_t j = 0; j < 4; j++) text += i + j <= bytes.size() ? kDigits[three >> (18 - 6 * j) & 63] : '=';
-    }
-    return text;
-}
-
-std::string picture(std::string_view png, std::string_view what, std::string_view css = {}) {
-    return fmt::format("<img{} loading=\"lazy\" alt=\"{}\" src=\"data:image/png;base64,{}\">",
-                       css.empty() ? "" : fmt::format(" class=\"{}\"", css), escaped(what), base64(png));
-}
-
 std::string figure(const std::string& png, const std::string& caption) {
     if (png.empty()) return {};
     return fmt::format("<figure><div class=\"picture\">{}</div><figcaption>{}</figcaption></figure>\n",
-                       picture(png, caption), escaped(caption));
+                       picture_tag(png, caption), escaped(caption));
 }
 
 // The reference left of the bar, what was received right of it.
@@ -45,7 +26,7 @@ std::string slider(const SnapshotCase& each) {
         "step=\"0.1\" value=\"50\" aria-label=\"from the reference to what was received\"></div>"
         "<figcaption class=\"ends\"><span>Reference</span><span>move the bar</span><span>Received</span></figcaption>"
         "</figure>\n",
-        picture(each.reference_png, "reference"), picture(each.received_png, "received", "over"));
+        picture_tag(each.reference_png, "reference"), picture_tag(each.received_png, "received", "over"));
 }
 
 // --- figures
@@ -158,7 +139,7 @@ std::string thumbnail(const SnapshotCase& each) {
         perceptual == each.gates.end() ? "" : fmt::format("<br><small>FLIP {:.2g}</small>", perceptual->value);
     return fmt::format(
         "<figure data-case=\"{}\"><div class=\"picture\">{}</div><figcaption>{}{}</figcaption></figure>\n",
-        to_string(each.state), picture(each.received_png, each.name), escaped(each.name), figure);
+        to_string(each.state), picture_tag(each.received_png, each.name), escaped(each.name), figure);
 }
 
 std::string summary(const SnapshotReport& report) {
@@ -167,8 +148,7 @@ std::string summary(const SnapshotReport& report) {
          {SnapshotState::Failed, SnapshotState::Missing, SnapshotState::Updated, SnapshotState::Passed}) {
         const std::size_t count = report.count(state);
         if (count == 0) continue;
-        text += fmt::format("<button type=\"button\" data-state=\"{0}\" aria-pressed=\"false\">{1} {0}</button> ",
-                            to_string(state), count);
+        text += kind_button(to_string(state), count);
     }
     return text.empty() ? "no case" : text;
 }
@@ -191,24 +171,7 @@ std::string all_cases(const SnapshotReport& report) {
 }  // namespace
 
 std::string report_page(const SnapshotReport& report, const std::string& folder) {
-    const std::pair<std::string_view, std::string> parts[] = {
-        {"@TITLE@", "Snapshots of " + escaped(folder)}, {"@SUMMARY@", summary(report)}, {"@CASES@", all_cases(report)}};
-    std::string page;
-    for (std::string_view rest = kReportFrame; !rest.empty();) {
-        std::size_t at = rest.npos;
-        const std::pair<std::string_view, std::string>* next = nullptr;
-        for (const auto& part : parts) {
-            const std::size_t found = rest.find(part.first);
-            if (found >= at) continue;
-            at = found;
-            next = &part;
-        }
-        page += rest.substr(0, at);
-        if (!next) break;
-        page += next->second;
-        rest.remove_prefix(at + next->first.size());
-    }
-    return page;
+    return make_page({.title = "Snapshots of " + folder, .tools = summary(report), .content = all_cases(report)});
 }
 
 }  // namespace patina::runtime

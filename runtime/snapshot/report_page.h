@@ -1,6 +1,6 @@
 // The results of snapshots as one HTML page that needs no other file: its pictures are inside. Cases that are not right
 // come first, each with its reference, what was received, their difference, a slider between both, its figures, the
-// difference of the shaders' texts, and what the shaders cost before and now. report.html is its frame.
+// difference of the shaders' texts, and what the shaders cost before and now. page/page.html is its frame.
 //
 //   write_file("report.html", report_page(report, "art"));   // the report was run with keeps_pictures
 #pragma once

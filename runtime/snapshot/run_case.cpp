@@ -201,7 +201,7 @@ private:
     Tolerance tolerance_{};
 };
 
-Diagnostic placed_at(const ScenePlace& place, Diagnostic found) {
+Diagnostic placed_at(const FilePlace& place, Diagnostic found) {
     Diagnostic placed = diagnostic_at(place, found.code, found.message);
     placed.severity = found.severity;
     placed.notes = std::move(found.notes);
@@ -213,7 +213,7 @@ void place(std::vector<Diagnostic>& diagnostics, const PlannedCase& planned) {
     for (Diagnostic& each : diagnostics) {
         const bool is_of_node = each.file == "preview";
         if (!each.file.empty() && !is_of_node) continue;
-        ScenePlace whole_file;
+        FilePlace whole_file;
         whole_file.file = planned.file;
         const auto found = planned.places.find(is_of_node ? "node" : "path");
         if (found != planned.places.end())

@@ -61,7 +61,7 @@ SceneFaults check_values(const Reflection& reflection, const WorldMaterial& mate
     return faults;
 }
 
-const ScenePlace* place_of_value(const WorldMaterial& material, const std::string& property) {
+const FilePlace* place_of_value(const WorldMaterial& material, const std::string& property) {
     const auto found = std::find_if(material.set.begin(), material.set.end(),
                                     [&](const SceneValue& value) { return value.property == property; });
     return found == material.set.end() ? nullptr : &found->value_place;

@@ -8,7 +8,9 @@
 #include <filesystem>
 #include <mutex>
 
+#include "patina/complaints.h"
 #include "runtime/lighting/split_sum.h"
+#include "runtime/picture/stated_space.h"
 #include "runtime/values/texture_layers.h"
 
 namespace patina::runtime {
@@ -34,8 +36,26 @@ Outcome<TextureData> data_of(const Texture& texture, Image image, const std::str
     return with(mip_chain(layers.value), layers.value.size());
 }
 
+// What to do if a file states another colour space than the one that it is read in; empty: it does not.
+std::string color_space_remark(const Texture& texture, const std::string& source, bool fits_8_bits) {
+    const StatedSpace stated = stated_space(source);
+    const bool is_color = texture.usage == TextureUsage::Color, is_decoded = is_color && fits_8_bits;
+    if (stated.space == ColorSpace::None || is_decoded == (stated.space == ColorSpace::Srgb)) return "";
+    // Numbers that are data are no light, but neither are they encoded.
+    const char* const read = is_decoded ? "a colour, decoded from sRGB"
+                             : is_color ? "linear light, because it has more than 8 bits a channel"
+                                        : "numbers that are not decoded";
+    const char* const advice = is_decoded ? "write \"usage\": \"data\", or save the file encoded as sRGB"
+                               : is_color ? "save the file with 8 bits a channel, or as linear light"
+                                          : "write \"usage\": \"color\", or save the file without a colour space";
+    return patina::complaint(Complaint::OtherColorSpace,
+                             {texture.name, read, source,
+                              stated.space == ColorSpace::Srgb ? "encoded as sRGB" : "linear", stated.by, advice})
+        .message;
+}
+
 Outcome<LoadedTexture> load_texture(const Texture& texture, const std::string& source, bool exact,
-                                    const MemoryFiles* in_memory) {
+                                    const MemoryFiles* in_memory, std::vector<TextureRemark>& warnings) {
     Image image = default_texture(source);
     const bool is_named = !image.pixels.empty();
     if (!is_named) {
@@ -45,6 +65,8 @@ Outcome<LoadedTexture> load_texture(const Texture& texture, const std::string& s
     }
     bool is_color = texture.usage == TextureUsage::Color;
     bool fits_8_bits = image.bits <= 8;
+    std::string remark = is_named || in_memory ? "" : color_space_remark(texture, source, fits_8_bits);
+    if (!remark.empty()) warnings.push_back({texture.name, std::move(remark)});
     // Pictures with more bits are taken as linear already.
     if (is_color && (fits_8_bits || is_named)) decode_srgb(image);
 
@@ -117,13 +139,12 @@ LoadedTextures load_textures(const Reflection& reflection, const std::string& gr
         if (!texture.is_material) continue;
         auto chosen = files.find(texture.name);
         const std::string source = chosen == files.end() ? default_source(texture, graph_folder) : chosen->second;
-        Outcome<LoadedTexture> loaded = load_texture(texture, source, exact, in_memory);
+        Outcome<LoadedTexture> loaded = load_texture(texture, source, exact, in_memory, result.warnings);
         if (loaded) {
             if (default_texture(source).pixels.empty()) result.files.push_back(source);
             result.textures.push_back(std::move(loaded.value));
         } else {
-            result.errors.push_back(loaded.error);
-            result.failed.push_back(texture.name);
+            result.errors.push_back({texture.name, loaded.error});
         }
     }
     return result;

@@ -36,10 +36,16 @@ struct LoadedTexture {
 // No such name: an empty image.
 Image default_texture(const std::string& name);
 
+// Something that is said of a texture, in words.
+struct TextureRemark {
+    std::string texture{};  // Texture::name
+    std::string text{};
+};
+
 struct LoadedTextures {
     std::vector<LoadedTexture> textures{};  // one for each of the material that could be loaded, in its order
-    std::vector<std::string> errors{};      // one for each that could not, with its name
-    std::vector<std::string> failed{};      // the names of those, in the same order
+    std::vector<TextureRemark> errors{};    // one for each that could not
+    std::vector<TextureRemark> warnings{};  // files that state another colour space than the one they are read in
     std::vector<std::string> files{};       // that were read
 };
 
@@ -47,8 +53,8 @@ struct LoadedTextures {
 void add_engine_textures(std::vector<LoadedTexture>& textures, const Reflection& reflection, const Scene& scene);
 
 // The reflection's own defaults are files below `graph_folder`. `files` maps texture names to a default's name or a
-// file, as one opens it, and wins over them. `in_memory`: files that are found before those of the file system; null:
-// none.
+// file, as one opens it, and wins over them. `in_memory`: files of a model, which are found before those of the file
+// system; null: none. What the pictures of a model state of their colour space does not count (glTF 2.0, "Images").
 LoadedTextures load_textures(const Reflection& reflection, const std::string& graph_folder,
                              const std::map<std::string, std::string>& files, bool exact,
                              const MemoryFiles* in_memory = nullptr);

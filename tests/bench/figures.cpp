@@ -42,4 +42,14 @@ void Figures::size(const std::string& what, std::size_t bytes, std::size_t limit
     row(what, static_cast<double>(bytes) / 1024, "KB", static_cast<double>(limit) / 1024);
 }
 
+int run(int argc, char** argv, void (*register_all)(), void (*print_figures)(const Figures&)) {
+    benchmark::Initialize(&argc, argv);
+    if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
+    register_all();
+    Figures figures;
+    benchmark::RunSpecifiedBenchmarks(&figures);
+    print_figures(figures);
+    return 0;
+}
+
 }  // namespace patina::bench

@@ -25,4 +25,7 @@ private:
     std::map<std::string, double> best_ms_;
 };
 
+// The program: reads the options, runs the benchmarks and prints the table. Returns its exit code.
+int run(int argc, char** argv, void (*register_all)(), void (*print_figures)(const Figures&));
+
 }  // namespace patina::bench

@@ -1,22 +1,16 @@
-// The compiler's benchmarks: the time of a warm compile (of one pass and of all), of the whole command, of 20
-// snapshots, of the library and of very long graphs, and the length of the output. Google Benchmark's options apply;
-// the table at the end is the best of the repetitions.
-#include <fcntl.h>
-#include <spawn.h>
-#include <sys/wait.h>
-
-#include <filesystem>
+// The compiler's benchmarks: the time of a warm compile (of one pass and of all), of the whole command, of the library
+// and of very long graphs, and the length of the output. Google Benchmark's options apply; the table at the end is the
+// best of the repetitions.
 #include <fstream>
 #include <iterator>
 
 #include "compiler/cli/pages/model_cost.h"
-#include "compiler/cli/pages/spirv_size.h"
 #include "patina/patina.h"
+#include "patina/spirv_size.h"
 #include "patina/validate.h"
+#include "tests/bench/command.h"
 #include "tests/bench/figures.h"
 #include "tests/bench/long_graphs.h"
-
-extern char** environ;
 
 namespace patina::bench {
 namespace {
@@ -64,41 +58,9 @@ void load_library(benchmark::State& state) {
     }
 }
 
-// Runs patina from the start of the process to its end; false: it fails.
-bool run_patina(std::vector<std::string> words) {
-    words.insert(words.begin(), PATINA_COMMAND);
-    std::vector<char*> arguments;
-    for (std::string& word : words) arguments.push_back(word.data());
-    arguments.push_back(nullptr);
-    pid_t child = 0;
-    int status = -1;
-    if (posix_spawn(&child, PATINA_COMMAND, nullptr, nullptr, arguments.data(), environ) == 0)
-        waitpid(child, &status, 0);
-    return status == 0;
-}
-
 void run_command(benchmark::State& state, const std::vector<std::string>& words) {
     for ([[maybe_unused]] auto iteration : state)
-        if (!run_patina(words)) return state.SkipWithError("patina fails");
-}
-
-constexpr const char* kSnapshots = PATINA_SCRATCH "/snapshots";
-
-// 20 snapshots of 256 x 256 pixels, with their references: the examples as balls, and then as rings.
-bool make_snapshots() {
-    namespace fs = std::filesystem;
-    fs::remove_all(kSnapshots);
-    fs::create_directories(kSnapshots);
-    int count = 0;
-    for (const char* mesh : {"sphere", "torus"}) {
-        for (const fs::directory_entry& entry : fs::directory_iterator(PATINA_EXAMPLES)) {
-            const std::string graph = entry.path().string();
-            if (!graph.ends_with(".graph.json") || count == 20) continue;
-            std::ofstream(fs::path(kSnapshots) / (std::to_string(count++) + ".snapshot.json"))
-                << R"({ "patina": 1, "size": 256, "mesh": ")" << mesh << R"(", "graph": ")" << graph << "\" }";
-        }
-    }
-    return count == 20 && run_patina({"snapshot", kSnapshots, "--update", "--quiet"});
+        if (!run_patina(words).ok) return state.SkipWithError("patina fails");
 }
 
 void register_all() {
@@ -116,7 +78,6 @@ void register_all() {
     add("compile/rusted_steel", compile, kRustedSteel, read(kRustedSteel), one_pass);
     add("compile/rusted_steel, all passes", compile, kRustedSteel, read(kRustedSteel), std::string("all"));
     add("patina compile", run_command, std::vector<std::string>{"compile", kRustedSteel, "-q", "-o", PATINA_SCRATCH});
-    if (make_snapshots()) add("20 snapshots", run_command, std::vector<std::string>{"snapshot", kSnapshots, "-q"});
     for (const int nodes : {5'000, 10'000}) {
         const std::string count = std::to_string(nodes);
         add("chain/" + count, compile, "chain.graph.json", long_graph(Shape::Chain, nodes), one_pass);
@@ -155,7 +116,7 @@ void print_passes() {
     std::size_t in_vertex = 0;
     for (const Shader& shader : result.shaders) {
         const Validated validated = validate(shader);
-        const cli::SpirvSize size = cli::size_of(optimised(validated.spirv));
+        const SpirvSize size = size_of(optimised(validated.spirv));
         if (shader.stage == Stage::Vertex) {
             in_vertex = size.instructions;
         } else {
@@ -171,7 +132,6 @@ void print_figures(const Figures& figures) {
     figures.time("compile/rusted_steel", 1);
     figures.time("compile/rusted_steel, all passes", 0);
     figures.time("patina compile", 20);
-    figures.time("20 snapshots", 3000);
     for (const std::string shape : {"chain/", "ladder/", "ladder on one line/"}) {
         figures.time(shape + "10000", 0);
         figures.ratio(shape + "5000", shape + "10000", 2.5);
@@ -185,10 +145,5 @@ void print_figures(const Figures& figures) {
 }  // namespace patina::bench
 
 int main(int argc, char** argv) {
-    benchmark::Initialize(&argc, argv);
-    if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
-    patina::bench::register_all();
-    patina::bench::Figures figures;
-    benchmark::RunSpecifiedBenchmarks(&figures);
-    patina::bench::print_figures(figures);
+    return patina::bench::run(argc, argv, patina::bench::register_all, patina::bench::print_figures);
 }

@@ -510,7 +510,11 @@ TEST_P(UnityTexture, ShowsTheSameTexels) {
         { "name": "_Map", "type": "texture2d", "default": "./patches.png" },
         { "name": "_Tiled", "type": "texture2d", "default": "./patches.png", "tiling": true },
         { "name": "_Layers", "type": "texture2dArray", "default": "./patches.png", "grid": [3, 1] },
-        { "name": "_Volume", "type": "texture3d", "default": "./patches.png", "grid": [3, 1] } ],
+        { "name": "_Volume", "type": "texture3d", "default": "./patches.png", "grid": [3, 1] },
+        { "name": "_Swizzled", "type": "texture2d", "default": "./patches.png", "swizzle": "bgr0" },
+        { "name": "_Down", "type": "texture2d", "usage": "normal", "default": "./patches.png", "handedness": "directx" },
+        { "name": "_Packed", "type": "texture2d", "usage": "normal", "default": "./patches.png", "swizzle": "brg",
+          "handedness": "directx" } ],
       "nodes": [ )j" << GetParam().second
                         << R"j( ], "surface": { "color": "= texel.rgb" } })j";
     const runtime::Scene scene = scene_of("sphere", {kSun});
@@ -525,6 +529,13 @@ INSTANTIATE_TEST_SUITE_P(
     All, UnityTexture,
     testing::Values(
         std::pair{"Plain", R"j({ "id": "texel", "node": "SampleTexture2D", "in": { "texture": "$_Map" } })j"},
+        std::pair{"Swizzled", R"j({ "id": "texel", "node": "SampleTexture2D", "in": { "texture": "$_Swizzled" } })j"},
+        std::pair{
+            "NormalOfDirectX",
+            R"j({ "id": "n", "node": "SampleNormalMap", "in": { "texture": "$_Down" } }, { "id": "texel", "expr": "n * 0.5 + 0.5" })j"},
+        std::pair{
+            "PackedNormal",
+            R"j({ "id": "n", "node": "SampleNormalMap", "in": { "texture": "$_Packed" } }, { "id": "texel", "expr": "n * 0.5 + 0.5" })j"},
         std::pair{"Tiled", R"j({ "id": "texel", "node": "SampleTexture2D", "in": { "texture": "$_Tiled" } })j"},
         std::pair{
             "Scaled",

@@ -7,6 +7,7 @@
 
 #include "compiler/cli/commands/commands.h"
 #include "compiler/cli/files.h"
+#include "compiler/cli/inputs.h"
 #include "patina/validate.h"
 
 namespace patina::cli {
@@ -15,22 +16,26 @@ namespace {
 constexpr const char* kAnyMaterial = "material.graph.json";
 
 struct Arguments {
-    std::vector<std::string> graphs;
+    InputArguments inputs;
     std::vector<std::string> include_dirs;
     PathOptions path;
+    bool without_validation = false;
 };
 
-// Compiles a graph and validates its shaders. The result is not ok if either fails.
-Result check_shaders(const Console& console, const Compiler& compiler, const std::string& graph,
-                     const CompileOptions& options) {
-    Result result = compiler.compile_file(graph, options);
-    report(console, result.diagnostics);
+// What is found out about a file before anything is printed.
+struct Checked {
+    std::vector<Diagnostic> diagnostics{};
+    bool ok = false;
+};
+
+void validate_shaders(const Arguments& arguments, const Result& result, Checked& checked) {
+    if (arguments.without_validation) return;
     for (const Shader& shader : result.shaders) {
         const Validated validated = validate(shader);
-        report(console, validated.diagnostics);
-        result.ok &= validated.ok;
+        checked.diagnostics.insert(checked.diagnostics.end(), validated.diagnostics.begin(),
+                                   validated.diagnostics.end());
+        checked.ok &= validated.ok;
     }
-    return result;
 }
 
 CompileOptions options_of(const Arguments& arguments) {
@@ -41,32 +46,30 @@ CompileOptions options_of(const Arguments& arguments) {
     return options;
 }
 
-bool check_graph(const Console& console, const Compiler& compiler, const Arguments& arguments,
-                 const std::string& graph) {
+// Compiles a graph and validates its shaders.
+Checked check_graph(const Compiler& compiler, const Arguments& arguments, const std::string& graph) {
     CompileOptions options = options_of(arguments);
     options.accept_parts = true;
-    return check_shaders(console, compiler, graph, options).ok;
+    const Result result = compiler.compile_file(graph, options);
+    Checked checked{.diagnostics = result.diagnostics, .ok = result.ok};
+    validate_shaders(arguments, result, checked);
+    return checked;
 }
 
 // A pass file by itself, compiled for the smallest material. Messages about that material are left out.
-bool check_pass_file(const Console& console, const Compiler& compiler, const Arguments& arguments,
-                     const std::string& file) {
+Checked check_pass_file(const Compiler& compiler, const Arguments& arguments, const std::string& file) {
     CompileOptions options = options_of(arguments);
     options.path = file;
     const Result result =
         compiler.compile_text(kAnyMaterial, R"({ "patina": 1, "workflow": "metallic-roughness" })", options);
-    bool ok = true;
+    Checked checked{.ok = true};
     for (const Diagnostic& diagnostic : result.diagnostics) {
         if (diagnostic.file == kAnyMaterial) continue;
-        report(console, std::span(&diagnostic, 1));
-        ok &= diagnostic.severity != Severity::Error;
+        checked.diagnostics.push_back(diagnostic);
+        checked.ok &= diagnostic.severity != Severity::Error;
     }
-    for (const Shader& shader : result.shaders) {
-        const Validated validated = validate(shader);
-        report(console, validated.diagnostics);
-        ok &= validated.ok;
-    }
-    return ok;
+    validate_shaders(arguments, result, checked);
+    return checked;
 }
 
 std::string as_text(const std::vector<double>& values) {
@@ -74,24 +77,28 @@ std::string as_text(const std::vector<double>& values) {
     return values.size() == 1 ? text : "(" + text + ")";
 }
 
-bool check_node_file(const Console& console, const Compiler& compiler, const Arguments& arguments,
-                     const std::string& file) {
+Checked check_node_file(const Compiler& compiler, const Arguments& arguments, const std::string& file) {
     CompileOptions options;
     options.include_dirs = arguments.include_dirs;
     const NodeFileResult result = compiler.check_node_file(file, options);
-    report(console, result.diagnostics);
-    bool ok = result.ok;
+    Checked checked{.diagnostics = result.diagnostics, .ok = result.ok};
     for (const NodeTest& test : result.tests) {
         if (passed(test)) continue;
-        ok = false;
+        checked.ok = false;
         Diagnostic failure = complaint(Complaint::FailedTest, {test.text, as_text(test.actual)});
         failure.file = test.file;
         failure.line = test.line;
         failure.column = 1;
         failure.node = test.node;
-        report(console, std::span(&failure, 1));
+        checked.diagnostics.push_back(std::move(failure));
     }
-    return ok;
+    return checked;
+}
+
+Checked check_file(const Compiler& compiler, const Arguments& arguments, const std::string& file) {
+    if (file.ends_with(".pass.hlsl")) return check_pass_file(compiler, arguments, file);
+    if (file.ends_with(".hlsl")) return check_node_file(compiler, arguments, file);
+    return check_graph(compiler, arguments, file);
 }
 
 }  // namespace
@@ -100,31 +107,35 @@ void add_check(Program& program) {
     CLI::App& command = add_command(program, "check",
                                     {"patina check rust.graph.json", "patina check art/*.graph.json --quiet",
                                      "patina check rust.graph.json --diagnostics=json", "patina check wave.node.hlsl",
-                                     "patina check mine.pass.hlsl"});
+                                     "patina check mine.pass.hlsl", "patina check art --jobs 4 --no-validate"});
     auto arguments = std::make_shared<Arguments>();
-    command
-        .add_option("GRAPH", arguments->graphs,
-                    "Graphs and scenes (JSON), and files of nodes (.node.hlsl) and of passes (.pass.hlsl)")
-        ->required()
-        ->type_name(" ");
+    add_input_options(command, arguments->inputs,
+                      "Graphs and scenes (JSON), and files of nodes (.node.hlsl) and of passes (.pass.hlsl)");
+    command.add_flag("--no-validate", arguments->without_validation,
+                     "Do not check the shaders with glslang and spirv-val, which takes most of the time");
     add_path_options(command, arguments->path);
     add_include_option(command, arguments->include_dirs);
 
+    set_check(command, [arguments] { require_inputs(arguments->inputs); });
+
     set_work(program, command, [arguments, check_scene = program.check_scene](const Console& console) {
+        const auto inputs =
+            find_inputs(console, arguments->inputs,
+                        {".graph.json", ".scene.json", ".subgraph.json", ".lighting.json", ".node.hlsl", ".pass.hlsl"});
+        if (!inputs) return Exit::Wrong;
         const Compiler compiler;
-        Exit exit = Exit::Ok;
-        for (std::size_t i = 0; i < arguments->graphs.size(); ++i) {
-            const std::string& graph = arguments->graphs[i];
-            show_progress(console, i, arguments->graphs.size(), graph);
-            const auto check = graph.ends_with(".pass.hlsl") ? check_pass_file
-                               : graph.ends_with(".hlsl")    ? check_node_file
-                                                             : check_graph;
-            const bool ok = is_scene(graph) ? check_scene(console, compiler, graph, options_of(*arguments))
-                                            : check(console, compiler, *arguments, graph);
-            if (ok) say(console, graph + ": ok");
-            if (!ok) exit = Exit::Wrong;
-        }
-        return exit;
+        return work_on(
+            console, *inputs, arguments->inputs.jobs,
+            [&](const Input& input) {
+                return is_scene(input.path) ? Checked{} : check_file(compiler, *arguments, input.path);
+            },
+            [&](const Input& input, Checked& checked) {
+                report(console, checked.diagnostics);
+                if (is_scene(input.path))  // which prints what it finds
+                    checked.ok = check_scene(console, compiler, input.path, options_of(*arguments));
+                if (checked.ok) say(console, input.path + ": ok");
+                return checked.ok ? Exit::Ok : Exit::Wrong;
+            });
     });
 }
 

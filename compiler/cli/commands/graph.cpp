@@ -5,13 +5,11 @@
 
 #include "compiler/cli/commands/commands.h"
 #include "compiler/cli/outputs.h"
-#include "compiler/cli/pages/drawing.h"
 #include "patina/output_name.h"
+#include "runtime/page/drawing.h"
 
 namespace patina::cli {
 namespace {
-
-constexpr std::size_t kMostBoxes = 1000;  // Graphviz takes minutes for more
 
 struct Arguments {
     std::string graph, output;
@@ -28,18 +26,15 @@ Exit draw_graph(const Console& console, const Arguments& arguments) {
     report(console, view.diagnostics);
     if (!view.ok) return Exit::Wrong;
     const std::string path = arguments.output.empty() ? output_name(arguments.graph) + ".svg" : arguments.output;
-    std::string text = dot_of(view);
-    if (!path.ends_with(".dot")) {
-        if (view.boxes.size() > kMostBoxes) {
-            complain(
-                console, Complaint::CannotRender,
-                {fmt::format("'{}' has {} nodes, and a drawing has at most {}: write a .dot file for another program",
-                             arguments.graph, view.boxes.size(), kMostBoxes)});
-            return Exit::Wrong;
-        }
-        Drawing drawing = draw(text);
+    std::string text;
+    if (path.ends_with(".dot")) {
+        text = runtime::dot_of(view);
+    } else {
+        runtime::Drawing drawing = runtime::draw(view);
         if (!drawing.error.empty()) {
-            complain(console, Complaint::CannotRender, {drawing.error});
+            complain(console, Complaint::CannotRender,
+                     {fmt::format("cannot draw '{}': {}; a .dot file is for another program", arguments.graph,
+                                  drawing.error)});
             return Exit::Wrong;
         }
         text = std::move(drawing.svg);

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "compiler/cli/pages/spirv_size.h"
+#include "patina/spirv_size.h"
 #include "patina/validate.h"
 
 namespace patina::cli {

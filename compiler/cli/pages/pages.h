@@ -2,7 +2,7 @@
 //
 // The pages of the reference: one for each node, one for each lighting model. This folder makes what `patina node`,
 // `patina model` and their lists show, as pages (page.h) or as JSON (library_json.h), and measures what a model costs
-// (model_cost.h, spirv_size.h). It reads the library through public headers and prints nothing itself.
+// (model_cost.h). It reads the library through public headers and prints nothing itself.
 //
 //   print(to_terminal(console, node_page(*compiler.node("Lerp"), "Lerp")));
 #pragma once

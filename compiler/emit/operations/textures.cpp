@@ -25,12 +25,19 @@ Value texel_size(Value texture, Scope& scope) {
     return b.construct(ir::kFloat4, std::array{inverse, size});
 }
 
+// "Texture2D", "Texture2D.bgra": only messages show it.
+std::string type_name(ir::Kind kind, const TextureView& view) {
+    std::string name(ir::texture_kind(kind)->name);
+    if (view.channels != TextureView{}.channels) name.append(".").append(view.channels.data(), view.channels.size());
+    return view.green_is_down ? name + ".directx" : name;
+}
+
 }  // namespace
 
-Type texture_type(Emitter& emitter, ir::Kind kind) {
-    const auto [made, is_new] = emitter.structures.textures.try_emplace(kind);
+Type texture_type(Emitter& emitter, ir::Kind kind, const TextureView& view) {
+    const auto [made, is_new] = emitter.structures.textures.try_emplace({kind, view});
     if (is_new) {
-        ir::Struct structure{.name = std::string(ir::texture_kind(kind)->name),
+        ir::Struct structure{.name = type_name(kind, view),
                              .members = {{"texture", Type::of(kind)}, {"sampler", Type::of(ir::Kind::Sampler)}}};
         if (kind == ir::Kind::Texture2D) {
             structure.members.push_back({"texelSize", ir::kFloat4});
@@ -45,7 +52,7 @@ Type texture_type(Emitter& emitter, ir::Kind kind) {
 Typed make_texture(Emitter& emitter, const TextureParts& parts, Scope& scope) {
     ir::Builder& b = *scope.builder;
     const ir::Kind kind = b.type(parts.texture).kind;
-    const Type bundle = texture_type(emitter, kind);
+    const Type bundle = texture_type(emitter, kind, parts.view);
     std::vector<Value> members = {parts.texture, parts.sampler};
     if (kind == ir::Kind::Texture2D) {
         members.push_back(parts.texel_size ? parts.texel_size : texel_size(parts.texture, scope));
@@ -95,21 +102,66 @@ std::vector<Type> parameters(const ir::TextureKind& texture, const Method& metho
     return made;
 }
 
-// Null if the value is no texture.
-const ir::TextureKind* kind_of(const Emitter& emitter, Type type) {
-    for (const auto& [kind, made] : emitter.structures.textures) {
-        if (made == type) return ir::texture_kind(kind);
+struct TextureOfType {
+    const ir::TextureKind* kind = nullptr;  // null: it is no texture
+    TextureView view{};
+};
+TextureOfType texture_of(const Emitter& emitter, Type type) {
+    for (const auto& [known, made] : emitter.structures.textures) {
+        if (made == type) return {ir::texture_kind(known.first), known.second};
     }
-    return nullptr;
+    return {};
+}
+
+// What the view shows of a texel: neighbouring channels of the texel together, as one swizzle.
+Value seen(const TextureView& view, Value texel, ir::Builder& b) {
+    if (view == TextureView{}) return texel;
+    std::vector<Value> parts;
+    std::vector<unsigned> run;
+    const auto end_run = [&] {
+        if (!run.empty()) parts.push_back(b.swizzle(texel, run));
+        run.clear();
+    };
+    for (std::size_t i = 0; i < view.channels.size(); ++i) {
+        const std::size_t channel = std::string_view("rgba").find(view.channels[i]);
+        const bool is_turned = view.green_is_down && i == 1;
+        if (channel != std::string_view::npos && !is_turned) {
+            run.push_back(static_cast<unsigned>(channel));
+            continue;
+        }
+        end_run();
+        Value part = channel == std::string_view::npos ? b.constant(ir::kFloat, {view.channels[i] == '1' ? 1.0 : 0.0})
+                                                       : b.extract(texel, static_cast<std::uint32_t>(channel));
+        if (is_turned) part = b.emit(Op::Sub, ir::kFloat, {b.constant(ir::kFloat, {1}), part});
+        parts.push_back(part);
+    }
+    end_run();
+    return parts.size() == 1 ? parts[0] : b.construct(ir::kFloat4, parts);
 }
 
 }  // namespace
+
+Typed view_as(Emitter& emitter, const Expr& expr, Type wanted, Scope& scope, std::string_view what) {
+    if (!is_texture(emitter, wanted)) return expression_as(emitter, expr, wanted, scope, what);
+    const Typed given = primary(emitter, expression(emitter, expr, scope), scope, expr.span);
+    return is_view_of(emitter, given.type, wanted) ? given : convert(emitter, given, wanted, scope, expr.span, what);
+}
+
+bool is_texture(const Emitter& emitter, Type type) {
+    return texture_of(emitter, type).kind != nullptr;
+}
+
+bool is_view_of(const Emitter& emitter, Type type, Type texture) {
+    const ir::TextureKind* const kind = texture_of(emitter, type).kind;
+    return kind && kind == texture_of(emitter, texture).kind;
+}
 
 // texture.Sample(uv), texture.Sample(sampler, uv), ...
 Typed method(Emitter& emitter, const Expr& expr, Scope& scope) {
     const Typed object = primary(emitter, expression(emitter, *expr.args[0], scope), scope, expr.args[0]->span);
     if (!object.ok()) return {};
-    const ir::TextureKind* texture = kind_of(emitter, object.type);
+    const TextureOfType read = texture_of(emitter, object.type);
+    const ir::TextureKind* const texture = read.kind;
     const auto* const row = std::find_if(std::begin(kMethods), std::end(kMethods), [&](const Method& m) {
         return texture && m.name == expr.text && has_method(*texture, m);
     });
@@ -154,8 +206,11 @@ Typed method(Emitter& emitter, const Expr& expr, Scope& scope) {
         operands.push_back(value.value);
     }
     if (ir::has(row->op, ir::Derivative)) need_quad(emitter, scope, expr.span, expr.text, true);
-    const Type result = row->op == Op::TextureSize ? Type::vector(Scalar::Int, 2) : ir::kFloat4;
-    return {.value = b.emit(row->op, result, operands), .type = result};
+    if (row->op == Op::TextureSize) {
+        const Type size = Type::vector(Scalar::Int, 2);
+        return {.value = b.emit(row->op, size, operands), .type = size};
+    }
+    return {.value = seen(read.view, b.emit(row->op, ir::kFloat4, operands), b), .type = ir::kFloat4};
 }
 
 }  // namespace patina::emit

@@ -6,8 +6,8 @@
 
 namespace patina::emit {
 
-// {texture, sampler}, and of Texture2D {texture, sampler, texelSize, tiling}
-ir::Type texture_type(Emitter& emitter, ir::Kind kind);
+// {texture, sampler}, and of Texture2D {texture, sampler, texelSize, tiling}. Each view has a type of its own.
+ir::Type texture_type(Emitter& emitter, ir::Kind kind, const TextureView& view = {});
 // texture.Sample(uv), texture.Sample(sampler, uv), texture.Load(texel, level) and so on.
 Typed method(Emitter& emitter, const Expr& expr, Scope& scope);
 

@@ -44,6 +44,9 @@ std::string header_words(std::string_view text);
 // How a texture is sampled, in the words of Unity's import settings, if a new asset is sampled differently: "Wrap Mode:
 // Clamp, Filter Mode: Point". Empty otherwise.
 std::string sampler_words(const graph::Property& property);
+// True if the asset needs Unity's texture type "Normal map". Unity keeps two channels of such a file, so a swizzle
+// needs a plain texture.
+bool is_unity_normal_map(const graph::Property& property);
 // The word for a texture's default if that is a file.
 std::string_view default_word(const graph::Property& property);
 // The limits of Unity's inspector for an enum: [KeywordEnum] lists this many names, [Enum] this many pairs of name and

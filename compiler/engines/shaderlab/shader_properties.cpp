@@ -123,7 +123,7 @@ Declared declared(const graph::MaterialProperty& entry, bool is_decoded) {
         }
         case PropertyType::Texture2D: {
             std::string attributes = property.tiling ? "" : "[NoScaleOffset] ";
-            if (property.usage == TextureUsage::Normal) attributes += "[Normal] ";
+            if (is_unity_normal_map(property)) attributes += "[Normal] ";
             return {attributes, "2D", fmt::format("\"{}\" {{}}", texture_word(entry))};
         }
         case PropertyType::TextureCube:
@@ -180,6 +180,10 @@ std::string sampler_words(const graph::Property& property) {
     if (sampler.filter == Filter::Nearest) words.emplace_back("Filter Mode: Point");
     if (sampler.anisotropy > 1) words.push_back(fmt::format("Aniso Level: {}", sampler.anisotropy));
     return fmt::format("{}", fmt::join(words, ", "));
+}
+
+bool is_unity_normal_map(const graph::Property& property) {
+    return property.usage == TextureUsage::Normal && property.swizzle.empty();
 }
 
 std::string_view default_word(const graph::Property& property) {

@@ -5,6 +5,7 @@
 #include "compiler/format/canonical_form.h"
 #include "compiler/format/keys.h"
 #include "compiler/format/schema/schema_parts.h"
+#include "compiler/format/shared_samplers.h"
 
 namespace patina::graph {
 namespace {
@@ -73,6 +74,8 @@ std::vector<SchemaRow> make_rows(const SchemaInput& input) {
         {Input, "type", texts_schema(kInputTypes)},
         {Property, "type", words_schema<PropertyType>()},
         {Free, "usage", words_schema<TextureUsage>()},
+        {Free, "handedness", words_schema<Handedness>()},
+        {Free, "swizzle", R"({"type":"string","pattern":"^[rgba01]{1,4}$"})"},
         {Free, "values", text(kIdentifiers)},
         {Property, "default", any_of({texts_schema(kDefaultTextures), reference("value")})},
         {Free, "default", reference("value")},
@@ -84,7 +87,7 @@ std::vector<SchemaRow> make_rows(const SchemaInput& input) {
         {Free, "tiling", text(kBoolean)},
         {Free, "grid",
          R"json({"type": "array", "items": {"type": "integer", "minimum": 1, "maximum": 256}, "minItems": 2, "maxItems": 2})json"},
-        {Free, "sampler", reference("sampler")},
+        {Free, "sampler", any_of({texts_schema(shared_sampler_names()), reference("sampler")})},
         {Free, "id", text(kIdentifier)},
         {Free, "node", node_name_schema(input.nodes)},
         {Free, "in", text(kValues)},

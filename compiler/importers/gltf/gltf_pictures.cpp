@@ -3,11 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <filesystem>
 
-#include "compiler/importers/gltf/picture_check.h"
 #include "runtime/gltf/gltf_file.h"
+#include "runtime/picture/picture_kind.h"
 
 namespace patina::importers::gltf {
 namespace {
@@ -32,6 +33,17 @@ std::string decoded(std::string_view uri) {
         if (is_coded) i += 2;
     }
     return made;
+}
+
+// Why a picture of a model cannot be read, or nothing. Its pixels are not decoded: that would take longer than all else
+// of an import.
+std::string fault_of(std::string_view bytes) {
+    constexpr std::array<std::string_view, 3> kOfModels = {"PNG", "JPEG", "WebP"};
+    const runtime::PictureKind* const kind = runtime::picture_kind(bytes);
+    if (bytes.empty()) return "has no bytes";
+    if (!kind || std::find(kOfModels.begin(), kOfModels.end(), kind->name) == kOfModels.end())
+        return "is neither a PNG nor a JPEG file: convert it";
+    return kind->is_whole(bytes) ? "" : fmt::format("is a {} file without its end", kind->name);
 }
 
 }  // namespace
@@ -160,16 +172,15 @@ std::string Pictures::file_of(std::size_t index, const std::string& name) {
         context_.report.wrong(image.path() + ".uri", fmt::format("the file '{}' cannot be read", uri), image.json());
         return {};
     }
-    const PictureKind kind = check_picture(bytes);
-    if (!kind.error.empty()) {
-        context_.report.wrong(image.path() + (is_file ? " ('" + uri + "')" : ""), kind.error, image.json());
+    if (const std::string fault = fault_of(bytes); !fault.empty()) {
+        context_.report.wrong(image.path() + (is_file ? " ('" + uri + "')" : ""), fault, image.json());
         return {};
     }
     if (is_file) {
         found->second = reference_to(context_, (fs::path(context_.path).parent_path() / uri).string());
         image.taken("uri", fmt::format("the file {}, where it is", found->second));
     } else {
-        const std::string file = file_name(known.name, name, names_) + kind.ending;
+        const std::string file = file_name(known.name, name, names_).append(runtime::picture_kind(bytes)->endings[0]);
         copies.push_back({.name = file, .bytes = std::string(bytes)});
         found->second = "./" + file;
         image.taken(known.bufferView < 0 ? "uri" : "bufferView", fmt::format("the file {}", file));

@@ -45,8 +45,8 @@ struct Diagnostic {
 PATINA_API std::string to_text(const Diagnostic& diagnostic, bool colors = false);
 // One JSON object on one line.
 PATINA_API std::string to_json(const Diagnostic& diagnostic);
-// A diagnostic at a place in a scene.
-PATINA_API Diagnostic diagnostic_at(const ScenePlace& place, std::string code, std::string message);
+// A diagnostic at a place in a graph or a scene.
+PATINA_API Diagnostic diagnostic_at(const FilePlace& place, std::string code, std::string message);
 // "did you mean 'Lerp'?", or a list of the known words if it is short, or nothing. For words that a program reads
 // itself.
 PATINA_API std::string suggestion(std::string_view word, const std::vector<std::string>& known);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "patina/export.h"
+#include "patina/place.h"
 #include "patina/words.h"
 
 namespace patina {
@@ -47,6 +48,9 @@ struct Texture {
     std::string identifier;  // in the shaders: the name, or another where a language or a block has it already
     TextureDimension dimension = TextureDimension::Flat;
     TextureUsage usage = TextureUsage::Color;
+    // The shaders apply the next two to every texel that they read, so the picture is bound as its file has it.
+    Handedness handedness = Handedness::OpenGL;  // of a normal map
+    std::string swizzle{};                       // four of r, g, b, a, 0 and 1; empty: the channels of the file
     std::array<int, 2> grid{1, 1};  // of an array and a volume: columns and rows of layers in a picture's file
     std::string default_value;      // white | black | gray | bump, or a file: its path from the compiled graph's folder
     bool is_material = true;        // false: the engine's own, which has no default
@@ -54,12 +58,13 @@ struct Texture {
     std::uint32_t set = 0;
     std::uint32_t binding = 0;
     std::string hlsl_register;  // "t0, space1"
-    std::string sampler_name;
+    std::string sampler_name;   // textures that share a sampler have the same name and binding
     std::uint32_t sampler_binding = 0;
     std::string sampler_register;  // "s0, space1"
     std::string tiling;            // member of the material's block: float4 scale and offset; empty: has none
     std::array<double, 4> tiling_default{1, 1, 0, 0};  // what that member starts as
     Sampler sampler;
+    FilePlace place{};  // of the property in its graph; not in the JSON
 };
 
 struct Property {

@@ -14,21 +14,14 @@
 #include <string>
 #include <vector>
 
+#include "patina/place.h"
 #include "patina/words.h"
 
 namespace patina {
 
-// The place in the file of a statement, for diagnostics of what only a renderer can check.
-struct ScenePlace {
-    std::string file;
-    int line = 0, column = 0;  // from 1; columns in bytes
-    int end_line = 0, end_column = 0;
-    std::string source_line;  // empty if it is very long
-};
-
 struct SceneFileName {
     std::string path;  // a path that can be opened; empty: none
-    ScenePlace place;
+    FilePlace place;
 };
 
 using SceneVector = std::array<double, 3>;
@@ -61,7 +54,7 @@ struct SceneLight {
     std::optional<SceneShadow> shadow{};  // directional and spot
     SceneFileName cookie{};               // directional and spot: a picture that colours the light
     double cookie_size = 10;              // directional: its size in metres
-    ScenePlace place{};
+    FilePlace place{};
 };
 
 // Radiance from above, from the sides and from below. At least one is given; the others follow from it.
@@ -105,14 +98,14 @@ struct SceneMixedLighting {
 struct SceneValue {
     std::string property;
     std::string words;
-    ScenePlace property_place, value_place;
+    FilePlace property_place, value_place;
 };
 
 struct SceneMaterial {
     std::string name;
     SceneFileName graph;
     std::vector<SceneValue> set;
-    ScenePlace place;  // that of its name
+    FilePlace place;  // that of its name
 };
 
 // One of the places of an object, relative to it.
@@ -125,7 +118,7 @@ inline constexpr std::size_t kMostSceneInstances = 100'000;
 struct SceneObject {
     std::string id;
     std::string mesh;  // "sphere", "model.glb#Node"; not checked
-    ScenePlace mesh_place;
+    FilePlace mesh_place;
     std::optional<int> segments{};  // 3 to 512: how fine the mesh is
     std::size_t material = 0;       // index into SceneFile::materials
     SceneVector position{};

@@ -103,6 +103,15 @@ inline constexpr auto kWords<TextureUsage> = std::to_array<Word<TextureUsage>>({
     {"normal", TextureUsage::Normal},
 });
 
+// What the green of a normal map counts: up in the picture (+y), as OpenGL's maps and glTF do, or down, as DirectX's
+// do.
+enum class Handedness { OpenGL, DirectX };
+template <>
+inline constexpr auto kWords<Handedness> = std::to_array<Word<Handedness>>({
+    {"opengl", Handedness::OpenGL},
+    {"directx", Handedness::DirectX},
+});
+
 enum class TextureDimension { Flat, Cube, Array, Volume };
 template <>
 inline constexpr auto kWords<TextureDimension> = std::to_array<Word<TextureDimension>>({

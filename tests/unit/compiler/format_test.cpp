@@ -44,6 +44,27 @@ TEST(Format, PutsKeysInTheOrderOfTheFormat) {
 )");
 }
 
+// Short objects stay on one line, and a sampler may be a name.
+TEST(Format, KeepsTheKeysOfTextures) {
+    EXPECT_EQ(settled(R"({"patina":1,"properties":[
+        {"sampler":"trilinearRepeat","swizzle":"bgra","type":"texture2d","name":"_A"},
+        {"sampler":{"filter":"nearest","wrap":"clamp"},"handedness":"directx","usage":"normal","type":"texture2d","name":"_B"}]})"),
+              R"({
+  "patina": 1,
+  "properties": [
+    { "name": "_A", "type": "texture2d", "swizzle": "bgra", "sampler": "trilinearRepeat" },
+    {
+      "name": "_B",
+      "type": "texture2d",
+      "usage": "normal",
+      "handedness": "directx",
+      "sampler": { "wrap": "clamp", "filter": "nearest" }
+    }
+  ]
+}
+)");
+}
+
 TEST(Format, OrdersAScene) {
     EXPECT_EQ(settled(R"({"objects":[{"material":"m","mesh":"cube","id":"o"}],
  // seen from the front

@@ -31,7 +31,9 @@ protected:
         }
         TextureData data{.levels = mip_chain(make_image(8, 30)), .sampler = {}};
         for (const char* name : {"_A", "_B"}) {
-            reflection.textures.emplace_back().name = name;
+            Texture& texture = reflection.textures.emplace_back();
+            texture.name = name;
+            texture.sampler_binding = 10 + static_cast<std::uint32_t>(reflection.textures.size());
             textures.push_back({.name = name, .data = std::make_shared<const TextureData>(data)});
         }
         Pass& pass = reflection.passes.emplace_back();
@@ -100,6 +102,13 @@ TEST_F(Limits, EachIsKept) {
         EXPECT_TRUE(error().starts_with("'gpu' cannot take ")) << error();
         limits.*each.limit = 1000;
     }
+}
+
+TEST_F(Limits, TexturesThatShareASamplerNeedOne) {
+    limits.maxPerStageDescriptorSamplers = 1;
+    EXPECT_EQ(error(), "'gpu' cannot take the material's 2 samplers: its limit is 1 (maxPerStageDescriptorSamplers)");
+    reflection.textures[1].sampler_binding = reflection.textures[0].sampler_binding;
+    EXPECT_EQ(error(), "");
 }
 
 TEST_F(Limits, ATextureThatIsTooLargeIsNamed) {

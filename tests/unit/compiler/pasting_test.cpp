@@ -336,7 +336,7 @@ protected:
         const auto values = material_values(reflection, {});
         EXPECT_TRUE(values) << values.error;
         LoadedTextures loaded = load_textures(reflection, "examples/graphs", {}, true);
-        EXPECT_EQ(loaded.errors, std::vector<std::string>{});
+        EXPECT_TRUE(loaded.errors.empty());
         add_engine_textures(loaded.textures, reflection, scene);
         const std::vector<BlockBytes> blocks = fill_blocks(reflection, values.value, scene);
         auto image = renderer->draw({.reflection = &reflection,

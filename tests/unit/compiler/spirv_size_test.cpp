@@ -1,5 +1,5 @@
 // The counting of SPIR-V instructions: on modules written by hand, and on what the library's models become.
-#include "compiler/cli/pages/spirv_size.h"
+#include "patina/spirv_size.h"
 
 #include <gtest/gtest.h>
 

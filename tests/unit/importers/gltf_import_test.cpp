@@ -286,6 +286,40 @@ TEST(GltfImport, BrokenFilesAreRefusedAtTheirPlace) {
     }
 }
 
+// The bytes of the container are those of glTF 2.0, section 4.4: magic, version, length; then length, kind and data of
+// each chunk.
+TEST(GltfImport, BrokenContainersAreRefusedAtTheirPlace) {
+    const auto number = [](unsigned value) {
+        std::string bytes;
+        for (int i = 0; i < 4; ++i) bytes += static_cast<char>(value >> (8 * i));
+        return bytes;
+    };
+    struct Broken {
+        std::string name, bytes, error;
+    };
+    const std::vector<Broken> cases = {
+        {"cut.glb", "glTF" + number(2) + number(100) + number(80) + "JSON{}",
+         "byte 8: the file shall have 100 bytes, and has 22: it is cut off"},
+        {"old.glb", "glTF" + number(1) + number(12), "byte 4: version 1 of the container is not read, only 2"},
+        {"short.glb", "glTF" + number(2) + number(12), "byte 8: 12 bytes hold no chunk"},
+        {"kind.glb", "glTF" + number(2) + number(22) + number(2) + "BIN " + "{}",
+         "byte 16: the first chunk is not JSON"},
+        {"chunk.glb", "glTF" + number(2) + number(22) + number(90) + "JSON{}",
+         "byte 12: the first chunk shall have 90 bytes, and 2 are left"},
+        {"text.gltf", "{ \"asset\": { \"version\": \"2.0\" },\n  \"nodes\": [ { ] ] }",
+         "text.gltf:2:16: it is broken JSON"},
+    };
+    for (const Broken& each : cases) {
+        const std::string path = testing::TempDir() + each.name;
+        std::ofstream(path, std::ios::binary) << each.bytes;
+        const Imported made = import(path);
+        EXPECT_NE(made.error.find(each.error), std::string::npos) << each.error << "\n" << made.error;
+        EXPECT_EQ(made.error.rfind(path + ":", 0), 0u) << made.error;
+        EXPECT_EQ(made.error.find("json.exception"), std::string::npos) << made.error;
+        EXPECT_TRUE(made.graphs.empty() && made.copies.empty());
+    }
+}
+
 // Cut anywhere, or with any byte changed, a file is read or refused.
 TEST(GltfImport, DamagedFilesAreReadOrRefused) {
     const std::string path = save_gltf(

@@ -52,6 +52,22 @@ TEST_F(Files, AreAllThereOrNone) {
     EXPECT_EQ(file_count(), 1u);
 }
 
+TEST_F(Files, WithTheSameBytesKeepTheirTime) {
+    ASSERT_EQ(write_file(path("same"), "old"), "");
+    const fs::file_time_type long_ago = fs::last_write_time(path("same")) - std::chrono::hours(1);
+    fs::last_write_time(path("same"), long_ago);
+    ASSERT_EQ(write_file(path("same"), "old"), "");
+    EXPECT_EQ(fs::last_write_time(path("same")), long_ago);
+    ASSERT_EQ(write_file(path("same"), "new"), "");  // as long, with other bytes
+    EXPECT_GT(fs::last_write_time(path("same")), long_ago);
+    EXPECT_EQ(text("same"), "new");
+    fs::last_write_time(path("same"), long_ago);
+    const OutputFile stamp{.path = path("same"), .bytes = "new", .is_stamp = true};
+    ASSERT_EQ(write_files({&stamp, 1}), "");
+    EXPECT_GT(fs::last_write_time(path("same")), long_ago);
+    EXPECT_EQ(file_count(), 1u);
+}
+
 TEST_F(Files, GoWhereALinkLeads) {
     std::ofstream(folder / "target.txt") << "old";
     fs::permissions(folder / "target.txt", fs::perms::owner_read | fs::perms::owner_write);

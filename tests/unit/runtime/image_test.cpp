@@ -121,7 +121,7 @@ TEST_F(ImageFile, CorruptFilesAreErrors) {
         EXPECT_NE(loaded.error.find(name), std::string::npos) << loaded.error;
     }
     ASSERT_EQ(save_png_as_is(path("cut.png"), all_bytes()), "");
-    fs::resize_file(path("cut.png"), 200);
+    fs::resize_file(path("cut.png"), fs::file_size(path("cut.png")) / 2);
     EXPECT_FALSE(load_image(path("cut.png")));
 }
 
@@ -259,10 +259,12 @@ TEST_F(ImageFile, EveryTextureThatCannotBeLoadedIsNamed) {
     const LoadedTextures loaded = load_textures(reflection, path(""), {}, false);
     EXPECT_EQ(loaded.textures.size(), 1u);
     ASSERT_EQ(loaded.errors.size(), 4u);
-    EXPECT_EQ(loaded.errors[0], "texture '_A': there is no file '" + path("none.png") + "'");
-    EXPECT_TRUE(loaded.errors[1].starts_with("texture '_C': cannot read '" + path("text.png") + "' as an image: "));
-    EXPECT_TRUE(loaded.errors[2].starts_with("texture '_D': cannot read '" + path("half.png") + "' as an image: "));
-    EXPECT_TRUE(loaded.errors[3].ends_with("it is a folder")) << loaded.errors[3];
+    EXPECT_EQ(loaded.errors[0].text, "texture '_A': there is no file '" + path("none.png") + "'");
+    EXPECT_TRUE(
+        loaded.errors[1].text.starts_with("texture '_C': cannot read '" + path("text.png") + "' as an image: "));
+    EXPECT_TRUE(
+        loaded.errors[2].text.starts_with("texture '_D': cannot read '" + path("half.png") + "' as an image: "));
+    EXPECT_TRUE(loaded.errors[3].text.ends_with("it is a folder")) << loaded.errors[3].text;
 }
 
 // Each is a text chunk of the PNG: its keyword, a zero byte and its text.

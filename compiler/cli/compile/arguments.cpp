@@ -1,0 +1,109 @@
+#include "compiler/cli/compile/arguments.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+namespace patina::cli {
+namespace {
+
+constexpr std::string_view kSpirv = "spirv";
+
+// "deferred", "./mine.pass.hlsl" -> "deferred", "mine"
+std::string name_of_path(const std::string& path) {
+    std::string name = std::filesystem::path(path).filename().string();
+    if (const std::string_view ending = ".pass.hlsl"; name.ends_with(ending)) name.resize(name.size() - ending.size());
+    return name;
+}
+
+// True if the engine draws the path: by the library's passes, or by its own.
+bool has_path_of(const EngineInfo& engine, const std::string& path) {
+    return !engine.has_own_passes || std::ranges::find(engine.paths, path) != engine.paths.end();
+}
+
+}  // namespace
+
+bool CompileArguments::wants(std::string_view target) const {
+    return std::ranges::find(targets, target) != targets.end();
+}
+
+bool CompileArguments::wants_spirv() const {
+    return wants(kSpirv);
+}
+
+bool contains(const std::vector<Target>& targets, const Target& target) {
+    return std::find(targets.begin(), targets.end(), target) != targets.end();
+}
+
+void read_targets(CompileArguments& arguments, const Compiler& compiler) {
+    std::vector<std::string> known;
+    for (const EngineInfo& engine : compiler.engines()) {
+        if (engine.is_default) known.insert(known.begin(), engine.languages.begin(), engine.languages.end());
+        known.push_back(engine.name);
+    }
+    known.emplace_back(kSpirv);
+    for (const std::string& word : arguments.targets) {
+        if (const std::string wrong = one_of("a target", known)(word); !wrong.empty())
+            throw CLI::ValidationError("--target", wrong);
+    }
+    // In the order of the engines and their languages, whatever the order of the words.
+    for (const EngineInfo& engine : compiler.engines()) {
+        for (const Target& target : compiler.targets(engine.name)) {
+            const std::string_view word = engine.is_default ? target.language : engine.name;
+            if (arguments.wants(word) || arguments.wants(engine.name)) arguments.written.push_back(target);
+        }
+    }
+}
+
+CompileOptions options_of(const CompileArguments& arguments) {
+    CompileOptions options;
+    options.targets = arguments.written;
+    if (arguments.wants_spirv() && !contains(options.targets, Target::Glsl))
+        options.targets.insert(options.targets.begin(), Target::Glsl);
+    options.include_dirs = arguments.include_dirs;
+    options.dump = arguments.dump;
+    options.path = arguments.path.path;
+    options.switches = arguments.path.switches();
+    options.functions = arguments.functions;
+    return options;
+}
+
+std::string kind_of(const CompileArguments& arguments, const Compiler& compiler) {
+    // The reflection is that of the first engine that draws the library's paths, if there is one.
+    const auto is_wanted = [&](const EngineInfo& engine) {
+        const auto is_its_target = [&](const Target& target) {
+            return engine.is_default ? target.engine.empty() : target.engine == engine.name;
+        };
+        return std::ranges::any_of(options_of(arguments).targets, is_its_target);
+    };
+    const EngineInfo* described = nullptr;
+    for (const EngineInfo& engine : compiler.engines()) {
+        if (!is_wanted(engine)) continue;
+        if (!described || (described->has_own_passes && !engine.has_own_passes)) described = &engine;
+    }
+    std::string kind;
+    if (described && !described->is_default) kind += "." + described->name;
+    if (!arguments.functions.empty()) return kind + ".functions";
+    const bool has_path = !described || has_path_of(*described, arguments.path.path);
+    if (has_path && arguments.path.path != PathOptions{}.path) kind += "." + name_of_path(arguments.path.path);
+    return kind;
+}
+
+std::string not_for_engine(const CompileArguments& arguments, const Compiler& compiler) {
+    for (const EngineInfo& engine : compiler.engines()) {
+        if (!arguments.wants(engine.name)) continue;
+        if (engine.is_one_file && !arguments.functions.empty())
+            return fmt::format("--functions cannot be written for {}, whose file holds whole passes", engine.title);
+        if (engine.is_one_file && arguments.validate)
+            return fmt::format("--validate cannot check a file of {}: remove it from --target, or leave out --validate",
+                               engine.title);
+        if (arguments.targets.size() > 1) continue;
+        if (!has_path_of(engine, arguments.path.path))
+            return fmt::format("{} has passes of its own: --path can be {}, but not '{}'", engine.title,
+                               fmt::join(engine.paths, " or "), arguments.path.path);
+    }
+    return {};
+}
+
+}  // namespace patina::cli

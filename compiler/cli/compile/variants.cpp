@@ -1,0 +1,201 @@
+#include "compiler/cli/compile/variants.h"
+
+#include <fmt/format.h>
+#include <rapidjson/prettywriter.h>
+#include <rapidjson/stringbuffer.h>
+
+#include <algorithm>
+#include <map>
+
+#include "compiler/cli/files.h"
+#include "patina/output_name.h"
+
+namespace patina::cli {
+namespace {
+
+constexpr std::size_t kShortHash = 8;
+
+// Shortens hashes: to as many digits as make each different from the others.
+class ShortHashes {
+public:
+    std::string name(const std::string& hash) {
+        std::size_t length = kShortHash;
+        while (length < hash.size() && taken_.emplace(hash.substr(0, length), hash).first->second != hash) ++length;
+        return hash.substr(0, length);
+    }
+
+private:
+    std::map<std::string, std::string> taken_;
+};
+
+// "rust.forward.frag.glsl" -> "rust.3f2a9c1e.forward.frag.glsl"
+std::string with_hash(const std::string& file_name, const std::string& name, const std::string& hash) {
+    return hash.empty() ? file_name : name + "." + hash + file_name.substr(name.size());
+}
+
+VariantsWanted wanted_of(const std::string& word) {
+    for (const VariantsWanted each : {VariantsWanted::Listed, VariantsWanted::Reachable}) {
+        if (word == to_string(each)) return each;
+    }
+    return VariantsWanted::All;
+}
+
+std::string counted(std::size_t count, std::string_view what) {
+    return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
+
+constexpr std::size_t kMostNamed = 12;
+
+// "8 combinations of _DETAIL (2), _Mode (4)"
+std::string announcement(const VariantPlan& plan, double count) {
+    std::string text = fmt::format("{:.0f} combination{}", count, count == 1 ? "" : "s");
+    for (std::size_t i = 0; i < std::min(plan.axes.size(), kMostNamed); ++i)
+        text += fmt::format("{}{} ({})", i == 0 ? " of " : ", ", plan.axes[i].property, plan.axes[i].values.size());
+    if (plan.axes.size() > kMostNamed) text += fmt::format(" and {} more", plan.axes.size() - kMostNamed);
+    if (!plan.axes.empty()) return text;
+    return plan.fixed > 0 ? text + ": -D fixes all variants" : "it has no variants; " + text;
+}
+
+// A program's files.
+struct Written {
+    std::string hash;  // short
+    std::string reflection;
+    std::vector<std::string> files;
+};
+
+std::string manifest(const std::string& name, const VariantOptions& wanted, const CompileOptions& options,
+                     const VariantPlan& plan, const VariantSet& set, const std::vector<Written>& written) {
+    rapidjson::StringBuffer buffer;
+    rapidjson::PrettyWriter<rapidjson::StringBuffer> json(buffer);
+    json.SetIndent(' ', 2);
+    json.SetFormatOptions(rapidjson::kFormatSingleLineArray);
+    const auto text = [&](std::string_view word) { json.String(word.data(), unsigned(word.size())); };
+    const auto member = [&](const char* key, std::string_view word) {
+        json.Key(key);
+        text(word);
+    };
+    const auto value = [&](const VariantAxis& axis, const std::string& word) {
+        if (axis.is_bool)
+            json.Bool(word == "true");
+        else
+            text(word);
+    };
+    json.StartObject();
+    member("graph", name);
+    member("variants", wanted.wanted);
+    member("path", options.path);
+    json.Key("defines");
+    json.StartObject();
+    for (const auto& [define, word] :
+         std::map<std::string, std::string>(options.switches.rbegin(), options.switches.rend()))
+        member(define.c_str(), word.empty() ? "true" : word);
+    json.EndObject();
+    json.Key("properties");
+    json.StartArray();
+    for (const VariantAxis& axis : plan.axes) {
+        json.StartObject();
+        member("name", axis.property);
+        json.Key("values");
+        json.StartArray();
+        for (const std::string& word : axis.values) value(axis, word);
+        json.EndArray();
+        json.Key("default");
+        value(axis, axis.values[axis.otherwise]);
+        json.EndObject();
+    }
+    json.EndArray();
+    json.Key("programs");
+    json.StartArray();
+    for (std::size_t i = 0; i < written.size(); ++i) {
+        json.StartObject();
+        member("program", written[i].hash);
+        member("hash", set.programs[i].hash);
+        member("reflection", written[i].reflection);
+        json.Key("files");
+        json.StartArray();
+        for (const std::string& file : written[i].files) text(file);
+        json.EndArray();
+        json.EndObject();
+    }
+    json.EndArray();
+    json.Key("combinations");
+    json.StartArray();
+    for (std::size_t i = 0; i < plan.count; ++i) {
+        json.StartObject();
+        json.Key("values");
+        json.StartObject();
+        for (const auto& [property, word] : plan.combination(i)) {
+            const auto axis = std::find_if(plan.axes.begin(), plan.axes.end(),
+                                           [&](const VariantAxis& each) { return each.property == property; });
+            json.Key(property.c_str());
+            value(*axis, word);
+        }
+        json.EndObject();
+        member("program", written[set.program_of[i]].hash);
+        json.EndObject();
+    }
+    json.EndArray();
+    json.EndObject();
+    return std::string(buffer.GetString(), buffer.GetSize()) + "\n";
+}
+
+}  // namespace
+
+Exit make_variants(const Console& console, const Compiler& compiler, const std::string& graph,
+                   const VariantOptions& wanted, const CompileOptions& options, const std::string& folder,
+                   const AddShader& add, OutputFiles& files, std::vector<std::string>& dependencies) {
+    const auto looking = [&](const VariantPlan& plan) {
+        const double most = combinations_of(plan.axes);
+        if (plan.count == 0 && !plan.axes.empty()) remark(console, graph + ": at most " + announcement(plan, most));
+        show_progress(console, plan.count, static_cast<std::size_t>(std::min(most, static_cast<double>(kMostVariants))),
+                      graph);
+    };
+    const VariantPlan plan = compiler.plan_variants(graph, wanted_of(wanted.wanted), options, wanted.limit, looking);
+    end_progress(console);
+    report(console, plan.diagnostics);
+    if (!plan.ok) return Exit::Wrong;
+    const std::string name = output_name(graph);
+    const bool is_counted = wanted.wanted == to_string(VariantsWanted::Reachable) && !plan.axes.empty();
+    remark(console, graph + ": " +
+                        (is_counted ? counted(plan.count, "combination") + " can be reached"
+                                    : announcement(plan, static_cast<double>(plan.count))));
+    VariantSet set = compiler.compile_variants(
+        graph, plan, options, [&](std::size_t done) { show_progress(console, done, plan.count, graph); });
+    end_progress(console);
+    report(console, set.diagnostics);
+    if (!set.ok) return Exit::Wrong;
+
+    ShortHashes programs, stages;
+    std::map<std::string, std::vector<std::string>> files_of;  // by a stage's file name and hash
+    std::vector<Written> written;
+    for (VariantProgram& program : set.programs) {
+        Written& made = written.emplace_back();
+        made.hash = programs.name(program.hash);
+        // A file that holds all programs, as Unity's does, has no hash in its name.
+        const bool is_hashed = std::any_of(program.result.shaders.begin(), program.result.shaders.end(),
+                                           [](const Shader& s) { return !s.hash.empty(); });
+        made.reflection = with_hash(name + wanted.kind + ".reflect.json", name, is_hashed ? made.hash : "");
+        files.add(join_path(folder, made.reflection), program.result.reflection.to_json());
+        for (Shader& shader : program.result.shaders) {
+            const auto [own, is_new] = files_of.try_emplace(shader.file_name + shader.hash);
+            if (is_new) {
+                shader.file_name = with_hash(shader.file_name, name, stages.name(shader.hash));
+                OutputFiles added;
+                if (!add(shader, added)) return Exit::Wrong;
+                for (runtime::OutputFile& file : added.files) {
+                    own->second.push_back(file.path.substr(file.path.rfind('/') + 1));
+                    files.files.push_back(std::move(file));
+                }
+            }
+            made.files.insert(made.files.end(), own->second.begin(), own->second.end());
+        }
+    }
+    remark(console, fmt::format("{}: {} in {}", graph, counted(set.programs.size(), "different program"),
+                                counted(files_of.size(), "shader")));
+    files.add(join_path(folder, name + wanted.kind + ".variants.json"),
+              manifest(name, wanted, options, plan, set, written));
+    dependencies = std::move(set.dependencies);
+    return Exit::Ok;
+}
+
+}  // namespace patina::cli

@@ -1,0 +1,64 @@
+// The graphs that a command works on: files, all that a folder holds, and those of a list. And the work on them, on
+// several threads, with their results in order.
+//
+//   add_input_options(command, arguments->inputs, "Material graphs (JSON)");
+//   const Inputs inputs = find_inputs(arguments.inputs, {".graph.json"});
+//   work_on(console, inputs, jobs, [&](const Input& input) { return make(input); },
+//           [&](const Input& input, Made& made) { return write(input, made); });
+#pragma once
+
+#include <initializer_list>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "compiler/cli/program.h"
+#include "runtime/jobs/jobs.h"
+
+namespace patina::cli {
+
+struct Input {
+    std::string path{};
+    std::string folder{};  // below the folder of the outputs: "metal" for art/metal/rust.graph.json of the folder art
+};
+
+struct InputArguments {
+    std::vector<std::string> words{};  // files and folders
+    std::string list{};                // --files
+    int jobs = 0;                      // --jobs; 0: one for each core
+};
+
+// The files and folders, --files and --jobs. `what` says which files.
+void add_input_options(CLI::App& command, InputArguments& arguments, const std::string& what);
+// Throws the usage error if neither a file nor a list is given.
+void require_inputs(const InputArguments& arguments);
+
+// Of folders: the files with one of the endings, in order. Nothing: a list or a folder cannot be read, or holds no such
+// file, and that has been reported.
+std::optional<std::vector<Input>> find_inputs(const Console& console, const InputArguments& arguments,
+                                              std::initializer_list<std::string_view> endings);
+
+// Throws the usage error if two of them would write one file.
+void refuse_equal_outputs(const std::vector<Input>& inputs, std::string_view ending, std::string_view verb);
+
+// `make` runs on several threads; `finish`, which prints and writes, on one at a time and in the inputs' order. The
+// exit code is the greatest one that `finish` returns.
+template <class Make, class Finish>
+Exit work_on(const Console& console, const std::vector<Input>& inputs, int jobs, const Make& make,
+             const Finish& finish) {
+    using Made = decltype(make(inputs.front()));
+    std::vector<std::optional<Made>> made(inputs.size());
+    Exit exit = Exit::Ok;
+    runtime::in_order(
+        inputs.size(), jobs,
+        [&]() -> runtime::Work { return [&](std::size_t i) { made[i].emplace(make(inputs[i])); }; },
+        [&](std::size_t i) {
+            show_progress(console, i, inputs.size(), inputs[i].path);
+            exit = worse(exit, finish(inputs[i], *made[i]));
+            made[i].reset();
+        });
+    return exit;
+}
+
+}  // namespace patina::cli

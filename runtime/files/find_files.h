@@ -1,0 +1,16 @@
+// The files of a folder and of the folders below it.
+//
+//   Outcome<std::vector<std::string>> files = files_below("art");   // "art/metal/rust.graph.json", ...
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "runtime/outcome.h"
+
+namespace patina::runtime {
+
+// Normal paths that begin with the folder's, sorted. Not of hidden folders. A failure says what is wrong.
+Outcome<std::vector<std::string>> files_below(const std::string& folder);
+
+}  // namespace patina::runtime

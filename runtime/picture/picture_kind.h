@@ -1,0 +1,27 @@
+// What kind of file the bytes of a picture are, and what is wrong with them before a pixel is decoded: a file that is
+// named as another kind, or whose end is missing. It opens no file.
+//
+//   const PictureKind* kind = picture_kind(bytes);   // by the first bytes
+//   picture_fault("rust.jpg", bytes);                // "it is a PNG file: name it 'rust.png'"
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace patina::runtime {
+
+struct PictureKind {
+    std::string_view name;                      // "PNG"
+    std::span<const std::string_view> endings;  // ".png"; the usual one first
+    bool is_readable = true;                    // OpenImageIO reads it
+    // False if the file ends too early. Null: whoever decodes the pixels finds that.
+    bool (*is_whole)(std::string_view bytes) = nullptr;
+};
+// By the first bytes. Null: none that is known.
+const PictureKind* picture_kind(std::string_view bytes);
+
+// Why the bytes cannot be a picture of this name, or nothing.
+std::string picture_fault(const std::string& path, std::string_view bytes);
+
+}  // namespace patina::runtime

@@ -1,0 +1,10 @@
+# What textures show in pictures: handedness of normal maps, swizzles, shared samplers. One executable for each file.
+add_library(patina_texture_drawing STATIC textures/drawn.cpp)
+target_link_libraries(patina_texture_drawing PUBLIC patina patina_runtime GTest::gtest PRIVATE patina_options)
+file(GLOB textures_tests CONFIGURE_DEPENDS textures/*_test.cpp)
+foreach(file IN LISTS textures_tests)
+  get_filename_component(name ${file} NAME_WE)
+  add_executable(textures_${name} ${file})
+  target_link_libraries(textures_${name} PRIVATE patina_options patina_texture_drawing GTest::gtest_main)
+  add_test(NAME textures_${name} COMMAND textures_${name} WORKING_DIRECTORY ${CMAKE_SOURCE_DIR})
+endforeach()
