@@ -11,7 +11,7 @@
 #include "compiler/engines/writers.h"
 #include "compiler/format/canonical_form.h"
 #include "compiler/format/read_graph.h"
-#include "compiler/format/read_scene.h"
+#include "compiler/format/scene/read_scene.h"
 #include "compiler/format/schema/schema.h"
 #include "compiler/json/json.h"
 #include "compiler/nodelang/other_names.h"

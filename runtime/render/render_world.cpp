@@ -21,7 +21,7 @@ namespace patina::runtime {
 namespace {
 
 constexpr std::string_view kPicture = "color";
-constexpr const char* kBackgroundPath = "background";
+constexpr const char* kBackgroundPath = "backdrop";
 
 // The properties of an object that its shaders depend on, in addition to its graph.
 struct Variant {

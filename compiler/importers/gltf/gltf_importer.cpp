@@ -9,6 +9,7 @@
 #include "compiler/importers/gltf/gltf_material.h"
 #include "compiler/importers/gltf/gltf_rest.h"
 #include "compiler/importers/gltf/gltf_scene.h"
+#include "patina/patina.h"
 #include "runtime/gltf/gltf_file.h"
 
 namespace patina::importers {

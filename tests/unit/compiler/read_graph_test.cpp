@@ -412,7 +412,7 @@ TEST(ReadGraphErrors, Properties) {
         {property(R"("texture3d","^tiling":true)"),
          "unknown key 'tiling' in a property of type texture3d | 'tiling' belongs to a texture2d"},
         {property(R"("texture2dArray","grid":^[2])"),
-         "'grid' must be an array of 2 numbers: columns and rows, not an array of 1"},
+         "'grid' must be [columns, rows] of its layers in the picture, such as [4, 2], not an array of 1"},
         {property(R"("texture2dArray","grid":[2,^0])"), "0 is outside the range 1 to 256 of 'grid'"},
         {property(R"("textureCube","usage":^"normal")"),
          "'usage' must be color or data: a textureCube holds no normal map"},

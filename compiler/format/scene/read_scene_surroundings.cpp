@@ -1,7 +1,7 @@
 // Reads what is around the objects of a scene: ambient light, environment, reflection probes, fog, background.
 #include <algorithm>
 
-#include "compiler/format/read_scene_fields.h"
+#include "compiler/format/scene/read_scene_fields.h"
 
 namespace patina::graph {
 namespace {

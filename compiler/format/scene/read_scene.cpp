@@ -1,10 +1,10 @@
-#include "compiler/format/read_scene.h"
+#include "compiler/format/scene/read_scene.h"
 
 #include <algorithm>
 #include <cfloat>
 #include <unordered_map>
 
-#include "compiler/format/read_scene_fields.h"
+#include "compiler/format/scene/read_scene_fields.h"
 #include "patina/segments.h"
 
 namespace patina::graph {

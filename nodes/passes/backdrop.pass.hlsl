@@ -1,4 +1,4 @@
-// Background: what is around, as the camera sees it, behind all objects. It reads no material. The runtime draws it
+// Backdrop: what is around, as the camera sees it, behind all objects. It reads no material. The runtime draws it
 // before everything else, so that surfaces that let light through show it.
 
 /// The surroundings are out of focus.
@@ -23,12 +23,12 @@ float3 directionBehind(float2 uv) {
     return normalize(cameraForwardWS + right * at.x + up * at.y);
 }
 
-[pass("background")] [vertex]
+[pass("backdrop")] [vertex]
 float4 backgroundVertex(float3 position = positionOS) {
     return float4(position.xy, 0, 1);
 }
 
-[pass("background")] [fragment] [draws("fullscreen")] [lights("none")] [cull("off")] [depth("always", "keep")]
+[pass("backdrop")] [fragment] [draws("fullscreen")] [lights("none")] [cull("off")] [depth("always", "keep")]
 [blend("one", "zero")]
 float4 backgroundFragment(float2 uv = screenUV) {
     float roughness = blurredBackground ? BACKGROUND_ROUGHNESS : 0;

@@ -1,4 +1,4 @@
-#include "compiler/format/read_scene_fields.h"
+#include "compiler/format/scene/read_scene_fields.h"
 
 namespace patina::graph {
 namespace {

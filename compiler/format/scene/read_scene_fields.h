@@ -1,12 +1,12 @@
 // Functions that the readers of a scene's parts share: numbers within limits, vectors, colours and files. Private to
-// compiler/format/read_scene*.cpp.
+// compiler/format/scene/read_scene*.cpp.
 //
 //   read_number(reading, json, "fov", 1, 170, camera.fov);   // keeps what is there if the key is not
 #pragma once
 
 #include "compiler/format/color.h"
 #include "compiler/format/read_graph.h"
-#include "compiler/format/read_scene.h"
+#include "compiler/format/scene/read_scene.h"
 
 namespace patina::graph {
 
