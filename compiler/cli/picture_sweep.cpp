@@ -279,7 +279,8 @@ std::vector<std::string> lines_of(const std::vector<LeftOut>& left_out) {
     }
     std::vector<std::string> lines;
     for (const auto& [why, models] : groups)
-        lines.push_back(fmt::format("{} {} not fit: {}", fmt::join(models, ", "), models.size() == 1 ? "does" : "do", why));
+        lines.push_back(
+            fmt::format("{} {} not fit: {}", fmt::join(models, ", "), models.size() == 1 ? "does" : "do", why));
     return lines;
 }
 

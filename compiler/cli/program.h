@@ -5,8 +5,8 @@
 // subcommands have.
 //
 // This folder: the programs (main.cpp, render_main.cpp, import_main.cpp) and what all commands share (this file,
-// console.h, files.h, inputs.h, outputs.h). commands/ holds a file for each command, compile/ what `patina compile` needs
-// beside, pages/ what `patina node` and `patina docs` show, eval/ what `patina eval` computes, templates/ what
+// console.h, files.h, inputs.h, outputs.h). commands/ holds a file for each command, compile/ what `patina compile`
+// needs beside, pages/ what `patina node` and `patina docs` show, eval/ what `patina eval` computes, templates/ what
 // `patina new` writes. Nothing here includes the compiler's own headers: what a command needs of the library is public.
 //
 //   Program program;

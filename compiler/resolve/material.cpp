@@ -214,10 +214,9 @@ void check_surface(Session& session, const Material& material) {
             std::vector<std::string_view> names;
             for (const Input* input : inputs) names.push_back(input->name);
             // With a lighting model of the command line, the file does not say where the input is missing.
-            const std::string has =
-                session.options.lighting.empty()
-                    ? "has"
-                    : fmt::format("and the lighting model '{}' have", material.lighting_name);
+            const std::string has = session.options.lighting.empty()
+                                        ? "has"
+                                        : fmt::format("and the lighting model '{}' have", material.lighting_name);
             DiagnosticRecord& record =
                 session.diagnostics.report(Code::UnknownSurfaceInput, port.name_span, graph.workflow, has, port.name);
             if (const std::string_view near = nearest(port.name, names); !near.empty()) {

@@ -156,9 +156,8 @@ std::span<const LoadedTexture> FrameBuilder::textures_of(const PlannedStep& step
     for (const Texture& texture : material.reflection->textures) {
         if (texture.is_material || !texture.reads.empty() || !reads_texture(*step.pass, texture)) continue;
         if (const Probe* probe = probe_of(texture.name, step.seen.probes))
-            bound.push_back({.name = texture.name,
-                             .data = probe->environment->map(),
-                             .dimension = TextureDimension::Cube});
+            bound.push_back(
+                {.name = texture.name, .data = probe->environment->map(), .dimension = TextureDimension::Cube});
         if (texture.dimension != TextureDimension::Flat) continue;
         const Light* cookie = texture.name == "lightCookie" ? cookie_light(step.seen.lights) : nullptr;
         if (has_own(step, texture.name))

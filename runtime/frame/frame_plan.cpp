@@ -242,8 +242,7 @@ void Planner::find_shadow_maps() {
 void Planner::draw_background() {
     if (!options_.background) return;
     for (const Pass& pass : reflection_of(*options_.background).passes)
-        builder_.add(
-            {.material = *options_.background, .pass = &pass, .mesh = &screen_mesh(), .seen = seen_with({})});
+        builder_.add({.material = *options_.background, .pass = &pass, .mesh = &screen_mesh(), .seen = seen_with({})});
 }
 
 void Planner::draw_shadow_maps() {

@@ -71,7 +71,7 @@ struct Probe {
     std::shared_ptr<const Environment> environment{};  // never null
     glm::vec3 position{0};                             // where it was taken
     glm::vec3 box_min{-1}, box_max{1};
-    float blend = 0;             // metres outside of the box over which it fades
+    float blend = 0;               // metres outside of the box over which it fades
     bool is_box_projected = true;  // what it shows is at the walls of the box, not far away
     int importance = 1;
 };

@@ -1,5 +1,5 @@
-// What `patina env FILE -o DIR` writes, read back as an engine reads it: six files for each level, which face each is, and
-// which way its rows go. The directions follow the table of Vulkan's "Cube Map Face Selection", written here again.
+// What `patina env FILE -o DIR` writes, read back as an engine reads it: six files for each level, which face each is,
+// and which way its rows go. The directions follow the table of Vulkan's "Cube Map Face Selection", written here again.
 #include <gtest/gtest.h>
 
 #include <array>

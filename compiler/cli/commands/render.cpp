@@ -114,8 +114,8 @@ void say_clipping(const Console& console, const Arguments& arguments, const std:
             ? "--tonemap khronos-neutral shows such highlights"
             : fmt::format("--exposure {:.2f} shows all light, and --tonemap khronos-neutral compresses it",
                           arguments.tone.exposure + clipped->exposure);
-    remark(console, fmt::format("{:.1f} % of the pixels are brighter than white and clip: {}", 100 * clipped->share,
-                                advice));
+    remark(console,
+           fmt::format("{:.1f} % of the pixels are brighter than white and clip: {}", 100 * clipped->share, advice));
 }
 
 // A picture, a sheet of pictures, or a picture with layers, with its tone.

@@ -62,8 +62,8 @@ void read_environment(SceneReading& reading, const Json& json, SceneFile& scene)
 // A colour, or a word.
 void read_background(Reading& reading, const Json& json, SceneFile& scene) {
     if (json.kind == Json::Kind::String && !json.string.starts_with('#')) {
-        scene.backdrop = read_word<SceneBackdrop>(reading, json, "background", "a background")
-                             .value_or(SceneBackdrop::Color);
+        scene.backdrop =
+            read_word<SceneBackdrop>(reading, json, "background", "a background").value_or(SceneBackdrop::Color);
         return;
     }
     scene.background = read_scene_color(reading, json, "background", true);

@@ -189,9 +189,9 @@ Members make_definitions(const SchemaInput& input) {
     for (const auto& [name, kind] :
          {std::pair("scene", Scene), std::pair("camera", Camera), std::pair("ambient", Ambient),
           std::pair("environment", Environment), std::pair("probe", Probe), std::pair("probeBox", ProbeBox),
-          std::pair("fog", Fog), std::pair("mixedLighting", MixedLighting),
-          std::pair("light", Light), std::pair("shadow", Shadow), std::pair("sceneMaterial", SceneMaterial),
-          std::pair("sceneObject", SceneObject), std::pair("sceneInstance", SceneInstance)}) {
+          std::pair("fog", Fog), std::pair("mixedLighting", MixedLighting), std::pair("light", Light),
+          std::pair("shadow", Shadow), std::pair("sceneMaterial", SceneMaterial), std::pair("sceneObject", SceneObject),
+          std::pair("sceneInstance", SceneInstance)}) {
         definitions.emplace_back(name, object(object_schema(rows, kind)));
     }
     add_port_definitions(definitions, input.nodes);

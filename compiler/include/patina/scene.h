@@ -72,9 +72,9 @@ struct ScenePicture {
 // What objects near it reflect, instead of the environment.
 struct SceneProbe {
     ScenePicture picture{};
-    SceneVector position{};                            // where the picture was taken, inside the box
+    SceneVector position{};                             // where the picture was taken, inside the box
     SceneVector box_min{-1, -1, -1}, box_max{1, 1, 1};  // along the axes of the world
-    double blend = 0;            // metres outside of the box over which it fades
+    double blend = 0;                                   // metres outside of the box over which it fades
     bool box_projection = true;  // what is seen in the picture is as far away as the walls of the box
     int importance = 1;          // 0 to 1000: more important ones hide others
 };

@@ -61,7 +61,7 @@ layout(set = 1, binding = 0, std140) uniform Material
 };
 
 layout(set = 0, binding = 6) uniform textureCube environmentMap;
-layout(set = 0, binding = 11) uniform sampler environmentMapSampler;
+layout(set = 0, binding = 12) uniform sampler environmentMapSampler;
 layout(set = 1, binding = 1) uniform texture2D texture_;
 layout(set = 1, binding = 2) uniform sampler samplertexture;
 

@@ -418,7 +418,7 @@ TEST(ReadScene, IsForScenes) {
     EXPECT_EQ(message(""), "the file is empty");
     const SceneResult missing = compiler().read_scene("no/such.scene.json");
     ASSERT_EQ(missing.diagnostics.size(), 1u);
-    EXPECT_EQ(missing.diagnostics[0].code, "cannot-read");
+    EXPECT_EQ(missing.diagnostics[0].code, "missing-file");
 }
 
 TEST(ReadScene, AScenesFileIsNoMaterial) {

@@ -82,7 +82,7 @@ TEST(GltfImport, TheFirstCameraIsTheScenes) {
         EXPECT_NEAR(top.target[2], 0, 1e-5);
         EXPECT_NEAR(top.orthographic.value_or(0), 4, 1e-6);
     }
-    EXPECT_NE(import(path, {.camera = "none"}).error.find("has no camera 'none'; there are: front, top"),
+    EXPECT_NE(import(path, {.camera = "none"}).error.find("has no camera 'none'; these exist: front and top"),
               std::string::npos);
 }
 
@@ -124,7 +124,7 @@ TEST(GltfImport, EachVariantIsAScene) {
     EXPECT_EQ(scene_of(made, "square.Oak.scene.json").materials[0].name, "oak");
     EXPECT_EQ(scene_of(made, "square.Beach.scene.json").materials[0].name, "blue_paint");
     EXPECT_EQ(scene_of(import(path, {.variant = "Beach"})).materials[0].name, "blue_paint");
-    EXPECT_NE(import(path, {.variant = "x"}).error.find("has no variant 'x'; there are: Oak, Beach"),
+    EXPECT_NE(import(path, {.variant = "x"}).error.find("has no variant 'x'; these exist: Oak and Beach"),
               std::string::npos);
 }
 

@@ -64,8 +64,7 @@ void expect_near(std::array<double, 3> got, glm::dvec3 wanted, double tolerance,
 // The faces of a strip: right, left, up, down, ahead, behind.
 constexpr std::array<glm::dvec3, 6> kColors = {
     {{0.9, 0.1, 0.1}, {0.1, 0.8, 0.1}, {0.1, 0.1, 0.7}, {0.6, 0.6, 0.1}, {0.1, 0.5, 0.5}, {0.4, 0.1, 0.4}}};
-constexpr std::array<glm::dvec3, 6> kAxes = {
-    {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, -1}, {0, 0, 1}}};
+constexpr std::array<glm::dvec3, 6> kAxes = {{{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, -1}, {0, 0, 1}}};
 
 Image six_colors() {
     constexpr int kSide = 64;
@@ -108,7 +107,8 @@ glm::dvec3 ray(glm::dvec3 forward, double fov, int width, int height, int x, int
 std::string camera(glm::dvec3 position, glm::dvec3 target, const std::string& rest) {
     std::string text;
     for (const auto& [name, v] : {std::pair("position", position), std::pair("target", target)})
-        text += std::string(name) + "=" + std::to_string(v.x) + "," + std::to_string(v.y) + "," + std::to_string(v.z) + " ";
+        text +=
+            std::string(name) + "=" + std::to_string(v.x) + "," + std::to_string(v.y) + "," + std::to_string(v.z) + " ";
     return text + rest;
 }
 
@@ -171,8 +171,9 @@ TEST_P(Background, EachPixelShowsTheDirectionOfItsRay) {
 TEST_P(Background, AMirrorShowsTheBackgroundOfItsDirection) {
     const Folder folder;
     RenderRequest request{
-        .graph = folder.write("mirror.graph.json",
-                              std::string(R"({ "patina": 1, "workflow": "metallic-smoothness", "lighting": "unity-brdf1",
+        .graph =
+            folder.write("mirror.graph.json",
+                         std::string(R"({ "patina": 1, "workflow": "metallic-smoothness", "lighting": "unity-brdf1",
                                   "surface": { "baseColor": [1, 1, 1], "metallic": 1, "smoothness": 1 } })")),
         .size = 64,
         .environment = folder.write("directions.exr", directions()),

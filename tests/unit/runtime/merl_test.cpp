@@ -99,7 +99,7 @@ TEST_F(Merl, ReadsWhatItHasWritten) {
 
 TEST_F(Merl, RefusesFilesThatAreNoTables) {
     const std::vector<double> numbers(3 * 2 * 2 * 4, 1);
-    expect_refused("cannot read");  // there is none
+    expect_refused("there is no file");
     write({2, 2, 4}, numbers, 1);
     expect_refused("cut off: a table of 2 x 2 x 4 angles has 396 bytes, and it has 395");
     write({2, 2, 4}, numbers, 3 * 16 * 8);

@@ -36,7 +36,7 @@ TEST(ProbeChoice, CountsLessOutsideOfTheBox) {
     const Probe faded = probe(-1, 1, 4);
     EXPECT_EQ(weight_at(faded, {0.5f, 0, 0}), 1);
     EXPECT_EQ(weight_at(faded, {1, 1, 1}), 1);
-    EXPECT_FLOAT_EQ(weight_at(faded, {2, 0, 0}), 0.75f);    // 1 of 4 metres
+    EXPECT_FLOAT_EQ(weight_at(faded, {2, 0, 0}), 0.75f);        // 1 of 4 metres
     EXPECT_FLOAT_EQ(weight_at(faded, {1.6f, 1.8f, 0}), 0.75f);  // 0.6 and 0.8
     EXPECT_EQ(weight_at(faded, {5, 0, 0}), 0);
     EXPECT_EQ(weight_at(faded, {9, 0, 0}), 0);
@@ -119,7 +119,8 @@ Image drawn(const std::string& scene, const std::string& via, const std::string&
 void expect_near(const Image& image, int x, int y, glm::dvec3 wanted, double tolerance, const std::string& what) {
     const auto pixel = image.at(x, y);
     for (int c = 0; c < 3; ++c)
-        EXPECT_NEAR(pixel[std::size_t(c)], wanted[c], tolerance) << what << " at " << x << ", " << y << ", channel " << c;
+        EXPECT_NEAR(pixel[std::size_t(c)], wanted[c], tolerance)
+            << what << " at " << x << ", " << y << ", channel " << c;
 }
 
 // The room, and where its picture was taken.
@@ -161,10 +162,13 @@ std::string room(glm::dvec3 mirror, const std::string& probe) {
     };
     return R"({ "patina": 1, "kind": "scene", "ambient": "none", "camera": { "fov": 50, "position": )" +
            list(mirror + glm::dvec3(0, 0, 2)) + R"(, "target": )" + list(mirror) + R"( },
-        "probes": [{ "environment": "room.exr", "position": )" + list(kTaken) + R"(,
-                     "box": { "min": )" + list(kLow) + R"(, "max": )" + list(kHigh) + " }" + probe + R"( }],
+        "probes": [{ "environment": "room.exr", "position": )" +
+           list(kTaken) + R"(,
+                     "box": { "min": )" +
+           list(kLow) + R"(, "max": )" + list(kHigh) + " }" + probe + R"( }],
         "materials": [{ "name": "mirror", "graph": "mirror.graph.json" }],
-        "objects": [{ "id": "mirror", "mesh": "plane", "material": "mirror", "position": )" + list(mirror) + " }] }";
+        "objects": [{ "id": "mirror", "mesh": "plane", "material": "mirror", "position": )" +
+           list(mirror) + " }] }";
 }
 
 class Probes : public testing::TestWithParam<std::string> {};
@@ -174,12 +178,13 @@ TEST_P(Probes, AMirrorShowsTheWallsWhereTheyAre) {
     folder.write("room.exr", picture_of_room());
     for (const glm::dvec3 mirror : {glm::dvec3(0, 1, 0), glm::dvec3(3, 2.5, 1.5), glm::dvec3(-2, 0, -1)}) {
         const Image image = drawn(folder.write("own.scene.json", room(mirror, "")), GetParam());
-        const Image far_away = drawn(folder.write("own.scene.json", room(mirror, R"(, "boxProjection": false)")), GetParam());
+        const Image far_away =
+            drawn(folder.write("own.scene.json", room(mirror, R"(, "boxProjection": false)")), GetParam());
         const double tangent = std::tan(25 * kPi / 180);
         for (int y = 1; y < 32; y += 5) {
             for (int x = 1; x < 32; x += 5) {
-                const glm::dvec3 d = glm::normalize(glm::dvec3((2 * (x + 0.5) / 32 - 1) * tangent,
-                                                               (1 - 2 * (y + 0.5) / 32) * tangent, -1));
+                const glm::dvec3 d = glm::normalize(
+                    glm::dvec3((2 * (x + 0.5) / 32 - 1) * tangent, (1 - 2 * (y + 0.5) / 32) * tangent, -1));
                 const glm::dvec3 place = mirror + glm::dvec3(0, 0, 2) + d * (2 / -d.z);
                 const glm::dvec3 mirrored(d.x, d.y, -d.z);
                 expect_near(image, x, y, color_of(wall_met(place, mirrored)), 0.012, "the wall");
@@ -197,10 +202,13 @@ std::string two_probes(double x, const std::string& first, const std::string& se
     };
     const std::string place = "[" + std::to_string(x) + ", 0, 0]";
     return R"({ "patina": 1, "kind": "scene", "ambient": "none", "environment": "around.exr",
-        "camera": { "fov": 20, "position": [)" + std::to_string(x) + R"(, 0, 4], "target": )" + place + R"( },
-        "probes": [)" + probe("first.exr", -8, -2, first) + ", " + probe("second.exr", 2, 8, second) + R"(],
+        "camera": { "fov": 20, "position": [)" +
+           std::to_string(x) + R"(, 0, 4], "target": )" + place + R"( },
+        "probes": [)" +
+           probe("first.exr", -8, -2, first) + ", " + probe("second.exr", 2, 8, second) + R"(],
         "materials": [{ "name": "mirror", "graph": "mirror.graph.json" }],
-        "objects": [{ "id": "mirror", "mesh": "sphere", "material": "mirror", "position": )" + place + " }] }";
+        "objects": [{ "id": "mirror", "mesh": "sphere", "material": "mirror", "position": )" +
+           place + " }] }";
 }
 
 TEST_P(Probes, AreBlendedByTheirWeights) {
@@ -214,11 +222,11 @@ TEST_P(Probes, AreBlendedByTheirWeights) {
         expect_near(image, 16, 16, wanted, 2e-3, "x = " + std::to_string(x));
     };
     const std::string wide = R"(, "blend": 4)", narrow = R"(, "blend": 1)";
-    expect_ball(0, wide, wide, (first + second) / 2.0);            // 2 metres from each
+    expect_ball(0, wide, wide, (first + second) / 2.0);               // 2 metres from each
     expect_ball(-1, wide, wide, (3.0 * first + 1.0 * second) / 4.0);  // 1 and 3 metres: 0.75 and 0.25
     expect_ball(-5, wide, wide, first);
     expect_ball(0, narrow, narrow, around);
-    expect_ball(1.5, narrow, narrow, (second + around) / 2.0);     // half a metre of one
+    expect_ball(1.5, narrow, narrow, (second + around) / 2.0);  // half a metre of one
     expect_ball(-1, wide, R"(, "blend": 4, "importance": 2)", 0.25 * second + 0.75 * first);
 }
 
