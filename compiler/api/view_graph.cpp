@@ -141,7 +141,8 @@ private:
 GraphView view_graph(const Compiler& compiler, const std::string& path, const CompileOptions& options) {
     CompileOptions own;
     own.include_dirs = options.include_dirs;
-    own.loader = options.loader;
+    own.files = options.files;
+    own.limits = options.limits;
     graph::Session session(CompilerAccess::library(compiler), own);
     GraphView view;
     if (const std::optional<std::uint32_t> base = graph::load_source(session, path, {})) {

@@ -242,7 +242,7 @@ protected:
         Material made{.prefix = prefix, .functions = {}, .forward = {}};
         CompileOptions options;
         made.forward = compiler.compile_text("examples/graphs/it.graph.json", text, options);
-        options.functions = prefix;
+        options.request = CompileOptions::Functions{.prefix = prefix};
         made.functions = compiler.compile_text("examples/graphs/it.graph.json", text, options);
         for (const Diagnostic& d : made.functions.diagnostics) ADD_FAILURE() << to_text(d);
         EXPECT_TRUE(made.forward.ok && made.functions.ok);

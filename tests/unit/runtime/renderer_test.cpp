@@ -104,7 +104,7 @@ Reflection make_reflection() {
     Texture texture;
     texture.name = "_MainTex";
     texture.tiling = "_MainTex_ST";
-    texture.default_value = "white";
+    texture.default_texture = TextureDefault::White;
     texture.set = 2;
     texture.binding = 1;
     texture.sampler_binding = 2;
