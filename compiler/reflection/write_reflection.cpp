@@ -15,7 +15,7 @@ using Writer = rapidjson::PrettyWriter<rapidjson::StringBuffer>;
 
 template <class T>
 bool is_left_out(const T& value, const T& usual) {
-    if constexpr (requires { value.clear(); }) {  // text, lists
+    if constexpr (requires(T list) { list.clear(); }) {  // text, lists
         return value.empty();
     } else if constexpr (requires { value.has_value(); }) {
         return !value.has_value();
