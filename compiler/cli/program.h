@@ -80,6 +80,9 @@ std::string set_once(std::map<std::string, std::string>& values, const std::stri
 // A check for an option whose value must be one of `words`; its message has a suggestion.
 std::function<std::string(std::string)> one_of(std::string what, std::vector<std::string> words);
 
+// A check for an option whose value must be a number of this range.
+std::function<std::string(std::string)> within(double low, double high);
+
 // An option that takes words with commas between them: "glsl,hlsl". `check` is called for each word, also for an empty
 // one.
 CLI::Option* add_words_option(CLI::App& command, std::string name, std::vector<std::string>& words, std::string help,
