@@ -1,4 +1,4 @@
-# cmake -D BUILD=... -D SOURCE=... -D WORK=... -D CXX=(compiler) -D NM=...
+# cmake -D BUILD=... -D SOURCE=... -D WORK=... -D CXX=(compiler) -D CC=(C compiler) -D PYTHON=(or empty) -D NM=...
 #       -D FLAGS=(compiler flags) -P embed_test.cmake
 # Installs the libraries into an empty prefix, and builds and runs programs with no other part of Patina in reach: with
 # the static and with the shared libraries, by CMake's package and by pkg-config alone.
@@ -31,13 +31,14 @@ run(${CMAKE_COMMAND} --install ${BUILD} --component library --prefix ${WORK}/ins
 # The package works wherever it is moved to.
 file(RENAME ${WORK}/installed ${WORK}/prefix)
 # Copies, so that the programs find no files of the source tree.
-file(COPY ${SOURCE}/examples/embed ${SOURCE}/tests/embed/programs DESTINATION ${WORK})
+file(COPY ${SOURCE}/examples/embed ${SOURCE}/examples/embed_c ${SOURCE}/examples/embed_python
+     ${SOURCE}/tests/embed/programs DESTINATION ${WORK})
 file(GLOB_RECURSE found ${WORK}/prefix/*/libpatina.a)
 get_filename_component(libraries "${found}" DIRECTORY)
 
 # --- CMake
 set(configure -D CMAKE_PREFIX_PATH=${WORK}/prefix -D CMAKE_FIND_USE_PACKAGE_REGISTRY=OFF -D CMAKE_BUILD_TYPE=Release
-    -D "CMAKE_CXX_FLAGS=${FLAGS}")
+    -D CMAKE_CXX_COMPILER=${CXX} -D "CMAKE_CXX_FLAGS=${FLAGS}" -D CMAKE_C_COMPILER=${CC} -D "CMAKE_C_FLAGS=${FLAGS}")
 foreach(shared IN ITEMS OFF ON)
   set(folder ${WORK}/shared-${shared})
   run(${CMAKE_COMMAND} -S ${WORK}/embed -B ${folder}/example ${configure} -D BUILD_SHARED_LIBS=${shared})
@@ -47,8 +48,13 @@ foreach(shared IN ITEMS OFF ON)
       -D EXAMPLES=${WORK})
   run(${CMAKE_COMMAND} --build ${folder}/programs)
   run_and_find(RUN ${folder}/programs/embed PRINTS ${shaders})
+  run_and_find(RUN ${folder}/programs/embed_c PRINTS ${shaders})
   run_and_find(RUN ${folder}/programs/lighting PRINTS "lighting 6 64")
 endforeach()
+# A project in C alone, by the shared library.
+run(${CMAKE_COMMAND} -S ${WORK}/embed_c -B ${WORK}/c ${configure})
+run(${CMAKE_COMMAND} --build ${WORK}/c)
+run_and_find(RUN ${WORK}/c/embed_c PRINTS ${shaders})
 
 # --- pkg-config
 set(ENV{PKG_CONFIG_LIBDIR} ${libraries}/pkgconfig)  # no other package is in reach
@@ -63,12 +69,19 @@ foreach(form IN ITEMS "" "-static")
   set(compiler ${CXX} -std=c++20 ${flags} ${WORK}/programs/other_fmt.cpp)
   compile_with(patina${form} embed${form} ${compiler} ${WORK}/embed/main.cpp)
   run_and_find(RUN ${WORK}/pkg-config/embed${form} PRINTS ${shaders})
+  compile_with(patina${form} embed_c${form} ${CC} -std=c99 -Wall -Wextra -Werror -pedantic ${flags} ${WORK}/embed_c/main.c)
+  run_and_find(RUN ${WORK}/pkg-config/embed_c${form} PRINTS ${shaders})
   compile_with(patina-lighting${form} lighting${form} ${compiler} ${WORK}/programs/lighting.cpp)
   run_and_find(RUN ${WORK}/pkg-config/lighting${form} PRINTS "lighting 6 64")
 endforeach()
 file(READ ${SOURCE}/compiler/include/patina/version.h version)
 string(REGEX MATCH "PATINA_VERSION_STRING \"([0-9.]+)\"" version "${version}")
 run_and_find(RUN pkg-config --modversion patina PRINTS ${CMAKE_MATCH_1})
+
+# --- Python, which cannot load a library with sanitizers
+if(PYTHON AND NOT FLAGS MATCHES "sanitize")
+  run_and_find(RUN ${PYTHON} -B -I ${WORK}/embed_python/main.py ${libraries}/libpatina.so PRINTS ${shaders} "// _Tint")
+endif()
 
 # --- what the libraries show
 # A program can use another version of {fmt} or RapidJSON beside it: the library defines neither under its usual name. A
