@@ -29,7 +29,8 @@ set(compiler_rooms
     "engines/shaderlab: include base ir languages format engines resolve lower link output"
     "interpret: include base ir link"
     "validate: include"
-    "api: include base json ir nodelang emit format format/schema engines paths resolve lower link output interpret")
+    "api: include base json ir nodelang emit format format/schema engines paths resolve lower link output interpret"
+    "capi: include base json nodelang format api")
 # The list of writers is in `engines`. It is the only file of that room that sees the rooms above it.
 set(writer_list "^compiler/engines/writers\\.(h|cpp)$")
 
