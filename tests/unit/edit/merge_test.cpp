@@ -43,14 +43,175 @@ protected:
         const MergeResult merged = merge(base, ours, theirs);
         for (const Diagnostic& each : merged.diagnostics) ADD_FAILURE() << to_text(each);
         EXPECT_EQ(merged.state, MergeState::Clean);
-        EXPECT_EQ(merged.text,
-              replaced(theirs.text(), "    { \"id\": \"mask\", \"node\": \"GradientNoise\", \"in\": { \"uv\": \"@uv0\", \"scale\": 2 } },\n",
-                       R"(<<<<<<< ours
-    { "id": "mask", "node": "GradientNoise", "in": { "uv": "@uv0", "scale": 8 } },
-=======
-    { "id": "mask", "node": "GradientNoise", "in": { "uv": "@uv0", "scale": 2 } },
->>>>>>> theirs
-)"));
+        EXPECT_EQ(merged.text, wanted);
+    }
+
+    // The sides of the conflict's text, as someone gets them who takes one side everywhere.
+    static std::string side_of(const std::string& text, bool ours) {
+        std::string made;
+        char in = ' ';
+        for (std::size_t at = 0; at < text.size();) {
+            const std::size_t end = text.find('\n', at) + 1;
+            const std::string line = text.substr(at, end - at);
+            at = end;
+            if (line.starts_with("<<<<<<<") || line.starts_with("=======") || line.starts_with(">>>>>>>")) {
+                in = line[0];
+                continue;
+            }
+            if (in != (ours ? '=' : '<')) made += line;
+        }
+        return made;
+    }
+
+    // `wanted`: parts of the messages and of their notes.
+    static MergeResult expect_conflict(const std::string& base, const std::string& ours, const std::string& theirs,
+                                       const std::vector<std::string>& wanted) {
+        MergeResult merged = merge(base, ours, theirs);
+        EXPECT_EQ(merged.state, MergeState::Conflicts);
+        EXPECT_FALSE(merged.diagnostics.empty());
+        std::string said;
+        for (const Diagnostic& each : merged.diagnostics) said += to_text(each) + "\n";
+        for (const std::string& part : wanted) EXPECT_NE(said.find(part), said.npos) << part << "\nin\n" << said;
+        const Compiler compiler;
+        for (const bool side : {true, false}) {
+            const Result compiled = compiler.compile_text("side.graph.json", side_of(merged.text, side));
+            EXPECT_TRUE(compiled.ok) << merged.text << to_text(compiled.diagnostics.front());
+        }
+        return merged;
+    }
+};
+
+TEST_F(Merges, TwoValuesOfOneLine) {
+    const Lines base;
+    Lines ours = base, theirs = base, both = base;
+    ours.nodes = replaced(base.nodes, "\"scale\": 4", "\"scale\": 8");
+    theirs.nodes = replaced(base.nodes, "@uv0", "= @uv0 * 2");
+    both.nodes = replaced(ours.nodes, "@uv0", "= @uv0 * 2");
+    expect_clean(base.text(), ours.text(), theirs.text(), both.text());
+    expect_clean(base.text(), theirs.text(), ours.text(), both.text());
+}
+
+TEST_F(Merges, NodesThatBothAddInOnePlace) {
+    const Lines base;
+    Lines ours = base, theirs = base, both = base;
+    const std::string a = "    { \"id\": \"a\", \"expr\": \"mask * 2\" }\n";
+    const std::string b = "    // b\n    { \"id\": \"b\", \"expr\": \"edge * 3\" }\n";
+    const std::string with_comma = replaced(base.nodes, "$_Amount)\" }\n", "$_Amount)\" },\n");
+    ours.nodes = with_comma + a;
+    theirs.nodes = with_comma + b;
+    both.nodes = with_comma + replaced(a, " }\n", " },\n") + b;
+    expect_clean(base.text(), ours.text(), theirs.text(), both.text());
+}
+
+TEST_F(Merges, CommentsAndOrderOfOursStay) {
+    const Lines base;
+    Lines ours = base, theirs = base;
+    ours.nodes = R"json(    // The edge comes first here.
+    { "id": "edge", "expr": "saturate(mask * $_Amount)" }, // it is soft
+    { "id": "mask", "node": "GradientNoise", "in": { "uv": "@uv0", "scale": 4 } }
+)json";
+    theirs.nodes = replaced(base.nodes, "\"scale\": 4", "\"scale\": 8");
+    theirs.surface = replaced(base.surface, "0.5", "0.7");
+    Lines both = ours;
+    both.nodes = replaced(ours.nodes, "\"scale\": 4", "\"scale\": 8");
+    both.surface = theirs.surface;
+    expect_clean(base.text(), ours.text(), theirs.text(), both.text());
+}
+
+TEST_F(Merges, AFileThatIsNotInCanonicalFormKeepsItsLayout) {
+    const std::string base = R"({"patina":1,"workflow":"unlit",
+     "surface":{"color":[1, 0, 0],   "alpha":0.5} })";
+    expect_clean(base, replaced(base, "0.5", "0.25"), replaced(base, "[1, 0, 0]", "[0, 1, 0]"),
+                 replaced(replaced(base, "0.5", "0.25"), "[1, 0, 0]", "[0, 1, 0]"));
+}
+
+TEST_F(Merges, ARenameGoesToWhatTheOtherSideWrote) {
+    const Lines base;
+    Lines ours = base, theirs = base;
+    ours.nodes = replaced(base.nodes, "mask", "rust");
+    theirs.nodes = replaced(base.nodes, "\"scale\": 4", "\"scale\": 8");
+    theirs.surface += R"(, "occlusion": "= 1 - mask * 0.5")";
+    Lines both = ours;
+    both.nodes = replaced(ours.nodes, "\"scale\": 4", "\"scale\": 8");
+    both.surface = replaced(theirs.surface, "mask", "rust");
+    expect_clean(base.text(), ours.text(), theirs.text(), both.text());
+    // And into the text of OURS, if THEIRS renamed.
+    expect_clean(base.text(), theirs.text(), ours.text(), both.text());
+}
+
+TEST_F(Merges, ARenamedPropertyIsReadByItsNewName) {
+    const Lines base;
+    const std::string ours = replaced(base.text(), "_Amount", "_Rust");
+    Lines theirs = base;
+    theirs.surface = replaced(base.surface, "0.5", "\"$_Amount\"");
+    expect_clean(base.text(), ours, theirs.text(), replaced(theirs.text(), "_Amount", "_Rust"));
+    expect_clean(base.text(), theirs.text(), ours, replaced(theirs.text(), "_Amount", "_Rust"));
+}
+
+TEST_F(Merges, TheOrderOfPropertiesIsAChange) {
+    const Lines base;
+    Lines ours = base, theirs = base;
+    theirs.properties = R"(    { "name": "_Tint", "type": "color", "default": "#c9a27e" },
+    { "name": "_Amount", "type": "float", "default": 0.5 }
+)";
+    ours.surface = replaced(base.surface, "0.5", "0.7");
+    Lines both = ours;
+    both.properties = theirs.properties;
+    expect_clean(base.text(), ours.text(), theirs.text(), both.text());
+}
+
+TEST_F(Merges, WaysOfWritingOneValueAreNoChange) {
+    const Lines base;
+    Lines ours = base, theirs = base;
+    ours.nodes = replaced(base.nodes, "saturate(mask * $_Amount)", "saturate( mask*$_Amount )");
+    theirs.nodes = replaced(base.nodes, "saturate(mask * $_Amount)", "saturate(mask * 2)");
+    expect_clean(base.text(), ours.text(), theirs.text(), theirs.text());
+}
+
+TEST_F(Merges, EndsOfLinesAndOfTheFileStay) {
+    const Lines base;
+    Lines theirs = base;
+    theirs.surface = replaced(base.surface, "0.5", "0.7");
+    const std::string ours = replaced(base.text(), "\n", "\r\n");
+    expect_clean(base.text(), ours, theirs.text(), replaced(theirs.text(), "\n", "\r\n"));
+    const auto cut = [](std::string text) { return text.substr(0, text.size() - 1); };
+    expect_clean(base.text(), cut(base.text()), theirs.text(), cut(theirs.text()));
+}
+
+TEST_F(Merges, WhatEditorsKeepIsNoConflict) {
+    Lines base, ours, theirs;
+    base.more = ",\n  \"ui\": { \"mask\": [0, 0], \"edge\": [1, 0] }";
+    ours.more = ",\n  \"ui\": { \"mask\": [5, 0], \"edge\": [1, 0] }";
+    theirs.more = ",\n  \"ui\": { \"mask\": [7, 0], \"edge\": [9, 9] }";
+    Lines both;
+    both.more = ",\n  \"ui\": { \"mask\": [5, 0], \"edge\": [9, 9] }";
+    expect_clean(base.text(), ours.text(), theirs.text(), both.text());
+}
+
+TEST_F(Merges, BothAddTheFile) {
+    Lines ours, theirs;
+    theirs.surface += R"(, "metallic": 1)";
+    expect_clean("", ours.text(), theirs.text(), theirs.text());
+    theirs.surface = replaced(theirs.surface, "0.5", "0.7");
+    expect_conflict("", ours.text(), theirs.text(), {"both sides add 'surface.roughness'", "0.5", "0.7"});
+}
+
+// --- conflicts
+
+TEST_F(Merges, BothChangeOneValue) {
+    const Lines base;
+    Lines ours = base, theirs = base;
+    ours.nodes = replaced(base.nodes, "\"scale\": 4", "\"scale\": 8");
+    theirs.nodes = replaced(base.nodes, "\"scale\": 4", "\"scale\": 2");
+    theirs.surface = replaced(base.surface, "0.5", "0.7");
+    const MergeResult merged =
+        expect_conflict(base.text(), ours.text(), theirs.text(),
+                        {"ours.json:10:", "both sides change 'nodes.mask.in.scale'", "ours: changes", "from 4 to 8",
+                         "theirs.json:10:", "theirs: changes", "from 4 to 2"});
+    const std::string line = R"(    { "id": "mask", "node": "GradientNoise", "in": { "uv": "@uv0", "scale": 2 } },)";
+    EXPECT_EQ(merged.text,
+              replaced(theirs.text(), line + "\n",
+                       "<<<<<<< ours\n" + replaced(line, "2 }", "8 }") + "\n=======\n" + line + "\n>>>>>>> theirs\n"));
 }
 
 TEST_F(Merges, OneRemovesWhatTheOtherChanges) {
@@ -131,7 +292,7 @@ TEST_F(Merges, ATypeThatTheOtherSideReliesOn) {
     ours.properties = replaced(base.properties, R"("type": "float", "default": 0.5)",
                                R"("type": "float3", "default": [0.5, 0.5, 0.5])");
     ours.nodes = replaced(base.nodes, "$_Amount", "$_Amount.x");
-    theirs.surface = replaced(base.surface, "0.5", "$_Amount");
+    theirs.surface = replaced(base.surface, "0.5", "\"$_Amount\"");
     expect_conflict(base.text(), ours.text(), theirs.text(),
                     {"float3", "ours: changes 'properties._Amount", "theirs: changes 'surface.roughness'"});
 }
