@@ -64,7 +64,7 @@ public:
     void merge(const Three& values) {
         const auto& [base, ours, theirs] = values;
         if (wish_.decided.count(path_)) return take(values);
-        if (is_same(ours, theirs) || (base && is_same(base, theirs))) return;
+        if (is_same(ours, theirs) || (base && is_same(base, theirs) && !takes_theirs_below())) return;
         if (may_merge_children(values)) {
             merge_children(values);
         } else if (base && is_same(base, ours)) {
@@ -75,6 +75,13 @@ public:
     }
 
 private:
+    // What THEIRS did not change is decided for its side all the same: a change of OURS is undone.
+    bool takes_theirs_below() const {
+        if (wish_.prefer == Side::Ours) return false;
+        const auto next = wish_.decided.lower_bound(path_);
+        return next != wish_.decided.end() && starts_with(*next, path_);
+    }
+
     static bool may_merge_children(const Three& values) {
         const Shape shape = shape_of(values.ours);
         if (shape == Shape::Whole || shape != shape_of(values.theirs) || values.ours.kind != values.theirs.kind)

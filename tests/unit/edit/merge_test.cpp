@@ -369,6 +369,7 @@ TEST_F(Merges, ScenesByTheirObjects) {
     const std::string base = R"({
   "patina": 1,
   "kind": "scene",
+  "camera": { "position": [0, 1, 5] },
   "lights": [
     { "type": "directional", "direction": [0, 1, 0] },
     { "type": "point", "position": [1, 1, 1], "intensity": 2 }
