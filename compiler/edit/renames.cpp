@@ -49,6 +49,9 @@ public:
         renaming_.dollar.any_of_a.clear();
         while (drop_false_pairs()) {
         }
+        std::sort(chosen_.begin(), chosen_.end(), [](const Candidate& a, const Candidate& b) {
+            return a.before.json->span.begin < b.before.json->span.begin;
+        });
         std::vector<Rename> renames;
         for (const Candidate& pair : chosen_)
             renames.push_back({std::string(pair.list), std::string(pair.from), std::string(pair.to)});

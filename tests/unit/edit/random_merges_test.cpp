@@ -142,6 +142,9 @@ Document document_of(const std::string& text) {
     if (json.HasMember("properties")) {
         for (const auto& each : json["properties"].GetArray()) document.properties.push_back(each["name"].GetString());
     }
+    for (const char* list : {"properties", "nodes"}) {
+        if (json.HasMember(list) && json[list].Empty()) json.RemoveMember(list);  // as if it were not there
+    }
     sort_members(json);
     rapidjson::StringBuffer buffer;
     rapidjson::Writer<rapidjson::StringBuffer> writer(buffer);
@@ -264,6 +267,7 @@ protected:
             if (is_clean && !wanted.may_conflict) return "this is no conflict; the merge is\n" + text;
             return problem_of_conflict(merged);
         }
+        if (!is_clean && wanted.may_conflict) return compiles(merged.text) ? "" : "a clean merge does not compile";
         if (!is_clean) return "this is a conflict, but the merge is clean";
         if (!compiles(merged.text)) return "a clean merge does not compile";
         const Document made = document_of(merged.text), right = document_of(text);
