@@ -6,8 +6,9 @@
 //
 // This folder: the programs (main.cpp, render_main.cpp, import_main.cpp) and what all commands share (this file,
 // console.h, files.h, inputs.h, outputs.h). commands/ holds a file for each command, compile/ what `patina compile`
-// needs beside, pages/ what `patina node` and `patina docs` show, eval/ what `patina eval` computes, templates/ what
-// `patina new` writes. Nothing here includes the compiler's own headers: what a command needs of the library is public.
+// needs beside, diff/ what `patina diff` finds, pages/ what `patina node` and `patina docs` show, eval/ what `patina
+// eval` computes, templates/ what `patina new` writes. Nothing here includes the compiler's own headers: what a command
+// needs of the library is public.
 //
 //   Program program;
 //   add_compile(program);
@@ -18,6 +19,7 @@
 #include <functional>
 #include <initializer_list>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -39,12 +41,21 @@ const CommandInfo* find_command(std::string_view name);
 // How scenes are checked; false: something is wrong with one, and it has been reported.
 using SceneCheck = bool (*)(const Console&, const Compiler&, const std::string& scene, const CompileOptions&);
 
+// How pictures of two versions of a graph are compared (diff/report.h).
+struct Version;
+struct PictureWish;
+struct PictureChange;
+using PictureComparison = std::optional<PictureChange> (*)(const Console&, const Version& before, const Version& after,
+                                                           const PictureWish&);
+
 struct Program {
     Program();
 
     CLI::App app;
     Console console;
-    SceneCheck check_scene = nullptr;  // in patina-render alone
+    // In patina-render alone.
+    SceneCheck check_scene = nullptr;
+    PictureComparison compare_pictures = nullptr;
     struct Command {
         CLI::App* app;
         std::function<Exit(const Console&)> work;
