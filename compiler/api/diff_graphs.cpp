@@ -74,7 +74,7 @@ GraphDiff diff_graphs(const GraphVersion& before, const GraphVersion& after) {
     renamed->kind = old_text->kind;
     for (const graph::TreeChange& each : graph::find_changes(*renamed, *new_text)) {
         const graph::Path old_path = graph::before_renames(each.path, renames);
-        const TreeValue old_value = graph::find(*old_text, old_path);
+        const TreeValue old_value = each.before ? graph::find(*old_text, old_path) : TreeValue{};
         GraphChange& change = diff.changes.emplace_back();
         change.kind = each.is_order  ? GraphChangeKind::Reordered
                       : !each.before ? GraphChangeKind::Added
@@ -84,7 +84,7 @@ GraphDiff diff_graphs(const GraphVersion& before, const GraphVersion& after) {
         change.before = each.is_order ? names_of(old_value) : json_of(old_value);
         change.after = each.is_order ? names_of(each.after) : json_of(each.after);
         change.before_place = old_value ? place_in(*old_text, old_path) : FilePlace{};
-        change.after_place = place_in(*new_text, each.path);
+        change.after_place = each.after ? place_in(*new_text, each.path) : FilePlace{};
     }
     return diff;
 }
