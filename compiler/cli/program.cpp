@@ -1,5 +1,7 @@
 #include "compiler/cli/program.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cctype>
 #include <cstdio>
@@ -185,6 +187,14 @@ std::function<std::string(std::string)> one_of(std::string what, std::vector<std
             if (word == known) return {};
         }
         return "'" + word + "' is not " + what + advice(word, words);
+    };
+}
+
+std::function<std::string(std::string)> within(double low, double high) {
+    return [low, high](const std::string& word) -> std::string {
+        double number = 0;
+        if (CLI::detail::lexical_cast(word, number) && number >= low && number <= high) return {};
+        return fmt::format("'{}' is not a number from {} to {}", word, low, high);
     };
 }
 
