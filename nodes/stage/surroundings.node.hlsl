@@ -17,7 +17,8 @@ const float ENVIRONMENT_STEPS = 5;  // level of the map for a roughness of 1
                                                              // of the second one, or what is around
 [extern("Ambient")] [with("reflectionProbes")] float4 probeCenter[2];  // xyz: where each map was taken; w: 1 if what it
                                                                         // shows is at the walls of its box, 0 if far away
-[extern("Ambient")] [with("reflectionProbes")] float4 probeBoxMin[2];  // xyz: corners of its box
+[extern("Ambient")] [with("reflectionProbes")] float4 probeBoxMin[2];  // xyz: corners of its box;
+                                                                        // w: metres outside of it over which it fades
 [extern("Ambient")] [with("reflectionProbes")] float4 probeBoxMax[2];
 [extern("Ambient")] [with("reflectionProbes")] float probeShare;        // of the first probe, 0 to 1
 
@@ -67,11 +68,10 @@ void SplitSumTable(
     offset = share.y;
 }
 
-/// Where to look in the map of a probe. A point outside of its box counts as on the nearest wall.
+/// Where to look in the map of a probe. Where it fades, there need be no wall.
 float3 directionInProbe(int probe, float3 direction, float3 position) {
-    float3 low = probeBoxMin[probe].xyz;
-    float3 high = probeBoxMax[probe].xyz;
-    float3 corrected = BoxProjectedDirection(direction, clamp(position, low, high), probeCenter[probe].xyz, low, high);
+    float3 corrected = BoxProjectedDirection(direction, position, probeCenter[probe].xyz, probeBoxMin[probe].xyz,
+                                             probeBoxMax[probe].xyz, probeBoxMin[probe].w);
     return probeCenter[probe].w > 0 ? corrected : direction;
 }
 
