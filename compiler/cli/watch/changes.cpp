@@ -5,12 +5,11 @@
 #include <algorithm>
 
 #include "compiler/cli/files.h"
-#include "runtime/snapshot/text_diff.h"
+#include "patina/text_diff.h"
 
 namespace patina::cli {
 namespace {
 
-using runtime::DiffLine;
 using runtime::OutputFile;
 
 constexpr std::size_t kMostLines = 12;  // of a file
@@ -73,7 +72,7 @@ std::vector<std::string> changes_of(const Version& before, const Version& after,
             lines.push_back(file.path + (old ? "  differs" : "  is new"));
             continue;
         }
-        const std::vector<DiffLine> diff = runtime::differences(old->bytes, file.bytes);
+        const std::vector<DiffLine> diff = differences(old->bytes, file.bytes);
         const auto count = [&](DiffLine::Kind kind) { return std::ranges::count(diff, kind, &DiffLine::kind); };
         lines.push_back(fmt::format("{}  +{} -{}{}", file.path, count(DiffLine::Kind::Added),
                                     count(DiffLine::Kind::Removed), cost_text(before, after, *shader)));
