@@ -154,9 +154,10 @@ void add_diff(Program& program) {
     add_include_option(command, arguments->include_dirs);
     set_check(command, [arguments] { check_arguments(*arguments); });
     set_work(program, command, [arguments, compare_pictures = program.compare_pictures](const Console& console) {
-        arguments->picture.options = {.path = arguments->path.path,
-                                      .switches = arguments->path.switches(),
-                                      .include_dirs = arguments->include_dirs};
+        CompileOptions& options = arguments->picture.options;
+        options.path = arguments->path.path;
+        options.switches = arguments->path.switches();
+        options.include_dirs = arguments->include_dirs;
         return compare(console, *arguments, compare_pictures);
     });
 }
