@@ -1,5 +1,7 @@
 #include "compiler/edit/merge_report.h"
 
+#include <algorithm>
+
 #include "compiler/format/read_graph.h"
 #include "compiler/json/json_text.h"
 #include "patina/complaints.h"
@@ -57,6 +59,16 @@ ConflictReport::Did ConflictReport::did(Side side, const Path& path) const {
     } else if (is_same(before, after)) {
         what += fmt::format("keeps '{}'", to_string(own));
     } else {
+        // The first change in it; of a whole node, a reader would look for it.
+        std::vector<TreeChange> changes = find_changes(*names_.base, ours ? *names_.ours : *names_.theirs);
+        const auto is_outside = [&](const TreeChange& change) { return !starts_with(change.path, path); };
+        changes.erase(std::remove_if(changes.begin(), changes.end(), is_outside), changes.end());
+        if (!changes.empty() && changes.front().path != path) {
+            Did first = did(side, changes.front().path);
+            if (changes.size() > 1)
+                first.what += fmt::format(", and {} more in '{}'", changes.size() - 1, to_string(own));
+            return first;
+        }
         what += fmt::format("changes '{}' from {} to {}", to_string(own), one_line(before),
                             one_line(after_own ? after_own : after));
     }

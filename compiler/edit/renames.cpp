@@ -99,9 +99,10 @@ private:
                 if (old_readers != readers_before.end() && new_readers != readers_after.end()) {
                     for (const std::string& reader : old_readers->second) common += new_readers->second.count(reader);
                 }
-                // Two properties with one declaration are often different ones. Of nodes, a reader may be renamed, too.
+                // Two nodes that compute the same can stand for each other. Two properties with one declaration are
+                // often different ones: a reader tells.
                 const bool is_read = old_readers != readers_before.end();
-                if (is_read && common == 0 && (!is_node_list(list) || new_readers == readers_after.end())) continue;
+                if (is_read && common == 0 && !is_node_list(list)) continue;
                 candidates.push_back(
                     {list, before_names[i], after_names[j], old_children[i].value, new_children[j].value, common});
             }

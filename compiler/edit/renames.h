@@ -19,8 +19,8 @@ struct Rename {
     friend bool operator==(const Rename&, const Rename&) = default;
 };
 
-// A thing is the same under another name if only the name differs, and if something that read the old name reads the
-// new one. Only for the graph of the file; a lighting graph in place has names of its own.
+// A thing is the same under another name if only the name differs; a property that is read must have a reader that
+// reads the new name. Only for the graph of the file; a lighting graph in place has names of its own.
 std::vector<Rename> find_renames(const GraphText& before, const GraphText& after);
 
 // Changes each name and all that reads it. Names that the graph does not have change nothing.

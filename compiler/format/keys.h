@@ -63,7 +63,8 @@ const KeyInfo* find_key(ObjectKind kind, std::string_view name);
 
 // "a property", "a material", ...
 std::string_view describe(ObjectKind kind);
-// The key that distinguishes an object of this kind from the others of its list: "id" of a node; empty if there is none.
+// The key that distinguishes an object of this kind from the others of its list: "id" of a node; empty if there is
+// none.
 std::string_view identity_of(ObjectKind kind);
 // Whether the order of a list of such objects has a meaning.
 bool is_ordered(ObjectKind kind);
