@@ -1,5 +1,5 @@
-// Lists the keys of the graph format, of engines and of the options in JSON: those of each object, in canonical order, with their help. The reader refuses
-// every other key, `fmt` sorts by this order, and the JSON Schema is made from it. The values are described elsewhere.
+// Lists the keys of the graph format, of engines and of JSON options: those of each object, in canonical order, with
+// their help. The reader refuses other keys, `fmt` sorts by this order, and the JSON Schema is made from it.
 //
 //   for (const KeyInfo& key : keys_of(ObjectKind::Node)) ...   // id, node, expr, in, ...
 #pragma once
