@@ -57,6 +57,7 @@ std::string key_of(const Compiler& compiler, const graph::Library& library, cons
     CompileOptions asked = options;
     asked.targets.clear();
     asked.limits.cancelled = nullptr;  // the key of a part would be that of another graph, too
+    if (text && asked.accept_parts) files.give_part(path, *text);
     graph::Session session(library, asked, &files);
     std::optional<std::uint32_t> base =
         text ? std::optional(session.sources.add(path, *text)) : graph::load_source(session, path, {});

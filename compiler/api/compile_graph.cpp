@@ -55,6 +55,7 @@ Result Compiler::compile_file(const std::string& path, const CompileOptions& opt
 Result Compiler::compile_text(const std::string& path, std::string text, const CompileOptions& options) const {
     graph::Files files(options.files);
     files.add_bytes(text.size());
+    if (options.accept_parts) files.give_part(path, text);
     return compile_source(*impl_, {.path = path, .text = std::move(text)}, options, files);
 }
 

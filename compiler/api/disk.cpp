@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "compiler/base/file_names.h"
-#include "patina/file_system.h"
+#include "patina/options.h"
 
 namespace patina {
 

@@ -56,4 +56,9 @@ const Files::Answer& Files::find(const std::string& path) {
     return answer;
 }
 
+void Files::give_part(const std::string& path, std::string text) {
+    const Path found = resolve(path, "./" + path.substr(path.rfind('/') + 1));
+    if (!found.path.empty()) answers_[found.path] = {.exists = true, .is_read = true, .text = std::move(text)};
+}
+
 }  // namespace patina::graph

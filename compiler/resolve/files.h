@@ -10,7 +10,7 @@
 #include <optional>
 #include <string>
 
-#include "patina/file_system.h"
+#include "patina/options.h"
 
 namespace patina::graph {
 
@@ -35,6 +35,9 @@ public:
     Path resolve(const std::string& from, const std::string& name) const;
     const Answer& read(const std::string& path);
     const Answer& find(const std::string& path);
+
+    // A part that is compiled from its text is used by its name, and must not be what a file of that name holds.
+    void give_part(const std::string& path, std::string text);
 
     bool is_disk() const { return !system_.read && !system_.exists; }
     // Of all texts that were read, and of the graph, if that was given as text.

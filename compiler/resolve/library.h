@@ -17,7 +17,7 @@
 #include "compiler/nodelang/embedded.h"
 #include "compiler/nodelang/library.h"
 #include "compiler/paths/declarations.h"
-#include "patina/library.h"
+#include "patina/patina.h"
 
 namespace patina::graph {
 

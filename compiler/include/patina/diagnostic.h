@@ -8,9 +8,16 @@
 #include <vector>
 
 #include "patina/export.h"
-#include "patina/place.h"
 
 namespace patina {
+
+// The place of a statement in a graph or a scene, for diagnostics of what only a renderer can check.
+struct FilePlace {
+    std::string file;
+    int line = 0, column = 0;  // from 1; columns in bytes
+    int end_line = 0, end_column = 0;
+    std::string source_line;  // empty if it is very long
+};
 
 enum class Severity { Error, Warning, Note };
 

@@ -11,7 +11,6 @@
 
 #include "patina/diagnostic.h"
 #include "patina/export.h"
-#include "patina/place.h"
 #include "patina/words.h"
 
 namespace patina {

@@ -1,12 +1,11 @@
 // What the compiler asks of a program's own file system, and what it does with the answers.
-#include "patina/file_system.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <map>
 #include <stdexcept>
 
+#include "patina/options.h"
 #include "patina/patina.h"
 
 namespace patina {
