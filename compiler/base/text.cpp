@@ -6,6 +6,7 @@
 #include <cctype>
 #include <cmath>
 #include <cstdlib>
+#include <cstring>
 #include <limits>
 #include <vector>
 #if __has_include(<version>)
@@ -211,6 +212,15 @@ bool is_utf8(std::string_view text, std::size_t& bad) {
         return at < text.size() && (static_cast<unsigned char>(text[at]) & 0xC0u) == 0x80u;
     };
     while (i < text.size()) {
+        // Most texts are ASCII for the most part: eight bytes at once.
+        std::uint64_t eight = 0;
+        if (i + sizeof eight <= text.size()) {
+            std::memcpy(&eight, text.data() + i, sizeof eight);
+            if ((eight & 0x8080808080808080u) == 0) {
+                i += sizeof eight;
+                continue;
+            }
+        }
         const auto c = static_cast<unsigned char>(text[i]);
         if (c < 0x80) {
             ++i;

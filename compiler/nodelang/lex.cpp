@@ -1,6 +1,7 @@
 #include "compiler/nodelang/lex.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <optional>
@@ -13,12 +14,26 @@ namespace {
 constexpr std::string_view kNoBreakSpace = "\xc2\xa0";
 constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
 
+enum Operator : std::uint8_t { kAlone = 1, kDoubled = 2, kBeforeEquals = 4 };
+
+// By character: which operators it begins.
+constexpr auto kOperators = [] {
+    std::array<std::uint8_t, 128> table{};
+    const auto mark = [&](std::string_view characters, Operator how) {
+        for (const char c : characters) table[static_cast<std::size_t>(c)] |= how;
+    };
+    mark("+-*/%<>=!&|^~?:;,.()[]{}", kAlone);
+    mark("<>=&|+-", kDoubled);
+    mark("<>!+-*/%&|^", kBeforeEquals);
+    return table;
+}();
+
 // 2 if the two characters are one operator, 1 if the first is an operator alone, 0 if it is not an operator.
 constexpr std::size_t punctuation_length(char first, char second) {
-    constexpr std::string_view kDoubled = "<>=&|+-", kBeforeEquals = "<>!+-*/%&|^", kAlone = "+-*/%<>=!&|^~?:;,.()[]{}";
-    if (kAlone.find(first) == std::string_view::npos) return 0;
-    if (second == first && kDoubled.find(first) != std::string_view::npos) return 2;
-    return second == '=' && kBeforeEquals.find(first) != std::string_view::npos ? 2 : 1;
+    const auto index = static_cast<unsigned char>(first);
+    const std::uint8_t how = index < kOperators.size() ? kOperators[index] : std::uint8_t{0};
+    if (how == 0) return 0;
+    return (second == first && (how & kDoubled) != 0) || (second == '=' && (how & kBeforeEquals) != 0) ? 2 : 1;
 }
 
 // Not <cctype>: the language does not change with the locale.
@@ -128,12 +143,15 @@ void Lexer::skip_space(Token& token) {
     int newlines = 0;           // since the last comment
     bool in_doc_block = false;  // the last thing was a /// line
     while (here_ < text_.text.size()) {
-        if (is_space(at(here_))) {
-            if (at(here_) == '\n') {
+        const char c = at(here_);
+        if (is_space(c)) {
+            if (c == '\n') {
                 same_line_as_token = false;
                 ++newlines;
             }
             ++here_;
+        } else if (c != '/' && c != kNoBreakSpace[0]) {
+            return;
         } else if (looking_at(kNoBreakSpace)) {
             here_ += kNoBreakSpace.size();
         } else if (looking_at("//")) {

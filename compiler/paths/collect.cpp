@@ -295,8 +295,10 @@ std::vector<std::string_view> values_of(const PathDeclarations& paths) {
 
 // A pass can exclude switches. A variable can exist with switches or paths.
 void check_conditions(const nodelang::Ast& ast, const PathDeclarations& paths, Diagnostics& diagnostics) {
-    const auto check = [&](const Attribute* attribute, std::vector<std::string_view> known, const char* what) {
+    // `others`: what it may name beside switches.
+    const auto check = [&](const Attribute* attribute, const auto& others, const char* what) {
         if (!attribute) return;
+        std::vector<std::string_view> known = others();
         for (const SwitchDecl& each : paths.switches) known.push_back(each.variable->name);
         for (const std::string_view word : attribute_words(*attribute)) {
             if (std::find(known.begin(), known.end(), word) != known.end()) continue;
@@ -304,15 +306,18 @@ void check_conditions(const nodelang::Ast& ast, const PathDeclarations& paths, D
                 .note(Diagnostics::suggestion(word, known));
         }
     };
+    std::vector<std::string_view> values;
+    const auto all_values = [&] { return values.empty() ? values = values_of(paths) : values; };
+    const auto nothing = [] { return std::vector<std::string_view>(); };
     for (const FunctionDecl& function : ast.functions) {
         for (const Attribute& attribute : function.attributes)
-            if (attribute.name == "lacks")
-                check(&attribute, values_of(paths), "a value, a block, a target or a switch");
-        check(function.attribute("excludes"), {}, "a switch of a pass");
-        check(function.attribute("with"), {}, "a switch");
+            if (attribute.name == "lacks") check(&attribute, all_values, "a value, a block, a target or a switch");
+        check(function.attribute("excludes"), nothing, "a switch of a pass");
+        check(function.attribute("with"), nothing, "a switch");
     }
     for (const VariableDecl& variable : ast.variables)
-        check(variable.attribute("with"), paths.names(), "a switch or a path");
+        check(
+            variable.attribute("with"), [&] { return paths.names(); }, "a switch or a path");
 }
 
 }  // namespace
