@@ -38,7 +38,8 @@ output::Compiled compiled(const Compilation& c) {
             .lowered = c.linked.front().lowered,
             .passes = c.passes,
             .linked = c.linked.front(),
-            .name = graph::name_of_file(c.path)};
+            .name = graph::name_of_file(c.path),
+            .known = c.known ? &c.known->texts : nullptr};
 }
 
 }  // namespace
@@ -86,9 +87,11 @@ bool link_materials(Compilation& c) {
 }
 
 bool link_stages(Compilation& c) {
+    link::KnownPasses* known = c.known ? &c.known->passes : nullptr;
     for (std::size_t i = 0; i < c.materials.size(); ++i) {
+        const link::PassLinker linker(*c.materials[i], c.linked[i], c.session, known);
         for (const graph::LoweredPass& pass : c.linked[i].lowered.passes) {
-            link::LinkedPass made = link::link_pass(*c.materials[i], c.linked[i], pass, c.session, c.result);
+            link::LinkedPass made = linker.link(pass, c.result);
             if (c.writer->takes(c.session, c.linked[i], made)) {
                 link::check_varyings(made, c.session);
                 c.passes.push_back(std::move(made));

@@ -10,11 +10,19 @@
 
 namespace patina {
 
+// What compilations make that the next one may use again. It changes no result.
+struct Known {
+    // About 50 passes of the size of the examples', and their texts.
+    link::KnownPasses passes{std::size_t{8} << 20};
+    output::KnownTexts texts{std::size_t{4} << 20};
+};
+
 struct Compilation {
     graph::Session& session;
     std::uint32_t source = 0;  // where the graph's text begins in the session's sources
     std::string path;          // of its file
     Result& result;
+    Known* known = nullptr;  // what earlier compilations made; null: nothing is kept
 
     const output::Writer* writer = nullptr;
     graph::MaterialFile file{};

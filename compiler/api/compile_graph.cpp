@@ -25,7 +25,8 @@ Result Compiler::compile_file(const std::string& path, const CompileOptions& opt
         graph::Session session(*impl_->library, of_engine);
         Result result;
         if (const std::optional<std::uint32_t> base = graph::load_source(session, path, {})) {
-            Compilation compilation{.session = session, .source = *base, .path = path, .result = result};
+            Compilation compilation{
+                .session = session, .source = *base, .path = path, .result = result, .known = impl_->known.get()};
             compile(compilation);
         }
         return finish(session, std::move(result));
@@ -37,8 +38,11 @@ Result Compiler::compile_text(const std::string& path, std::string text, const C
         graph::Session session(*impl_->library, of_engine);
         Result result;
         session.dependencies.push_back(path);
-        Compilation compilation{
-            .session = session, .source = session.sources.add(path, text), .path = path, .result = result};
+        Compilation compilation{.session = session,
+                                .source = session.sources.add(path, text),
+                                .path = path,
+                                .result = result,
+                                .known = impl_->known.get()};
         compile(compilation);
         return finish(session, std::move(result));
     });

@@ -3,6 +3,7 @@
 
 #include <mutex>
 
+#include "compiler/api/compilation.h"
 #include "compiler/resolve/library.h"
 #include "patina/patina.h"
 
@@ -10,6 +11,7 @@ namespace patina {
 
 struct Compiler::Impl {
     std::unique_ptr<graph::Library> library;
+    std::unique_ptr<Known> known = std::make_unique<Known>();  // behind the library, which its keys refer to
 
     // Filled by describe() under `once`.
     mutable std::once_flag once;
@@ -29,6 +31,8 @@ struct Compiler::Impl {
 struct CompilerAccess {
     static Compiler with_files(std::span<const nodelang::EmbeddedFile> more);
     static const graph::Library& library(const Compiler& compiler) { return *compiler.impl_->library; }
+    // For tests: each compilation makes all of its results.
+    static void keep_nothing(Compiler& compiler) { compiler.impl_->known.reset(); }
 };
 
 }  // namespace patina

@@ -30,7 +30,11 @@ struct Printed {
     std::string text;
     std::vector<PrintedLine> lines;  // ascending; a line without an entry belongs to the one before it
     std::vector<Piece> pieces{};     // in order
+    std::size_t header_size = 0;     // of the comment at the top
+    int header_lines = 0;
 };
+// The same shader under another header. Neither header is empty.
+Printed with_header(const Printed& printed, std::string_view header);
 
 // By function: the values that become variables (plan.h). It does not depend on the language, so languages that print
 // the same module share it.
@@ -54,13 +58,15 @@ struct TakenNames {
     std::vector<std::string> prefixes;
 };
 
+inline constexpr std::size_t kTextWidth = 120;
+
 struct PrintOptions {
     std::string header;                        // lines for a comment at the top, without comment marks
     const std::vector<Plan>* plans = nullptr;  // those of this module; null: made for this printing
     std::optional<Pasting> pasting = {};       // none: a whole shader
     const TakenNames* taken = nullptr;         // null: there is no surrounding text
     std::vector<std::string> also_taken = {};  // more names of the surrounding text
-    std::size_t width = 120;                   // columns; longer lines are broken
+    std::size_t width = kTextWidth;            // columns; longer lines are broken
 };
 
 struct LanguageInfo {

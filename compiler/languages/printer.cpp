@@ -11,12 +11,17 @@ using namespace ir;
 
 namespace {
 
-void print_comment(Writer& w, std::string_view lines, OriginId origin) {
+template <class Visit>
+void for_each_line(std::string_view lines, const Visit& visit) {
     while (!lines.empty()) {
         const std::size_t end = std::min(lines.find('\n'), lines.size());
-        w.comment(0, lines.substr(0, end), origin);
+        visit(lines.substr(0, end));
         lines.remove_prefix(std::min(end + 1, lines.size()));
     }
+}
+
+void print_comment(Writer& w, std::string_view lines, OriginId origin) {
+    for_each_line(lines, [&](std::string_view line) { w.comment(0, line, origin); });
 }
 
 void open_guard(Writer& w, const std::string& name, const std::string& value) {
@@ -215,6 +220,8 @@ Printed print(const Module& module, const Language& language, const PrintOptions
     name_globals(w);
 
     print_comment(w, options.header, {});
+    const std::size_t header_size = w.text.size();
+    const int header_lines = w.next_line - 1;
     print_preamble(w);
     print_globals(w);
     w.gap();
@@ -224,7 +231,27 @@ Printed print(const Module& module, const Language& language, const PrintOptions
         if (is_here && module.stage.entry.index != i) print_function(w, {i}, nullptr);
     }
     if (module.stage.entry) print_function(w, module.stage.entry, &entry);
-    return {std::move(w.text), std::move(w.lines), std::move(w.pieces)};
+    return {.text = std::move(w.text),
+            .lines = std::move(w.lines),
+            .pieces = std::move(w.pieces),
+            .header_size = header_size,
+            .header_lines = header_lines};
+}
+
+Printed with_header(const Printed& printed, std::string_view header) {
+    Printed made{.text = {}, .lines = printed.lines, .pieces = printed.pieces};
+    made.text.reserve(printed.text.size() + header.size());
+    for_each_line(header,
+                  [&](std::string_view line) { made.header_lines += append_comment(made.text, 0, line, kTextWidth); });
+    made.header_size = made.text.size();
+    made.text.append(printed.text, printed.header_size);
+    for (PrintedLine& line : made.lines) line.line += made.header_lines - printed.header_lines;
+    for (Piece& piece : made.pieces) {
+        piece.begin = piece.begin - printed.header_size + made.header_size;
+        piece.end = piece.end - printed.header_size + made.header_size;
+        piece.line += made.header_lines - printed.header_lines;
+    }
+    return made;
 }
 
 }  // namespace patina::languages

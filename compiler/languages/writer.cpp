@@ -121,22 +121,27 @@ void Writer::line(unsigned indent, std::string_view content, OriginId origin) {
     }
 }
 
-void Writer::comment(unsigned indent, std::string_view content, OriginId origin) {
-    if (lines.empty() ? static_cast<bool>(origin) : lines.back().origin != origin) lines.push_back({next_line, origin});
+int append_comment(std::string& text, unsigned indent, std::string_view content, std::size_t width) {
     // A broken line continues with more indentation.
     const std::size_t lead = std::min(content.find_first_not_of(' '), content.size());
     const std::size_t margin = 4 * indent + 3;
+    int lines = 0;
     for (std::size_t hanging = 0;; hanging = lead > 0 ? lead + 2 : 0) {
-        const std::size_t room = options.width - std::min(margin + hanging, options.width / 2);
+        const std::size_t room = width - std::min(margin + hanging, width / 2);
         const std::size_t space = content.size() > room ? content.rfind(' ', room) : content.npos;
         const std::size_t end = space == content.npos || space < room / 2 ? content.size() : space;
         text.append(4 * indent, ' ').append(content.empty() ? "//" : "// ").append(hanging, ' ');
         append_one_line(text, content.substr(0, end));
         text += '\n';
-        ++next_line;
+        ++lines;
         content.remove_prefix(std::min(end + 1, content.size()));
-        if (content.empty()) return;
+        if (content.empty()) return lines;
     }
+}
+
+void Writer::comment(unsigned indent, std::string_view content, OriginId origin) {
+    if (lines.empty() ? static_cast<bool>(origin) : lines.back().origin != origin) lines.push_back({next_line, origin});
+    next_line += append_comment(text, indent, content, options.width);
 }
 
 void Writer::gap() {

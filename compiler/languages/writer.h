@@ -65,6 +65,9 @@ struct Writer {
     }
 };
 
+// Appends the lines of a comment; returns how many. Lines that are too wide are broken.
+int append_comment(std::string& text, unsigned indent, std::string_view content, std::size_t width);
+
 // The whole shader.
 Printed print(const ir::Module& module, const Language& language, const PrintOptions& options);
 

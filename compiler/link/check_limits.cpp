@@ -46,7 +46,7 @@ std::vector<std::string_view> samplers_of(const ir::Module& stage) {
 
 void check_samplers(graph::Session& session, const graph::Material& material, const LinkedPass& pass) {
     const std::uint32_t most = session.engine.most_samplers;
-    for (const ir::Module* stage : {&pass.vertex, &pass.fragment}) {
+    for (const ir::Module* stage : {pass.vertex.get(), pass.fragment.get()}) {
         const std::vector<std::string_view> samplers = samplers_of(*stage);
         if (samplers.size() <= most) continue;
         const auto is_over = [&](const graph::MaterialProperty& entry) {

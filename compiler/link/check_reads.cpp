@@ -51,7 +51,7 @@ public:
         for (const ir::Inst& inst : stage_[function].insts) {
             const ir::OriginId here = inst.origin ? inst.origin : origin;
             if (inst.op == ir::Op::Global && is_missing(stage_.globals[inst.data]))
-                return Missing{stage_.globals[inst.data].name, here ? stage_.origins[here.index] : ir::Origin{}};
+                return Missing{stage_.globals[inst.data].name, here};
             if (inst.op != ir::Op::Call) continue;
             if (std::optional<Missing> found = visit({inst.data}, here)) return found;
         }
@@ -88,8 +88,7 @@ public:
         for (std::size_t i = 0; i < semantics.size(); ++i) {
             seen_.assign(seen_.size(), false);
             if (linked_.readers[i] && semantics[i].recipe && in(semantics[i].recipe))
-                return {"@" + linked_.lowered.module.semantics[i].name,
-                        linked_.lowered.module.origins[linked_.readers[i].index]};
+                return {"@" + linked_.lowered.module.semantics[i].name, linked_.readers[i]};
         }
         for (const ir::Function& function : linked_.functions) {
             if (reads(function)) return {function.name, {}};
@@ -122,24 +121,31 @@ private:
     std::vector<bool> seen_;
 };
 
+// The node that reads the value; if the stage does not know it, a reader of the semantic that the value is.
+ir::Origin origin_of(const Linked& linked, const Missing& missing, const Missing& named) {
+    const std::vector<ir::Origin>& origins = linked.lowered.module.origins;
+    const auto origin = [&](ir::OriginId id) { return id ? origins[id.index] : ir::Origin{}; };
+    return origin(missing.where).span.end ? origin(missing.where) : origin(named.where);
+}
+
 }  // namespace
 
 bool has_all(graph::Session& session, const Linked& linked, const LinkedPass& pass) {
-    for (const ir::Module* stage : {&pass.vertex, &pass.fragment}) {
+    for (const ir::Module* stage : {pass.vertex.get(), pass.fragment.get()}) {
         std::optional<Missing> missing = missing_in(*stage);
         if (!missing) continue;
         const Span graph = pass.material->graph->graph->span;
         const Missing named = Reads(linked, missing->name).named();
-        if (!missing->where.span.end) missing->where = named.where;
-        const bool is_at_node = missing->where.span.begin != missing->where.span.end;
+        const ir::Origin where = origin_of(linked, *missing, named);
+        const bool is_at_node = where.span.begin != where.span.end;
         const graph::PassDecl& declaration = *pass.pass->declaration;
         DiagnosticRecord& record = session.diagnostics.report(
             declaration.is_optional ? Code::PassLeftOut : Code::PassRefused,
-            is_at_node ? missing->where.span : Span{graph.begin, graph.begin + 1}, graph::known_as(declaration),
+            is_at_node ? where.span : Span{graph.begin, graph.begin + 1}, graph::known_as(declaration),
             fmt::format("its {} reads '{}', which '{}' does not provide there",
-                        stage == &pass.vertex ? "vertex stage" : "fragment stage", named.name,
+                        stage == pass.vertex.get() ? "vertex stage" : "fragment stage", named.name,
                         session.options.targets[0].name()));
-        record.at(missing->where.id);
+        record.at(where.id);
         if (declaration.is_optional && !declaration.otherwise.empty()) record.note(std::string(declaration.otherwise));
         return false;
     }
@@ -171,8 +177,8 @@ void check_reads(graph::Session& session, const graph::Lowered& lowered, std::sp
     for (const LinkedPass& each : passes) {
         const graph::PassDecl& pass = *each.pass->declaration;
         if (pass.path != session.path || each.material->pass) continue;
-        check(pass, each.vertex, *pass.vertex);
-        check(pass, each.fragment, *pass.fragment);
+        check(pass, *each.vertex, *pass.vertex);
+        check(pass, *each.fragment, *pass.fragment);
     }
 }
 

@@ -13,7 +13,7 @@ void check_reads(graph::Session& session, const graph::Lowered& lowered, std::sp
 // A value that a stage reads although no included file declares it and the material does not have it.
 struct Missing {
     std::string name;
-    ir::Origin where;
+    ir::OriginId where;
 };
 std::optional<Missing> missing_in(const ir::Module& stage);
 // True if the included files declare everything that the pass reads. Otherwise reports at the node; as a warning, if

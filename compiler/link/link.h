@@ -10,6 +10,8 @@
 //   ir::Module vertex = link_vertex(linked, pass, fragment, options);
 #pragma once
 
+#include <memory>
+
 #include "compiler/lower/lower.h"
 
 namespace patina::link {
@@ -22,13 +24,19 @@ struct Linked {
 };
 Linked link(graph::Lowered lowered);
 
+// The two stages of a pass, finished. They are never changed, and materials that are linked alike share them
+// (known_passes.h), so they know no places in files: `origins` of their material's module has these, under the same ids.
+struct Stages {
+    std::shared_ptr<const ir::Module> vertex{}, fragment{};
+    bool reads_elsewhere = false;  // it reads a target of the picture at another place than its own pixel
+};
+
 // A pass of a material as its two stages.
-struct LinkedPass {
+struct LinkedPass : Stages {
     const graph::LoweredPass* pass = nullptr;
     const graph::Material* material = nullptr;  // differs for each extra pass
     const graph::Lowered* lowered = nullptr;
-    ir::Module vertex{}, fragment{};
-    bool reads_elsewhere = false;  // it reads a target of the picture at another place than its own pixel
+    bool is_kept = false;  // what is made of the stages alone may be kept, too
 };
 
 ir::Module link_fragment(const Linked& linked, const graph::LoweredPass& pass, ir::BuildOptions options);

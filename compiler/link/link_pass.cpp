@@ -1,7 +1,10 @@
 #include "compiler/link/link_pass.h"
 
 #include <algorithm>
+#include <cstdio>
+#include <cstdlib>
 
+#include "compiler/ir/dump.h"
 #include "compiler/ir/passes/passes.h"
 #include "compiler/ir/verify.h"
 #include "compiler/link/check_reads.h"
@@ -33,14 +36,33 @@ void add_places(Program& program, const ir::Module& stage, const SourceMap& sour
     }
 }
 
+struct Made {
+    ir::Module vertex{}, fragment{};
+    bool reads_elsewhere = false;
+};
+
+void forget_places(ir::Module& stage) {
+    for (ir::Origin& origin : stage.origins) origin.span = {};
+    for (ir::Global& global : stage.globals) global.span = {};
+}
+
+Stages finished(Made made) {
+    for (ir::Module* stage : {&made.vertex, &made.fragment}) forget_places(*stage);
+    ir::check_if_verifying(made.vertex, "vertex");
+    ir::check_if_verifying(made.fragment, "fragment");
+    return {.vertex = std::make_shared<const ir::Module>(std::move(made.vertex)),
+            .fragment = std::make_shared<const ir::Module>(std::move(made.fragment)),
+            .reads_elsewhere = made.reads_elsewhere};
+}
+
 // Finishes the fragment stage first, because the vertex stage computes only the inputs that remain. Constant inputs are
 // dropped, and so is the second of two equal inputs; then both stages are tidied again. The order of the inputs comes
 // last, when it is known what each of them computes.
-LinkedPass link_tidied(const graph::Material& material, const Linked& linked, const graph::LoweredPass& pass,
-                       const graph::Session& session, Result& result) {
+Stages link_tidied(const Linked& linked, const graph::LoweredPass& pass, const graph::Session& session,
+                   Result& result) {
     const CompileOptions& options = session.options;
     const ir::BuildOptions build{.fold = true};
-    LinkedPass made{.pass = &pass, .material = &material, .lowered = &linked.lowered};
+    Made made;
     made.fragment = link_fragment(linked, pass, build);
     ir::check_if_verifying(made.fragment, "linked fragment");
     dump_stage(result, options, "linked", pass.name + ".fragment.linked", made.fragment);
@@ -66,21 +88,28 @@ LinkedPass link_tidied(const graph::Material& material, const Linked& linked, co
     dump_stage(result, options, "tidy", pass.name + ".vertex.tidy", made.vertex);
     dump_stage(result, options, "tidy", pass.name + ".fragment.tidy", made.fragment);
     dump_rates(result, options, pass.name + ".fragment.rates", made.fragment);
-    return made;
+    return finished(std::move(made));
 }
 
 // Links the stages without folding, as lowering made them.
-LinkedPass link_plainly(const graph::Material& material, const Linked& linked, const graph::LoweredPass& pass) {
+Made link_plainly(const Linked& linked, const graph::LoweredPass& pass) {
     const ir::BuildOptions build{.fold = false};
-    LinkedPass made{.pass = &pass, .material = &material, .lowered = &linked.lowered};
+    Made made;
     made.fragment = link_fragment(linked, pass, build);
     made.vertex = link_vertex(linked, pass, made.fragment, build);
+    ir::check_if_verifying(made.vertex, "vertex");
+    ir::check_if_verifying(made.fragment, "fragment");
     return made;
 }
 
-void check(const LinkedPass& pass) {
-    ir::check_if_verifying(pass.vertex, "vertex");
-    ir::check_if_verifying(pass.fragment, "fragment");
+// Builds that check the IR also check that known stages are those that would be made now.
+void check_same(const Stages& known, const Stages& made) {
+    if (ir::dump(*known.vertex) == ir::dump(*made.vertex) && ir::dump(*known.fragment) == ir::dump(*made.fragment) &&
+        known.reads_elsewhere == made.reads_elsewhere)
+        return;
+    std::fprintf(stderr, "a key of known_passes.h lacks something: stages were linked before as\n%s\nand now as\n%s\n",
+                 ir::dump(*known.fragment).c_str(), ir::dump(*made.fragment).c_str());
+    std::abort();
 }
 
 void add_texts(const std::vector<ir::StageText>& from, std::vector<ir::StageText>& into) {
@@ -106,26 +135,56 @@ void add_texts_of(const ir::Module& stage, std::vector<ir::StageText>& into) {
     }
 }
 
+bool is_long(const Linked& linked) {
+    constexpr std::size_t kMost = 20'000;  // instructions: more would push out everything else
+    std::size_t count = 0;
+    for (const ir::Function& function : linked.functions) count += function.insts.size();
+    return count > kMost;
+}
+
 }  // namespace
 
-LinkedPass link_pass(const graph::Material& material, const Linked& linked, const graph::LoweredPass& pass,
-                     const graph::Session& session, Result& result) {
-    LinkedPass made = link_tidied(material, linked, pass, session, result);
-    check(made);
-    return made;
+// A user's pass file and the stages of a dump are not for the next compilation.
+PassLinker::PassLinker(const graph::Material& material, const Linked& linked, const graph::Session& session,
+                       KnownPasses* known)
+    : material_(material), linked_(linked), session_(session), known_(known) {
+    if (session.pass_file || !session.options.dump.empty() || is_long(linked)) known_ = nullptr;
+    if (known_) key_ = key_of(linked, session.engine);
+}
+
+LinkedPass PassLinker::link(const graph::LoweredPass& pass, Result& result) const {
+    LinkedPass linked;
+    linked.pass = &pass;
+    linked.material = &material_;
+    linked.lowered = &linked_.lowered;
+    linked.is_kept = known_ != nullptr;
+    Stages& stages = linked;
+    if (!known_) {
+        stages = link_tidied(linked_, pass, session_, result);
+        return linked;
+    }
+    std::string key = key_of(key_, pass);
+    const std::size_t bytes = bytes_of(key);
+    std::shared_ptr<const Stages> known = known_->find(key);
+    if (known && ir::is_verifying()) check_same(*known, link_tidied(linked_, pass, session_, result));
+    if (!known)
+        known = known_->keep(std::move(key),
+                             std::make_shared<const Stages>(link_tidied(linked_, pass, session_, result)), bytes);
+    stages = *known;
+    return linked;
 }
 
 std::vector<ir::StageText> texts_of(const LinkedPass& pass) {
     std::vector<ir::StageText> made;
-    add_texts_of(pass.vertex, made);
-    add_texts_of(pass.fragment, made);
-    add_texts(pass.vertex.stage.texts, made);
+    add_texts_of(*pass.vertex, made);
+    add_texts_of(*pass.fragment, made);
+    add_texts(pass.vertex->stage.texts, made);
     return made;
 }
 
 Varyings varyings_of(const LinkedPass& pass) {
     Varyings made;
-    for (const ir::StageVariable& output : pass.vertex.stage.outputs)
+    for (const ir::StageVariable& output : pass.vertex->stage.outputs)
         made.numbered += output.builtin == ir::Builtin::None && output.spelling.empty() ? 1 : 0;
     for (const ir::StageText& text : texts_of(pass)) {
         if (text.place == "first interpolator") ++made.numbered;
@@ -159,8 +218,7 @@ std::shared_ptr<const Program> keep_program(graph::Session& session, const Mater
         if (session.diagnostics.has_errors()) return nullptr;
         const Linked linked = link(std::move(lowered));
         for (const graph::LoweredPass& pass : linked.lowered.passes) {
-            LinkedPass made = link_plainly(*material, linked, pass);
-            check(made);
+            Made made = link_plainly(linked, pass);
             add_places(*program, made.vertex, session.sources);
             add_places(*program, made.fragment, session.sources);
             program->stages.push_back({.pass = pass.name, .stage = Stage::Vertex, .module = std::move(made.vertex)});

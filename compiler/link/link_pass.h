@@ -1,9 +1,11 @@
 // Links a pass of a lowered material: two stages, tidied and numbered. Links the same without any folding for the CPU
 // reference.
 //
-//   LinkedPass pass = link_pass(material, linked, linked.lowered.passes[0], session, result);
+//   PassLinker linker(material, linked, session, &known);
+//   LinkedPass pass = linker.link(linked.lowered.passes[0], result);
 #pragma once
 
+#include "compiler/link/known_passes.h"
 #include "compiler/link/link.h"
 #include "compiler/link/program.h"
 
@@ -12,9 +14,22 @@ namespace patina::link {
 // The material itself and its extra passes.
 using Materials = std::vector<const graph::Material*>;
 
-// `result` gets the dumps.
-LinkedPass link_pass(const graph::Material& material, const Linked& linked, const graph::LoweredPass& pass,
-                     const graph::Session& session, Result& result);
+// Links the passes of one material.
+class PassLinker {
+public:
+    // `known`: stages of earlier compilations; may be null.
+    PassLinker(const graph::Material& material, const Linked& linked, const graph::Session& session,
+               KnownPasses* known);
+    // `result` gets the dumps.
+    LinkedPass link(const graph::LoweredPass& pass, Result& result) const;
+
+private:
+    const graph::Material& material_;
+    const Linked& linked_;
+    const graph::Session& session_;
+    KnownPasses* known_;  // null: nothing may be taken from there
+    std::string key_{};   // of the material
+};
 
 // The vectors that a pass sends from the vertex stage to the fragment stage in addition to the position: those with a
 // number, and those that the engine's text adds without one.

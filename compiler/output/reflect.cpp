@@ -290,14 +290,14 @@ Pass reflect_pass(const LinkedPass& linked) {
     if (const graph::BlendRow* blend = graph::blend_of(declaration, render.surface)) {
         for (RenderTarget& target : pass.targets) target.blend = blend->blend;
     }
-    for (const ir::StageVariable& input : linked.vertex.stage.inputs) {
+    for (const ir::StageVariable& input : linked.vertex->stage.inputs) {
         if (input.builtin != ir::Builtin::None) continue;
         pass.vertex_inputs.push_back({.name = input.name,
-                                      .type = linked.vertex.type_name(input.type),
+                                      .type = linked.vertex->type_name(input.type),
                                       .location = input.location,
                                       .hlsl_semantic = input.semantic});
     }
-    const std::vector<bool> vertex = used_by(linked.vertex, lowered), fragment = used_by(linked.fragment, lowered);
+    const std::vector<bool> vertex = used_by(*linked.vertex, lowered), fragment = used_by(*linked.fragment, lowered);
     pass.vertex_reads = blocks_read(lowered, vertex);
     pass.fragment_reads = blocks_read(lowered, fragment);
     std::vector<bool> either = vertex;
@@ -391,7 +391,7 @@ Reflection reflect(const graph::Material& material, const graph::Lowered& lowere
               [](const auto& a, const auto& b) { return a.name < b.name; });
     for (const LinkedPass& pass : passes) {
         made.passes.push_back(reflect_pass(pass));
-        if (with_hashes) made.passes.back().hash = link::hash_pass(pass.vertex, pass.fragment).text();
+        if (with_hashes) made.passes.back().hash = link::hash_pass(*pass.vertex, *pass.fragment).text();
     }
     for (std::size_t i = 0; i < lowered.module.globals.size(); ++i) {
         const ir::Global& global = lowered.module.globals[i];

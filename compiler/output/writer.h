@@ -8,6 +8,7 @@
 
 #include "compiler/languages/print.h"
 #include "compiler/link/link_pass.h"
+#include "compiler/output/known_texts.h"
 #include "compiler/output/reflect.h"
 
 namespace patina::output {
@@ -20,6 +21,7 @@ struct Compiled {
     std::span<const link::LinkedPass> passes;
     const link::Linked& linked;  // of the material itself
     std::string name;            // of its files, without extensions
+    KnownTexts* known = nullptr;  // texts of earlier compilations; may be null
 };
 
 struct Writer {

@@ -39,13 +39,29 @@ std::string read(const std::string& path) {
     return {std::istreambuf_iterator<char>(file), {}};
 }
 
-// JSON to printed GLSL and HLSL, with a library that is loaded. `passes`: a rendering path.
+// JSON to printed GLSL and HLSL, with a library that is loaded, again and again. `passes`: a rendering path.
 void compile(benchmark::State& state, const std::string& path, const std::string& text, const std::string& passes) {
     const Compiler compiler;
     CompileOptions options;
     options.path = passes;
     for ([[maybe_unused]] auto iteration : state) {
         const Result result = compiler.compile_text(path, text, options);
+        if (!result.ok) return state.SkipWithError("it does not compile");
+        benchmark::DoNotOptimize(result.shaders.data());
+    }
+}
+
+// The same, but each time with a number in a formula that no compilation has seen before, so that no shader is known.
+void compile_edited(benchmark::State& state, const std::string& path, const std::string& text,
+                    const std::string& number) {
+    const Compiler compiler;
+    const std::size_t at = text.find(number);
+    if (at == text.npos) return state.SkipWithError("the number is not there");
+    unsigned edits = 0;
+    for ([[maybe_unused]] auto iteration : state) {
+        std::string edited = text;
+        edited.replace(at, number.size(), number + std::to_string(100'000 + edits++));
+        const Result result = compiler.compile_text(path, edited);
         if (!result.ok) return state.SkipWithError("it does not compile");
         benchmark::DoNotOptimize(result.shaders.data());
     }
@@ -76,6 +92,7 @@ void register_all() {
     const std::string one_pass = "forward";
     add("compile/painted", compile, "painted.graph.json", std::string(kPainted), one_pass);
     add("compile/rusted_steel", compile, kRustedSteel, read(kRustedSteel), one_pass);
+    add("compile/rusted_steel, edited", compile_edited, kRustedSteel, read(kRustedSteel), std::string("0.7"));
     add("compile/rusted_steel, all passes", compile, kRustedSteel, read(kRustedSteel), std::string("all"));
     add("patina compile", run_command, std::vector<std::string>{"compile", kRustedSteel, "-q", "-o", PATINA_SCRATCH});
     for (const int nodes : {5'000, 10'000}) {
@@ -130,6 +147,7 @@ void print_figures(const Figures& figures) {
     figures.time("library", 0);
     figures.time("compile/painted", 0);
     figures.time("compile/rusted_steel", 1);
+    figures.time("compile/rusted_steel, edited", 0);
     figures.time("compile/rusted_steel, all passes", 0);
     figures.time("patina compile", 20);
     for (const std::string shape : {"chain/", "ladder/", "ladder on one line/"}) {

@@ -67,8 +67,8 @@ void expect_sound(const std::string& path, const std::string& text, const std::s
     ASSERT_FALSE(compilation.passes.empty());
     for (const link::LinkedPass& pass : compilation.passes) {
         SCOPED_TRACE(pass.pass->name);
-        expect_sound(pass.vertex);
-        expect_sound(pass.fragment);
+        expect_sound(*pass.vertex);
+        expect_sound(*pass.fragment);
     }
     for (const Shader& shader : result.shaders) {
         const Validated validated = validate(shader);

@@ -243,7 +243,7 @@ void check_samplers(std::span<const LinkedPass> passes, const engines::Engine& e
     }
     if (!worst) return;
     const auto texture_of = [&](std::uint32_t sampler) {
-        return std::string_view(worst->fragment.globals[sampler].name).substr(std::string_view("sampler").size());
+        return std::string_view(worst->fragment->globals[sampler].name).substr(std::string_view("sampler").size());
     };
     const auto span_of = [&](std::string_view name) {
         for (const graph::MaterialProperty& entry : worst->material->properties)

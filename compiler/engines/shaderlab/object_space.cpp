@@ -77,13 +77,13 @@ private:
 }  // namespace
 
 bool knows_object(const LinkedPass& pass) {
-    for (const Function& function : pass.fragment.functions) {
+    for (const Function& function : pass.fragment->functions) {
         for (const Inst& inst : function.insts) {
-            if (is_of_object(pass.fragment, inst)) return true;
+            if (is_of_object(*pass.fragment, inst)) return true;
         }
     }
-    const Vertices vertices(pass.vertex, *pass.pass, pass.lowered->module);
-    const ir::Module& vertex = pass.vertex;
+    const Vertices vertices(*pass.vertex, *pass.pass, pass.lowered->module);
+    const ir::Module& vertex = *pass.vertex;
     for (std::uint32_t i = 0; i < vertex.functions.size(); ++i) {
         if (!ir::is_elsewhere(vertex.functions[i]) && vertices.keep({i}, {})) return true;
     }

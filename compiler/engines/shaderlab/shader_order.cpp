@@ -74,7 +74,7 @@ void order_passes(std::vector<LinkedPass>& passes) {
 int shader_queue(const graph::Material& material, std::span<const LinkedPass> passes) {
     int queue = output::queue_of(material.graph->graph->render);
     for (const LinkedPass& pass : passes)
-        queue = std::max({queue, least_queue(pass.vertex), least_queue(pass.fragment)});
+        queue = std::max({queue, least_queue(*pass.vertex), least_queue(*pass.fragment)});
     return queue;
 }
 

@@ -144,12 +144,12 @@ PassText pass_text(const LinkedPass& pass, const engines::Engine& engine, const 
         share_samplers(stage, samplers);
         return stage;
     };
-    const std::vector<Declaration> fragment = printed(named(pass.fragment), made, engine_names, taken_around);
+    const std::vector<Declaration> fragment = printed(named(*pass.fragment), made, engine_names, taken_around);
     std::vector<Declaration> vertex;
     std::vector<std::string> taken = taken_around;
     for (bool differ = true; differ;) {
         differ = false;
-        vertex = printed(named(pass.vertex), made, engine_names, taken);
+        vertex = printed(named(*pass.vertex), made, engine_names, taken);
         for (const Declaration& each : vertex) {
             const Declaration* other = find(fragment, each.name);
             if (!other || other->text == each.text) continue;

@@ -48,21 +48,21 @@ SamplerUse sampler_use(const LinkedPass& pass, std::size_t most) {
         if (text.place == "sampler") of_engine.insert(text.line);
     }
     use.of_engine = of_engine.size();
-    const std::set<std::uint32_t> used = samplers_of(pass.fragment), at_vertices = samplers_of(pass.vertex);
+    const std::set<std::uint32_t> used = samplers_of(*pass.fragment), at_vertices = samplers_of(*pass.vertex);
     use.of_material = used.size();
     const auto has_own_macro = [&](std::uint32_t sampler) {
         bool is = false;
-        for_each_read(pass.fragment, [&](std::uint32_t texture, std::uint32_t with) {
-            is |= with == sampler && pass.fragment.globals[texture].type.kind != ir::Kind::Texture2D;
+        for_each_read(*pass.fragment, [&](std::uint32_t texture, std::uint32_t with) {
+            is |= with == sampler && pass.fragment->globals[texture].type.kind != ir::Kind::Texture2D;
         });
         return is;
     };
     // The last textures share first, with the first texture of the same sampler.
     for (auto last = used.rbegin(); last != used.rend() && use.count() > most; ++last) {
-        const graph::Property* own = property_of(*pass.material, pass.fragment.globals[*last].name);
+        const graph::Property* own = property_of(*pass.material, pass.fragment->globals[*last].name);
         if (!own || at_vertices.contains(*last) || has_own_macro(*last)) continue;
         const auto owner = std::find_if(used.begin(), used.end(), [&](std::uint32_t other) {
-            const graph::Property* property = property_of(*pass.material, pass.fragment.globals[other].name);
+            const graph::Property* property = property_of(*pass.material, pass.fragment->globals[other].name);
             return other < *last && property && property->sampler == own->sampler && !at_vertices.contains(other) &&
                    !has_own_macro(other);
         });

@@ -38,7 +38,7 @@ bool is_same(const std::vector<ir::StageText>& a, const std::vector<ir::StageTex
 }
 
 const ir::StageVariable* output_of(const LinkedPass& pass, const ir::StageVariable& input) {
-    const auto& outputs = pass.vertex.stage.outputs;
+    const auto& outputs = pass.vertex->stage.outputs;
     const auto found = std::find_if(outputs.begin(), outputs.end(), [&](const ir::StageVariable& output) {
         return is_varying(output) && output.name == input.name && output.type == input.type &&
                output.flat == input.flat;
@@ -65,8 +65,8 @@ bool can_serve(const LinkedPass& maker, const LinkedPass& reader) {
     if (maker.material != reader.material || maker.pass->declaration->vertex != reader.pass->declaration->vertex ||
         !computes_alike(*maker.pass, *reader.pass))
         return false;
-    const auto& outputs = maker.vertex.stage.outputs;
-    const auto& inputs = reader.fragment.stage.inputs;
+    const auto& outputs = maker.vertex->stage.outputs;
+    const auto& inputs = reader.fragment->stage.inputs;
     const auto made = std::count_if(outputs.begin(), outputs.end(), is_varying);
     const auto read = std::count_if(inputs.begin(), inputs.end(), is_varying);
     if (made < read || static_cast<std::size_t>(made - read) > kMostUnread) return false;
@@ -76,12 +76,14 @@ bool can_serve(const LinkedPass& maker, const LinkedPass& reader) {
 }
 
 void serve(const LinkedPass& maker, LinkedPass& reader) {
-    LinkedPass served = reader;
-    served.vertex = maker.vertex;
-    served.vertex.stage.texts = reader.vertex.stage.texts;
-    for (ir::StageVariable& input : served.fragment.stage.inputs) {
+    ir::Module vertex = *maker.vertex, fragment = *reader.fragment;
+    vertex.stage.texts = reader.vertex->stage.texts;
+    for (ir::StageVariable& input : fragment.stage.inputs) {
         if (is_varying(input)) input.location = output_of(maker, input)->location;
     }
+    LinkedPass served = reader;
+    served.vertex = std::make_shared<const ir::Module>(std::move(vertex));
+    served.fragment = std::make_shared<const ir::Module>(std::move(fragment));
     if (is_same(texts(served, is_of_program), texts(reader, is_of_program))) reader = std::move(served);
 }
 
@@ -90,7 +92,7 @@ void serve(const LinkedPass& maker, LinkedPass& reader) {
 void share_vertex_stages(std::vector<LinkedPass>& passes) {
     for (LinkedPass& reader : passes) {
         const auto maker = std::find_if(passes.begin(), passes.end(), [&](const LinkedPass& each) {
-            return &each != &reader && each.vertex.stage.outputs.size() > reader.vertex.stage.outputs.size() &&
+            return &each != &reader && each.vertex->stage.outputs.size() > reader.vertex->stage.outputs.size() &&
                    can_serve(each, reader);
         });
         if (maker != passes.end()) serve(*maker, reader);
