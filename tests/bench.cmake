@@ -12,5 +12,10 @@ endforeach()
 add_custom_target(bench COMMAND patina_bench COMMAND picture_bench DEPENDS patina_bench picture_bench patina_cli
                   USES_TERMINAL VERBATIM)
 
+# The compiler's shaders against those that an expert wrote for the same materials.
+add_executable(handwritten_test bench/handwritten_test.cpp)
+target_link_libraries(handwritten_test PRIVATE patina_options patina_paths patina_validate GTest::gtest_main)
+add_test(NAME handwritten COMMAND handwritten_test WORKING_DIRECTORY ${CMAKE_SOURCE_DIR})
+
 # If compile time grows with the square of a graph's length, this test times out. No other test would notice.
 set_tests_properties(long_graph_test PROPERTIES TIMEOUT 120)

@@ -24,6 +24,7 @@ enum class ObjectKind {
     Sampler,
     Render,
     Stencil,
+    Budget,
     ExtraPass,
     LightingUse,
     Scene,

@@ -31,6 +31,16 @@ Typed as_color(Lowering& lowering, Typed value, GraphScope& scope, Span span) {
 
 namespace {
 
+// True if a number is given that is the default: a flat normal map is none.
+bool is_default(GraphScope& scope, const Input& input, const Typed& given) {
+    const ir::Builder& b = *scope.scope().builder;
+    if (b.constant_of(given.value).empty() || !input.value) return false;
+    const Typed stated = scope.value_as(*input.value, given.type, fmt::format("the default of '{}'", input.name));
+    if (!stated.ok()) return false;
+    const auto numbers = b.constant_of(given.value), usual = b.constant_of(stated.value);
+    return std::equal(numbers.begin(), numbers.end(), usual.begin(), usual.end());
+}
+
 // The value of one surface input: as given, or converted from another input that gives it, or its default.
 Typed surface_value(Lowering& lowering, GraphScope& scope, std::span<const Input* const> inputs, const Input& input,
                     Type type) {
@@ -48,6 +58,7 @@ Typed surface_value(Lowering& lowering, GraphScope& scope, std::span<const Input
             const Typed given =
                 scope.value_as(port, input_type(lowering, *other), fmt::format("the surface input '{}'", port.name));
             if (!given.ok()) return {};
+            if (is_default(scope, *other, given)) continue;
             scope.set_input(other->name, given);
             return scope.value_as(*other->as, type, fmt::format("the surface input '{}'", port.name));
         }

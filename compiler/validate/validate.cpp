@@ -87,17 +87,14 @@ std::string_view line_of(std::string_view text, int line) {
 
 // Sets the place in the graph that an emitted line comes from, and adds the emitted line as a note.
 void locate(Diagnostic& d, const Shader& shader, int line) {
-    const auto after = std::upper_bound(shader.line_map.begin(), shader.line_map.end(), line,
-                                        [](int l, const LineOrigin& origin) { return l < origin.line; });
-    if (after != shader.line_map.begin()) {
-        const LineOrigin& origin = *std::prev(after);
-        d.file = origin.file;
-        d.line = origin.source_line;
-        d.column = origin.source_column;
-        d.end_line = origin.source_line;
-        d.end_column = origin.source_end_column;
-        d.source_line = origin.source_text;
-        d.node = origin.node;
+    if (const LineOrigin* origin = origin_of(shader, line)) {
+        d.file = origin->file;
+        d.line = origin->source_line;
+        d.column = origin->source_column;
+        d.end_line = origin->source_line;
+        d.end_column = origin->source_end_column;
+        d.source_line = origin->source_text;
+        d.node = origin->node;
     }
     Diagnostic note;
     note.severity = Severity::Note;
@@ -149,7 +146,8 @@ void add_messages(Validated& result, const Shader& shader, std::string_view log)
     if (result.diagnostics.size() == before) result.diagnostics.push_back(diagnostic(shader, trimmed(log)));
 }
 
-bool compile(const Shader& shader, const FrontEnd& language, HlslSamplers samplers, Validated& result) {
+bool compile(const Shader& shader, const FrontEnd& language, HlslSamplers samplers, bool with_lines,
+             Validated& result) {
     const EShLanguage stage = shader.stage == Stage::Vertex ? EShLangVertex : EShLangFragment;
     auto messages = static_cast<EShMessages>(EShMsgSpvRules | EShMsgVulkanRules | language.messages);
     const bool is_combined = language.has_registers && samplers == HlslSamplers::Combined;
@@ -191,6 +189,7 @@ bool compile(const Shader& shader, const FrontEnd& language, HlslSamplers sample
     }
     glslang::SpvOptions options;
     options.disableOptimizer = true;
+    options.generateDebugInfo = with_lines;
     spv::SpvBuildLogger logger;
     glslang::GlslangToSpv(*program.getIntermediate(stage), result.spirv, &logger, &options);
     result.log += logger.getAllMessages();
@@ -212,12 +211,19 @@ bool check_spirv(const Shader& shader, Validated& result) {
 
 }  // namespace
 
-Validated validate(const Shader& shader, HlslSamplers samplers) {
+const LineOrigin* origin_of(const Shader& shader, int line) {
+    const auto after = std::upper_bound(shader.line_map.begin(), shader.line_map.end(), line,
+                                        [](int l, const LineOrigin& origin) { return l < origin.line; });
+    if (after == shader.line_map.begin() || std::prev(after)->file.empty()) return nullptr;
+    return &*std::prev(after);
+}
+
+Validated validate(const Shader& shader, HlslSamplers samplers, bool with_lines) {
     initialise_glslang();
     Validated result;
     const FrontEnd* language = front_end(shader);
     if (language)
-        result.ok = compile(shader, *language, samplers, result) && check_spirv(shader, result);
+        result.ok = compile(shader, *language, samplers, with_lines, result) && check_spirv(shader, result);
     else
         result.diagnostics.push_back(
             diagnostic(shader, "it was not checked, because glslang does not read this language"));

@@ -38,7 +38,7 @@ float3 EvaluateSH9(
     float3 irradiance = sh0 * SH_CONSTANT;
     irradiance += (sh1 * n.y + sh2 * n.z + sh3 * n.x) * SH_LINEAR;
     irradiance += (sh4 * (n.x * n.y) + sh5 * (n.y * n.z) + sh7 * (n.x * n.z)) * SH_PRODUCT;
-    irradiance += sh6 * (SH_POLAR * (3 * n.z * n.z - 1));
+    irradiance += sh6 * (3 * SH_POLAR * n.z * n.z - SH_POLAR);
     irradiance += sh8 * (SH_DIFFERENCE * (n.x * n.x - n.y * n.y));
     return max(irradiance, 0);
 }
@@ -283,7 +283,7 @@ float MipFromRoughness(
     [range(0, 1)] float roughness = 0.5,  ///< perceptual roughness
     [range(0, 12)] float steps = 6        ///< index of the last mip level that is used
 ) {
-    return roughness * (1.7 - 0.7 * roughness) * steps;
+    return roughness * (1.7 * steps - 0.7 * steps * roughness);
 }
 
 /// Parallax-corrects a reflected direction: the direction from the centre of a cube map to the walls of its box.
@@ -357,7 +357,8 @@ float OcclusionStrength(
 ) {
     float open = lerp(1, saturate(occlusion), strength);
     // Zero to the power of zero is not defined; zero to any other power stays zero.
-    return open > 0 ? pow(max(open, 1e-6), power) : 0;
+    float raised = open > 0 ? pow(max(open, 1e-6), power) : 0;
+    return power == 1 ? open : raised;
 }
 
 /// Ambient occlusion of a bright surface with interreflections between its parts.

@@ -77,9 +77,9 @@ float DisneyDiffuse(
     [range(0, 1)] float ldoth,           ///< cosine of light and half vector
     [range(0, 1)] float roughness = 0.5  ///< perceptual roughness
 ) {
-    float f90 = 0.5 + 2 * roughness * ldoth * ldoth;
-    float lightScatter = 1 + (f90 - 1) * SchlickWeight(ndotl);
-    float viewScatter = 1 + (f90 - 1) * SchlickWeight(ndotv);
+    float f90MinusOne = 2 * roughness * ldoth * ldoth - 0.5;
+    float lightScatter = 1 + f90MinusOne * SchlickWeight(ndotl);
+    float viewScatter = 1 + f90MinusOne * SchlickWeight(ndotv);
     return lightScatter * viewScatter;
 }
 

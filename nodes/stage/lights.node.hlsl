@@ -116,14 +116,19 @@ Light lightAt(int index, float3 position) {
     light.direction = toLight * rsqrt(max(distanceSquared, 1e-12));
     light.color = color.rgb;
     if (lightmap && subtractive) { light.color = slot == mainLight ? float3(0) : light.color; }
-    light.attenuation = isLocal ? distanceAttenuation(distanceSquared, color.w) : 1;
-    float cosine = -dot(lightAxis[slot].xyz, light.direction);
-    float4 cone = lightCone[slot];
-    float spot = saturate((cosine - cone.y) / max(cone.x - cone.y, 0.001));
-    light.attenuation *= place.w > 1.5 ? spot * spot : 1;
-    light.attenuation *= lightThroughCookie(slot, position);
+    float attenuation = 1;
+    if (isLocal) {
+        attenuation = distanceAttenuation(distanceSquared, color.w);
+        if (place.w > 1.5) {
+            float4 cone = lightCone[slot];
+            float cosine = -dot(lightAxis[slot].xyz, light.direction);
+            float spot = saturate((cosine - cone.y) / max(cone.x - cone.y, 0.001));
+            attenuation *= spot * spot;
+        }
+    }
+    light.attenuation = attenuation * lightThroughCookie(slot, position);
     light.shadow = shadow(slot, position);
-    light.index = int(cone.z);
+    light.index = int(lightCone[slot].z);
     light.type = int(place.w);
     return light;
 }

@@ -127,7 +127,7 @@ private:
         compile.preview = kind_.whole;
         Result compiled = compiler_.compile_file(entry_.file, compile);
         if (!compiled.ok) return;
-        entry_.passes = costs(compiled);
+        entry_.passes = measure_cost(compiled).passes;
         entry_.reflection = std::move(compiled.reflection);
         entry_.shaders = std::move(compiled.shaders);
     }

@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
+#include "patina/cost.h"
 #include "runtime/render/render_request.h"
-#include "runtime/sheet/cost.h"
 
 namespace patina::runtime {
 

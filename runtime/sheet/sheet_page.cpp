@@ -83,19 +83,37 @@ std::string count(std::size_t number) {
     return number > 0 ? std::to_string(number) : "&ndash;";
 }
 
+// The nodes that add the most to a pass's fragment stage.
+std::string heaviest(const PassCost& pass) {
+    constexpr std::size_t kShown = 5;
+    std::string words;
+    std::size_t shown = 0;
+    for (const NodeCost& node : pass.fragment.nodes) {
+        if (node.node.empty() || shown == kShown) continue;
+        ++shown;
+        words += fmt::format("{}{} {}", words.empty() ? "" : ", ", escaped(node.node), node.total());
+    }
+    return words;
+}
+
 std::string passes(const SheetEntry& entry) {
     std::string rows;
-    for (const PassCost& cost : entry.passes)
-        rows += "<tr>" + cell(escaped(cost.pass)) + cell(count(cost.vertex.instructions), true) +
-                cell(count(cost.fragment.instructions), true) + cell(count(cost.fragment.per_light), true) +
-                cell(count(cost.textures), true) + cell(count(cost.uniform_bytes), true) +
-                cell(count(cost.lines), true) + "</tr>\n";
-    const std::string made =
-        table({"pass", "vertex", "fragment", "in loops", "textures", "uniform bytes", "lines"}, rows);
+    for (const PassCost& pass : entry.passes) {
+        const StageCost& fragment = pass.fragment;
+        rows += "<tr>" + cell(escaped(pass.name)) + cell(count(pass.vertex.total()), true) +
+                cell(count(fragment.once.total()), true) + cell(count(fragment.per_light.total()), true) +
+                cell(count(fragment.once.transcendental + fragment.per_light.transcendental), true) +
+                cell(count(fragment.registers), true) + cell(count(pass.textures), true) +
+                cell(count(pass.uniform_bytes), true) + cell(heaviest(pass)) + "</tr>\n";
+    }
+    const std::string made = table({"pass", "per vertex", "per pixel", "per light", "transcendental", "registers",
+                                    "textures", "uniform bytes", "the heaviest nodes per pixel and light"},
+                                   rows);
     if (made.empty()) return made;
     return "<h3>Passes and their cost</h3>\n" + made +
-           "<p class=\"note\">Instructions of SPIR-V after <code>spirv-opt -O</code>; one round of each loop over "
-           "lights.</p>\n";
+           "<p class=\"note\">Instructions of SPIR-V after <code>spirv-opt -O</code>, as <code>patina cost</code> "
+           "counts "
+           "them.</p>\n";
 }
 
 // --- nodes and shaders

@@ -5,9 +5,8 @@
 #include <iterator>
 
 #include "compiler/cli/pages/model_cost.h"
+#include "patina/cost.h"
 #include "patina/patina.h"
-#include "patina/spirv_size.h"
-#include "patina/validate.h"
 #include "tests/bench/command.h"
 #include "tests/bench/figures.h"
 #include "tests/bench/long_graphs.h"
@@ -98,31 +97,23 @@ void print_sizes() {
 // Of each model's fragment shader, as its page has it.
 void print_costs() {
     const Compiler compiler;
-    std::printf("\nSPIR-V instructions of a lighting model's fragment shader after spirv-opt -O, and for each light\n");
+    std::printf("\nInstructions of a lighting model's fragment shader after spirv-opt -O: per pixel, per light\n");
     for (const ModelInfo& model : compiler.lighting_models()) {
-        const cli::ModelCost cost = cli::cost_of(compiler, model);
-        std::printf("  %-24s %5zu %5zu\n", model.name.c_str(), cost.instructions, cost.per_light);
+        const StageCost cost = cli::cost_of(compiler, model).fragment;
+        std::printf("  %-24s %5u %5u\n", model.name.c_str(), cost.once.total(), cost.per_light.total());
     }
 }
 
-// Of each pass of the textured example: how many instructions its stages have, and the fragment stage for each light.
+// Of each pass of the textured example.
 void print_passes() {
     CompileOptions options;
     options.path = "all";
     options.targets = {Target::Glsl};
-    const Result result = Compiler().compile_file(kRustedSteel, options);
-    std::printf(
-        "\nSPIR-V instructions of rusted_steel's passes after spirv-opt -O: vertex, fragment, for each light\n");
-    std::size_t in_vertex = 0;
-    for (const Shader& shader : result.shaders) {
-        const Validated validated = validate(shader);
-        const SpirvSize size = size_of(optimised(validated.spirv));
-        if (shader.stage == Stage::Vertex) {
-            in_vertex = size.instructions;
-        } else {
-            std::printf("  %-24s %5zu %5zu %5zu\n", shader.pass.c_str(), in_vertex, size.instructions, size.in_loops);
-        }
-    }
+    const MaterialCost cost = measure_cost(Compiler().compile_file(kRustedSteel, options));
+    std::printf("\nInstructions of rusted_steel's passes after spirv-opt -O: vertex, fragment, per light\n");
+    for (const PassCost& pass : cost.passes)
+        std::printf("  %-24s %5u %5u %5u\n", pass.name.c_str(), pass.vertex.total(), pass.fragment.once.total(),
+                    pass.fragment.per_light.total());
 }
 
 void print_figures(const Figures& figures) {

@@ -10,6 +10,7 @@
 #include "compiler/cli/compile/arguments.h"
 #include "compiler/cli/files.h"
 #include "compiler/cli/outputs.h"
+#include "patina/cost.h"
 #include "patina/output_name.h"
 #include "patina/validate.h"
 
@@ -115,7 +116,9 @@ Compiled compile_graph(const CompileArguments& arguments, const Compiler& compil
     for (const Shader& shader : made.result.shaders)
         made.ok &= add_shader(arguments, folder, shader, made.files, made.result.diagnostics);
     made.reflection = join_path(folder, output_name(input.path) + arguments.kind + ".reflect.json");
-    made.files.add(made.reflection, made.result.reflection.to_json());
+    std::string reflection = made.result.reflection.to_json();
+    if (arguments.cost && made.ok) reflection = with_cost(std::move(reflection), measure_cost(made.result));
+    made.files.add(made.reflection, std::move(reflection));
     return made;
 }
 
@@ -174,6 +177,9 @@ void add_compile(Program& program) {
         ->type_name("DIR")
         ->check(is_folder_name);
     command.add_flag("--validate", arguments->validate, "Check the shaders with glslang and spirv-val");
+    CLI::Option* cost =
+        command.add_flag("--cost", arguments->cost,
+                         "Measure what the passes cost ('patina cost' shows it), and add it to NAME.reflect.json");
     command.add_flag("--depfile", arguments->depfile,
                      "Write NAME.d next to NAME.reflect.json, a list of the files that this was made from, for ninja");
     command
@@ -210,6 +216,8 @@ void add_compile(Program& program) {
             ->check([](const std::string& prefix) { return prefix.empty() ? "it needs a prefix" : ""; });
     functions->excludes(command.get_option("--path"));
     functions->excludes(variants);
+    functions->excludes(cost);
+    variants->excludes(cost);
     variants->excludes(command.get_option("--dump"));
     add_include_option(command, arguments->include_dirs);
     set_check(command, [arguments] { require_inputs(arguments->inputs); });

@@ -59,7 +59,7 @@ void read_targets(CompileArguments& arguments, const Compiler& compiler) {
 CompileOptions options_of(const CompileArguments& arguments) {
     CompileOptions options;
     options.targets = arguments.written;
-    if (arguments.wants_spirv() && !contains(options.targets, Target::Glsl))
+    if ((arguments.wants_spirv() || arguments.cost) && !contains(options.targets, Target::Glsl))
         options.targets.insert(options.targets.begin(), Target::Glsl);
     options.include_dirs = arguments.include_dirs;
     options.dump = arguments.dump;
@@ -97,6 +97,9 @@ std::string not_for_engine(const CompileArguments& arguments, const Compiler& co
             return fmt::format("--functions cannot be written for {}, whose file holds whole passes", engine.title);
         if (engine.is_one_file && arguments.validate)
             return fmt::format("--validate cannot check a file of {}: remove it from --target, or leave out --validate",
+                               engine.title);
+        if (engine.is_one_file && arguments.cost)
+            return fmt::format("--cost cannot measure a file of {}: remove it from --target, or leave out --cost",
                                engine.title);
         if (arguments.targets.size() > 1) continue;
         if (!has_path_of(engine, arguments.path.path))

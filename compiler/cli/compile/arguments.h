@@ -25,6 +25,7 @@ struct CompileArguments {
     std::string output_list;  // --list-outputs
     bool validate = false;
     bool depfile = false;
+    bool cost = false;  // in the reflection
 
     bool wants(std::string_view target) const;
     bool wants_spirv() const;

@@ -4,9 +4,6 @@
 
 #include <algorithm>
 
-#include "patina/spirv_size.h"
-#include "patina/validate.h"
-
 namespace patina::cli {
 namespace {
 
@@ -46,16 +43,9 @@ ModelCost cost_of(const Compiler& compiler, const ModelInfo& model) {
     CompileOptions options;
     options.targets = {Target::Glsl};
     options.passes = {cost.pass};
-    const Result result = compiler.compile_text("cost.graph.json", material_of(compiler, model), options);
-    for (const Shader& shader : result.shaders) {
-        if (shader.stage != Stage::Fragment) continue;
-        const Validated validated = validate(shader);
-        if (!validated.ok) continue;
-        const SpirvSize size = size_of(optimised(validated.spirv));
-        cost.instructions = size.instructions;
-        cost.in_functions = size.in_functions;
-        cost.per_light = size.in_loops;
-    }
+    MaterialCost measured =
+        measure_cost(compiler.compile_text("cost.graph.json", material_of(compiler, model), options));
+    for (PassCost& pass : measured.passes) cost.fragment = std::move(pass.fragment);
     return cost;
 }
 

@@ -100,11 +100,16 @@ constexpr std::string_view kUnits =
 
 std::string cost_text(const Compiler& compiler, const ModelInfo& model) {
     const ModelCost cost = cost_of(compiler, model);
-    const std::string per_light = cost.per_light == 0 ? "" : fmt::format(" and {} for each light", cost.per_light);
+    const auto with_functions = [](const Instructions& all) {
+        return fmt::format("{} instructions ({} transcendental)", all.total(), all.transcendental);
+    };
+    const Instructions& per_light = cost.fragment.per_light;
     return fmt::format(
-        "{} SPIR-V instructions after `spirv-opt -O`, {} of them in functions{}:\n"
+        "{} for a pixel{}, and {} registers:\n"
         "its fragment shader of the pass '{}' in the workflow '{}', with a property at every input.",
-        cost.instructions, cost.in_functions, per_light, cost.pass, cost.workflow);
+        with_functions(cost.fragment.once),
+        per_light.total() == 0 ? "" : fmt::format(", {} for each light", with_functions(per_light)),
+        cost.fragment.registers, cost.pass, cost.workflow);
 }
 
 }  // namespace

@@ -22,8 +22,11 @@ struct Validated {
 // sampler. In that case glslang chooses the bindings that the text leaves open.
 enum class HlslSamplers { Separate, Combined };
 
-// Thread-safe.
-Validated validate(const Shader& shader, HlslSamplers samplers = HlslSamplers::Separate);
+// Thread-safe. With lines, OpLine says where in the text each instruction stands.
+Validated validate(const Shader& shader, HlslSamplers samplers = HlslSamplers::Separate, bool with_lines = false);
+
+// The line's place in the sources; null if it has none, as a line of a rendering path.
+const LineOrigin* origin_of(const Shader& shader, int line);
 
 // The output of `spirv-opt -O`; empty if the input is not valid.
 std::vector<std::uint32_t> optimised(const std::vector<std::uint32_t>& spirv);

@@ -26,14 +26,6 @@ bool calls(const Function& function, std::uint32_t callee) {
                        [&](const Inst& inst) { return inst.op == Op::Call && inst.data == callee; });
 }
 
-// True for a function of a stage that is not called any more, and which prune() will drop.
-bool is_dead(const Module& module, std::uint32_t f) {
-    if (!module.stage.entry || module.stage.entry.index == f || module.functions[f].linkage != Linkage::Internal)
-        return false;
-    return std::none_of(module.functions.begin() + f, module.functions.end(),
-                        [&](const Function& caller) { return calls(caller, f); });
-}
-
 // Everything that calls the function. Callers stand behind it. Nothing if another text may call it, too.
 std::vector<Site> sites_of(const FactsOf& facts) {
     std::vector<Site> sites;
@@ -43,7 +35,7 @@ std::vector<Site> sites_of(const FactsOf& facts) {
     if (!facts.across_calls || is_entry || facts.function.linkage != Linkage::Internal) return sites;
     for (std::uint32_t f = self + 1; f < module.functions.size(); f++) {
         const std::vector<Inst>& insts = module.functions[f].insts;
-        if (!calls(module.functions[f], self) || is_dead(module, f)) continue;
+        if ((facts.live && !(*facts.live)[f]) || !calls(module.functions[f], self)) continue;
         for (std::uint32_t i = 0; i < insts.size(); i++) {
             if (insts[i].op != Op::Call || insts[i].data != self) continue;
             if (sites.size() == kMaxSites) return {};
@@ -59,7 +51,7 @@ bool at_all_calls(const FactsOf& facts, std::uint32_t param, const Holds& holds)
     const std::vector<Site> sites = sites_of(facts);
     return !sites.empty() && std::all_of(sites.begin(), sites.end(), [&](const Site& site) {
         const Function& caller = facts.module.functions[site.caller];
-        return holds(FactsOf{facts.module, caller, true}, caller.args(site.call)[param]);
+        return holds(FactsOf{facts.module, caller, true, facts.live}, caller.args(site.call)[param]);
     });
 }
 
@@ -295,7 +287,7 @@ bool is_unit(const FactsOf& facts, Value value, int depth) {
     if (!inst.type.is_vector() || !inst.type.is_floating() || depth >= kMaxDepth) return false;
     const auto is_unit_arg = [&](std::size_t i) { return is_unit(facts, args[i], depth + 1); };
     const auto is_unit_in = [&](const Function& callee, Value returned) {
-        return returned && is_unit({facts.module, callee, true}, returned, depth + 1);
+        return returned && is_unit({facts.module, callee, true, facts.live}, returned, depth + 1);
     };
     const Op op = inst.op;
     if (op == Op::Constant) return is_unit_constant(facts.module, inst);

@@ -18,6 +18,8 @@ struct FactsOf {
     // Also look at the arguments that callers pass, and at what callees return. The function must be one of the
     // module's, and all of them must be finished.
     bool across_calls = false;
+    // By function: false if nothing calls it any more, and prune() will drop it. Null: all count.
+    const std::vector<bool>* live = nullptr;
 };
 
 // Of all components. The bounds hold for every result of a correctly rounded operation.

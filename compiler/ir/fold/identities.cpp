@@ -38,6 +38,8 @@ constexpr Identity kIdentities[] = {
     {(x + k) - l, x + (k - l), kRegrouped},
     {(x - k) - l, x - (k + l), kRegrouped},
     {(k - x) - l, (k - l) - x, kRegrouped},
+    // Roughness to smoothness and back: a number above 2^-24 keeps all but its last digits.
+    {1 - (1 - x), x, kRounded},
     {k - (x + l), (k - l) - x, kRegrouped},
     {k - (x - l), (k + l) - x, kRegrouped},
     {k - (l - x), x + (k - l), kRegrouped},
@@ -114,6 +116,8 @@ constexpr Identity kIdentities[] = {
     {select(c, false, true), !c},
     {select(c, select(c, x, y), z), select(c, x, z)},
     {select(c, x, select(c, y, z)), select(c, x, z)},
+    {select(c, select(c, x, y) * z, w), select(c, x * z, w)},
+    {select(c, w, select(c, x, y) * z), select(c, w, y * z)},
 
     {abs(abs(x)), abs(x)},
     {abs(-x), abs(x)},

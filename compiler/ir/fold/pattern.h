@@ -14,7 +14,7 @@
 namespace patina::ir {
 
 struct Pattern {
-    // What a variable stands for: x, y, z any value, i, j whole numbers, c, d bools, k, l, m, n constants.
+    // What a variable stands for: w, x, y, z any value, i, j whole numbers, c, d bools, k, l, m, n constants.
     enum class Kind : std::uint8_t { Operation, Number, Any, Integer, Bool, Constant };
     struct Node {
         Kind kind = Kind::Number;
@@ -60,8 +60,9 @@ struct Identity {
 
 namespace pattern {
 
-inline constexpr int kVariables = 11;
+inline constexpr int kVariables = 12;
 inline constexpr Pattern x{Pattern::Kind::Any, 0}, y{Pattern::Kind::Any, 1}, z{Pattern::Kind::Any, 2};
+inline constexpr Pattern w{Pattern::Kind::Any, 11};
 inline constexpr Pattern i{Pattern::Kind::Integer, 3}, j{Pattern::Kind::Integer, 4};
 inline constexpr Pattern c{Pattern::Kind::Bool, 5}, d{Pattern::Kind::Bool, 6};
 inline constexpr Pattern k{Pattern::Kind::Constant, 7}, l{Pattern::Kind::Constant, 8};

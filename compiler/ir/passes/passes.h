@@ -34,7 +34,7 @@ Module specialise(Module module);
 Module inline_calls(Module module);
 
 // What the calls of a function or the result of a called function make needless goes: normalising a unit vector once
-// more, and limits of an index. Limits of other numbers stay: a function that limits them may say so.
+// more, its square, and limits that all callers keep.
 Module drop_needless(Module module);
 
 // For an engine whose texture coordinates count from the bottom. Graphs count from the top: each read of such a
@@ -45,6 +45,10 @@ Module turn_textures(Module module);
 // Moves out of each loop what does not depend on it, derivatives and samples too, for these may always move outwards.
 // After it a light loop computes only what depends on the light.
 Module schedule(Module module);
+
+// A call of which the loops before it have computed every value is these values: inlining has opened the same call
+// there, so that something could move out of the loop.
+Module reuse_values(Module module);
 
 // Moves the discards of the entry function behind the last derivative and the last sample that needs one, because a
 // pixel that has ended gives its neighbours no values. Not part of tidy(): for languages whose discard ends the pixel
@@ -64,9 +68,9 @@ std::vector<std::uint8_t> keyword_values(const Module& module, const Function& f
 // the text of their functions: a member that one of them reads stays in all. Not part of tidy().
 Module drop_members(Module module, std::span<const FunctionId> entries, std::span<const FunctionId> called);
 
-// If all calls of a function have the same constant as an argument, or the same value as another argument, the function
-// uses that instead of the parameter. A semantic parameter takes the name that it has in all callers. Not part of
-// tidy(): prune() then drops the parameters.
+// If all calls of a function have the same constant as an argument, the same element of a uniform array, or the same
+// value as another argument, the function uses that instead of the parameter. A semantic parameter takes the name that
+// it has in all callers. prune() then drops the parameters.
 Module settle_params(Module module);
 
 // The passes of passes.def in order; verified after each if is_verifying().

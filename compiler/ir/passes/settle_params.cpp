@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -40,17 +39,41 @@ private:
         return std::all_of(sites_[f].begin(), sites_[f].end(), holds);
     }
 
-    // The constant that every caller has as the argument.
-    std::optional<std::vector<double>> constant_of(std::uint32_t f, std::uint32_t param) const {
-        const auto numbers = [&](const Site& site) -> std::optional<std::vector<double>> {
-            const Inst& inst = caller(site)[argument(site, param)];
-            if (inst.op != Op::Constant) return {};
-            const auto all = module_.numbers_of(module_.constants[inst.data]);
-            return std::vector<double>(all.begin(), all.end());
-        };
-        const auto first = numbers(sites_[f].front());
-        const bool is_same = first && at_all(f, [&](const Site& site) { return numbers(site) == first; });
-        return is_same ? first : std::nullopt;
+    // True if every caller has the same constant as the argument, or reads the same element of a uniform array.
+    bool is_settled(std::uint32_t f, std::uint32_t param) const {
+        const Site& first = sites_[f].front();
+        const Value value = argument(first, param);
+        const bool is_constant = caller(first)[value].op == Op::Constant;
+        if (!is_constant && !is_element(caller(first), value)) return false;
+        return at_all(f, [&](const Site& site) {
+            return is_same_read(caller(first), value, caller(site), argument(site, param));
+        });
+    }
+    // "ambientSH[2].xyz"
+    bool is_element(const Function& function, Value value) const {
+        const Inst& inst = function[value];
+        if (inst.op != Op::Extract && inst.op != Op::Swizzle) return false;
+        const Value whole = function.args(inst)[0];
+        const Inst& from = function[whole];
+        return (from.op == Op::Global && from.type.kind == Kind::Array) || is_element(function, whole);
+    }
+    bool is_same_read(const Function& a, Value x, const Function& b, Value y) const {
+        const Inst &left = a[x], &right = b[y];
+        if (left.op != right.op || left.type != right.type) return false;
+        if (left.op == Op::Constant) {
+            const auto one = module_.numbers_of(module_.constants[left.data]),
+                       other = module_.numbers_of(module_.constants[right.data]);
+            return std::equal(one.begin(), one.end(), other.begin(), other.end());
+        }
+        if (left.data != right.data) return false;
+        return left.op == Op::Global || ((left.op == Op::Extract || left.op == Op::Swizzle) &&
+                                         is_same_read(a, a.args(left)[0], b, b.args(right)[0]));
+    }
+    // The same in the function that is being made.
+    Value read_again(Builder& to, const Function& from, Value value) const {
+        const Inst& inst = from[value];
+        if (inst.op == Op::Constant || inst.op == Op::Global) return to.emit(inst.op, inst.type, {}, inst.data);
+        return to.emit(inst.op, inst.type, {read_again(to, from, from.args(inst)[0])}, inst.data);
     }
     // An earlier parameter that is the same value in every call.
     std::uint32_t twin_of(std::uint32_t f, std::uint32_t param) const {
@@ -72,14 +95,14 @@ private:
 
     void settle(std::uint32_t f) {
         const std::size_t count = module_.functions[f].params.size();
-        std::vector<std::optional<std::vector<double>>> constants(count);
+        std::vector<bool> settled(count);
         std::vector<std::uint32_t> twins(count);
         bool changes = false;
         for (std::uint32_t i = 0; i < count; ++i) {
             Param& param = module_.functions[f].params[i];
-            constants[i] = constant_of(f, i);
+            settled[i] = is_settled(f, i);
             twins[i] = twin_of(f, i);
-            changes = changes || constants[i] || twins[i] != i;
+            changes = changes || settled[i] || twins[i] != i;
             const std::string name = param.is_semantic ? name_of(f, i) : std::string();
             if (!name.empty()) param.name = name;
         }
@@ -90,8 +113,9 @@ private:
         Copy copy{.from = from, .to = builder, .rewrite = [&](Copy& c, Value v) {
                       const Inst& inst = c.from[v];
                       if (inst.op != Op::Param) return false;
-                      c.map[v.index] = constants[inst.data] ? c.to.constant(inst.type, *constants[inst.data])
-                                                            : c.to.param(twins[inst.data]);
+                      const Site& site = sites_[f].front();
+                      c.map[v.index] = settled[inst.data] ? read_again(c.to, caller(site), argument(site, inst.data))
+                                                          : c.to.param(twins[inst.data]);
                       return true;
                   }};
         copy_body(copy);

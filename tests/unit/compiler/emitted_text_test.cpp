@@ -53,6 +53,13 @@ std::string shown(const std::string& color, const std::string& nodes = "", const
                    target);
 }
 
+// The text of a material of Unity's model with these surface inputs.
+std::string standard(const std::string& surface) {
+    return text_of(R"json({ "patina": 1, "workflow": "metallic-smoothness", "lighting": "unity-brdf1",
+        "nodes": [ { "id": "flat", "expr": "float3(0, 0, 1)" } ], "surface": )json" +
+                   surface + " }");
+}
+
 bool has(const std::string& text, const std::string& part) {
     return text.find(part) != std::string::npos;
 }
@@ -186,6 +193,62 @@ TEST(EmittedOperations, LimitNoIndexThatALoopLimits) {
         text_of(R"json({ "patina": 1, "workflow": "metallic-roughness", "surface": { "roughness": "@uv0.x" } })json");
     EXPECT_HAS(text, "min(lightCount, 16)");
     EXPECT_LACKS(text, "clamp(index");
+}
+
+TEST(EmittedOperations, LimitNothingThatAllCallersLimit) {
+    const std::string text = standard("{}");
+    EXPECT_HAS(text, "float SchlickWeight(float cosine)");
+    EXPECT_LACKS(text, "clamp(1.0 - cosine");
+}
+
+TEST(EmittedOperations, OfTheSquareOfAUnitVectorAreNone) {
+    EXPECT_LACKS(shown("float3(MatcapUV(@normalVS), 0)"), "inversesqrt");
+    EXPECT_HAS(shown("float3(MatcapUV($_V), 0)"), "inversesqrt");
+}
+
+TEST(EmittedOperations, TurnARoughnessBack) {
+    EXPECT_HAS(shown("float3(1 - (1 - $_K))"), "vec3(_K)");
+    EXPECT_HAS(shown("float3(1 - r, r, 0)", R"json({ "id": "r", "expr": "1 - $_K" })json"), "vec3(_K, r, 0.0)");
+    EXPECT_HAS(shown("float3(2 - (1 - $_K))"), "_K + 1.0");
+}
+
+// The weight of the view is computed before the loop over lights, and read after it.
+TEST(EmittedOperations, OfALoopAreNotRepeatedBehindIt) {
+    const std::string text = standard("{}");
+    EXPECT_LACKS(text, "SchlickWeight(ndotv)");
+    EXPECT_HAS(text, "SchlickWeight(ndotl)");
+}
+
+TEST(EmittedOperations, ReadATableWhereItIsUsed) {
+    const std::string text = standard("{}");
+    EXPECT_HAS(text, "vec3 EvaluateSH9(vec3 normal)");
+    EXPECT_HAS(text, "ambientSH[8].xyz");
+}
+
+TEST(EmittedOperations, ComputeTheConeOfSpotsAlone) {
+    const std::string text = standard("{}");
+    EXPECT_LT(text.find("place.w > 1.5"), text.find("lightCone[index]")) << text;
+    EXPECT_LACKS(text, "light.shadow");
+}
+
+TEST(EmittedOperations, OfAFlatNormalMapAreNone) {
+    EXPECT_LACKS(standard(R"({ "normalTS": [0, 0, 1] })"), "angent");
+    EXPECT_HAS(standard(R"({ "normalTS": [0, 0.1, 1] })"), "angent");
+    EXPECT_LACKS(standard(R"({ "normalTS": "flat" })"), "angent");
+}
+
+TEST(EmittedOperations, OfOcclusionToTheFirstPower) {
+    EXPECT_LACKS(shown("OcclusionStrength($_K, $_V.x).xxx"), "pow(");
+    EXPECT_HAS(shown("OcclusionStrength($_K, $_V.x, $_V.y).xxx"), "pow(");
+}
+
+TEST(EmittedOperations, OfLightsThatAddNothingAreNone) {
+    const std::string text = text_of(R"json({ "patina": 1, "workflow": "metallic-roughness",
+        "lighting": { "use": "pbr-direct-indirect", "in": { "_Part": "IndirectDiffuse" } },
+        "surface": { "baseColor": "= float3(@uv0, 0.5)" } })json");
+    EXPECT_HAS(text, "ambientSH");
+    EXPECT_LACKS(text, "for (");
+    EXPECT_LACKS(text, "lightCount");
 }
 
 TEST(EmittedOperations, MultiplyByOneConstant) {

@@ -50,7 +50,7 @@ std::vector<Typing> all_typings() {
 }
 
 const std::vector<Pattern> kAllVariables = {pattern::x, pattern::y, pattern::z, pattern::i, pattern::j, pattern::c,
-                                            pattern::d, pattern::k, pattern::l, pattern::m, pattern::n};
+                                            pattern::d, pattern::k, pattern::l, pattern::m, pattern::n, pattern::w};
 
 // One side of an identity, made bottom up by the three functions of `make`: variable(node), number(type, number) and
 // operation(op, operands). A number has the type of an operand beside it; a select's condition stands apart.

@@ -205,6 +205,8 @@ constexpr NamedPass kPasses[] = {{"prune", prune},
                                  {"drop_members", drop_members_of_entry},
                                  {"branch_on_keywords", branch_on_keywords},
                                  {"settle_params", settle_params},
+                                 {"drop_needless", drop_needless},
+                                 {"reuse_values", reuse_values},
                                  {"tidy", tidy}};
 
 TEST(Passes, KeepTheMeaningOfRandomModules) {

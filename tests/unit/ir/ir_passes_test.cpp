@@ -381,6 +381,49 @@ TEST(Inline, SpellsOutWhatHidesWorkFromALightLoop) {
     EXPECT_EQ(count_in(main, body, Op::Tan), 1u);
 }
 
+// The call in the loop is opened, because its logarithm can move out. Behind the loop, the same call is that logarithm.
+TEST(ReuseValues, OfTheSameCallInALightLoop) {
+    Module module;
+    const FunctionId f =
+        add(module, "f", {kRoughness}, kFloat, [](Builder& b) { return b.emit(Op::Log, {long_chain(b, b.param(0))}); });
+    const FunctionId main = add(module, "main", {kRoughness, kX}, kFloat, [&](Builder& b) {
+        const Value begin = b.constant(kInt, {0}), end = b.constant(kInt, {4}), zero = b.constant(kFloat, {0});
+        const Value loop = b.begin_for(begin, end, std::vector{zero}, true);
+        const Value light = b.convert(b.loop_index(), Scalar::Float);
+        const Value lit = b.emit(Op::Mul, {b.call(f, std::vector{b.param(0)}), light});
+        b.end_for(std::vector{b.emit(Op::Add, {b.loop_carried(0), lit})});
+        const Value sum = b.emit(Op::Add, {b.result(loop, 0), b.call(f, std::vector{b.param(0)})});
+        return b.emit(Op::Add, {sum, b.call(f, std::vector{b.param(1)})});
+    });
+    set_entry(module, main);
+    const Module made = checked(prune(reuse_values(schedule(inline_calls(std::move(module))))));
+    EXPECT_EQ(count(made.functions.back(), Op::Log), 1u);
+    EXPECT_EQ(count(made.functions.back(), Op::Call), 1u) << "of another argument";
+}
+
+// --- settle_params
+
+TEST(SettleParams, ReadsAnElementOfATableWhereItIsUsed) {
+    Module module;
+    module.arrays.push_back({.element = kFloat4, .count = 4});
+    module.globals.push_back({.name = "table", .type = Type::array(0)});
+    module.globals.push_back({.name = "gloss", .type = kFloat});
+    const FunctionId f = add(module, "f", {{"row", kFloat, Rate::Uniform}, kRoughness, kX}, kFloat, [](Builder& b) {
+        return long_chain(b, b.emit(Op::Mul, {b.emit(Op::Mul, {b.param(0), b.param(1)}), b.param(2)}));
+    });
+    const FunctionId main = add(module, "main", {kX, kY}, kFloat, [&](Builder& b) {
+        const Value table = b.emit(Op::Global, Type::array(0), {}, 0), gloss = b.emit(Op::Global, kFloat, {}, 1);
+        const Value row = b.extract(b.extract(table, 2), 1);
+        return b.emit(Op::Add,
+                      {b.call(f, std::vector{row, gloss, b.param(0)}), b.call(f, std::vector{row, gloss, b.param(1)})});
+    });
+    set_entry(module, main);
+    const Module made = checked(prune(settle_params(std::move(module))));
+    ASSERT_EQ(made.functions[0].params.size(), 2u) << "a uniform that is no element stays an argument";
+    EXPECT_EQ(made.functions[0].params[0].name, "roughness");
+    EXPECT_EQ(count(made.functions[0], Op::Global), 1u);
+}
+
 // --- schedule
 
 TEST(Schedule, HoistsOutOfEachLoopThatDoesNotMatter) {
