@@ -5,7 +5,6 @@
 
 #include "compiler/api/compiler_impl.h"
 #include "compiler/api/report.h"
-#include "compiler/format/read_budget.h"
 #include "compiler/format/read_graph.h"
 #include "compiler/json/json.h"
 #include "compiler/resolve/check_graph.h"
@@ -137,20 +136,6 @@ private:
     std::set<std::tuple<std::size_t, std::size_t, std::size_t, std::size_t>> known_{};
 };
 
-// What the reader of the graph has checked already.
-Budget budget_of(graph::Session& session, const graph::Json& json) {
-    const graph::Json* budget = json.find("budget");
-    if (!budget) return {};
-    Diagnostics silent;
-    const graph::CostLimits limits = graph::read_budget(*budget, session.sources, silent);
-    const auto shown = [&](const std::optional<graph::CostLimit>& stated) {
-        return stated ? std::optional(CostLimit{.most = static_cast<std::uint32_t>(stated->most),
-                                                .place = graph::place_of(session.sources, stated->span)})
-                      : std::nullopt;
-    };
-    return {.instructions = shown(limits.instructions), .textures = shown(limits.textures)};
-}
-
 }  // namespace
 
 GraphView view_graph(const Compiler& compiler, const std::string& path, const CompileOptions& options) {
@@ -167,7 +152,6 @@ GraphView view_graph(const Compiler& compiler, const std::string& path, const Co
         if (graph) {
             view.name = graph->name;
             view.kind = kind_of(graph->kind);
-            view.budget = budget_of(session, *json);
             const graph::CheckedGraph* checked = graph::check_graph(session, graph);
             if (checked && !session.diagnostics.has_errors()) View(session, *checked, view).make();
         }

@@ -35,7 +35,6 @@ constexpr std::array kMaterial = {
     KeyInfo{"render", "the render state: kind of surface, culling, depth", ObjectKind::Render},
     KeyInfo{"passes", "extra surfaces, each drawn in its own pass: an outline, a glow", ObjectKind::ExtraPass},
     KeyInfo{"variants", "the combinations of variants that --variants listed compiles"},
-    KeyInfo{"budget", "the most that each of its passes may cost; 'patina check' measures it", ObjectKind::Budget},
     kMeta,
     kUi,
 };
@@ -153,11 +152,6 @@ constexpr std::array kStencil = {
     KeyInfo{"pass", "the operation where the surface is drawn: keep, replace, zero, increment, ...; default: keep"},
     KeyInfo{"fail", "the operation where the stencil test fails; default: keep"},
     KeyInfo{"depthFail", "the operation where only the depth test fails; default: keep"},
-};
-
-constexpr std::array kBudget = {
-    KeyInfo{"instructions", "the most instructions that a stage runs for a vertex or a pixel with one light"},
-    KeyInfo{"textures", "the most textures that a pass reads"},
 };
 
 constexpr std::array kExtraPass = {
@@ -384,7 +378,6 @@ std::span<const KeyInfo> keys_of(ObjectKind kind) {
         case ObjectKind::Sampler: return kSampler;
         case ObjectKind::Render: return kRender;
         case ObjectKind::Stencil: return kStencil;
-        case ObjectKind::Budget: return kBudget;
         case ObjectKind::ExtraPass: return kExtraPass;
         case ObjectKind::LightingUse: return kLightingUse;
         case ObjectKind::Scene: return kScene;
@@ -431,7 +424,6 @@ std::string_view describe(ObjectKind kind) {
         case ObjectKind::Sampler: return "a sampler";
         case ObjectKind::Render: return "the render state";
         case ObjectKind::Stencil: return "the stencil state";
-        case ObjectKind::Budget: return "a budget";
         case ObjectKind::ExtraPass: return "a pass";
         case ObjectKind::LightingUse: return "a use of a lighting model";
         case ObjectKind::Scene: return "a scene";

@@ -24,7 +24,6 @@ enum class ObjectKind {
     Sampler,
     Render,
     Stencil,
-    Budget,
     ExtraPass,
     LightingUse,
     Scene,

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "compiler/base/text.h"
-#include "compiler/format/read_budget.h"
 #include "compiler/format/read_fields.h"
 #include "compiler/json/json_text.h"
 
@@ -154,7 +153,6 @@ void read_material(Reading& reading, const Json& json, Graph& graph) {
     read_look(reading, json, graph);
     if (const Json* passes = json.find("passes")) read_passes(reading, *passes, graph);
     if (const Json* variants = json.find("variants")) read_variants(reading, *variants, graph.variants);
-    if (const Json* budget = json.find("budget")) (void)read_budget(*budget, reading.sources, reading.diagnostics);
 }
 
 // --- the other kinds

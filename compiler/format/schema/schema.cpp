@@ -21,7 +21,6 @@ constexpr std::string_view kNamedValues = R"({"type":"object","propertyNames":{"
                                           R"("additionalProperties":{"$ref":"#/$defs/value"}})";
 constexpr std::string_view kRange = R"({"type":"array","items":{"type":"number"},"minItems":2,"maxItems":2})";
 constexpr std::string_view kByte = R"({"type":"integer","minimum":0,"maximum":255})";
-constexpr std::string_view kWhole = R"({"type":"integer","minimum":0,"maximum":1000000})";
 constexpr std::string_view kBox =
     R"({"type":"array","items":{"type":"array","items":{"type":"number"},"minItems":3,"maxItems":3},)"
     R"("minItems":2,"maxItems":2})";
@@ -67,9 +66,6 @@ std::vector<SchemaRow> make_rows(const SchemaInput& input) {
         {ExtraPass, "name", text(kIdentifier)},
         {Free, "variants",
          R"({"type":"array","items":{"type":"object","additionalProperties":{"anyOf":[{"type":"boolean"},{"type":"string"}]}}})"},
-        {Free, "budget", reference("budget")},
-        {Budget, "instructions", text(kWhole)},
-        {Budget, "textures", text(kWhole)},
         {Free, "outputs", text(kNamedValues)},
         {Free, "direct", reference("value")},
         {Free, "indirect", reference("value")},
@@ -186,7 +182,6 @@ Members make_definitions(const SchemaInput& input) {
         {"sampler", object(object_schema(rows, ObjectKind::Sampler))},
         {"render", object(object_schema(rows, ObjectKind::Render))},
         {"stencil", object(object_schema(rows, ObjectKind::Stencil))},
-        {"budget", object(object_schema(rows, ObjectKind::Budget))},
         {"pass", object(object_schema(rows, ObjectKind::ExtraPass))},
         {"lightingUse", object(object_schema(rows, ObjectKind::LightingUse))},
     };

@@ -12,8 +12,8 @@ layout(set = 0, binding = 5) uniform Ambient
     vec4 ambientSH[9];
 };
 
-layout(set = 1, binding = 1) uniform texture2D u_texDiffuse;
-layout(set = 1, binding = 2) uniform sampler sampleru_texDiffuse;
+layout(set = 1, binding = 0) uniform texture2D u_texDiffuse;
+layout(set = 1, binding = 1) uniform sampler sampleru_texDiffuse;
 
 layout(location = 0) in vec2 vUv;
 layout(location = 1) in vec3 vPositionWS;
