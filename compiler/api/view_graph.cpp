@@ -5,6 +5,7 @@
 
 #include "compiler/api/compiler_impl.h"
 #include "compiler/api/report.h"
+#include "compiler/format/read_budget.h"
 #include "compiler/format/read_graph.h"
 #include "compiler/json/json.h"
 #include "compiler/resolve/check_graph.h"
@@ -136,6 +137,18 @@ private:
     std::set<std::tuple<std::size_t, std::size_t, std::size_t, std::size_t>> known_{};
 };
 
+// The reader of the graph has reported what is wrong with it.
+Budget budget_of(const graph::Session& session, const graph::Json& json) {
+    Diagnostics silent;
+    const graph::CostLimits limits = graph::read_budget(json, session.sources, silent);
+    const auto shown = [&](const std::optional<graph::CostLimit>& stated) {
+        return stated ? std::optional(CostLimit{.most = static_cast<std::uint32_t>(stated->most),
+                                                .place = graph::place_of(session.sources, stated->span)})
+                      : std::nullopt;
+    };
+    return {.instructions = shown(limits.instructions), .textures = shown(limits.textures)};
+}
+
 }  // namespace
 
 GraphView view_graph(const Compiler& compiler, const std::string& path, const CompileOptions& options) {
@@ -152,6 +165,7 @@ GraphView view_graph(const Compiler& compiler, const std::string& path, const Co
         if (graph) {
             view.name = graph->name;
             view.kind = kind_of(graph->kind);
+            if (graph->kind == graph::GraphKind::Material) view.budget = budget_of(session, *json);
             const graph::CheckedGraph* checked = graph::check_graph(session, graph);
             if (checked && !session.diagnostics.has_errors()) View(session, *checked, view).make();
         }

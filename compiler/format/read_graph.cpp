@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "compiler/base/text.h"
+#include "compiler/format/read_budget.h"
 #include "compiler/format/read_fields.h"
 #include "compiler/json/json_text.h"
 
@@ -153,6 +154,7 @@ void read_material(Reading& reading, const Json& json, Graph& graph) {
     read_look(reading, json, graph);
     if (const Json* passes = json.find("passes")) read_passes(reading, *passes, graph);
     if (const Json* variants = json.find("variants")) read_variants(reading, *variants, graph.variants);
+    (void)read_budget(json, reading.sources, reading.diagnostics);
 }
 
 // --- the other kinds

@@ -4,10 +4,12 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <optional>
 
 #include "compiler/cli/commands/commands.h"
 #include "compiler/cli/files.h"
 #include "compiler/cli/inputs.h"
+#include "patina/cost.h"
 #include "patina/validate.h"
 
 namespace patina::cli {
@@ -19,6 +21,7 @@ struct Arguments {
     InputArguments inputs;
     std::vector<std::string> include_dirs;
     PathOptions path;
+    std::optional<std::uint32_t> most_instructions{}, most_textures{};  // in place of the graph's own limits
     bool without_validation = false;
 };
 
@@ -38,6 +41,22 @@ void validate_shaders(const Arguments& arguments, const Result& result, Checked&
     }
 }
 
+void check_budget(const Compiler& compiler, const Arguments& arguments, const std::string& graph, const Result& result,
+                  Checked& checked) {
+    if (!checked.ok) return;
+    CompileOptions options;
+    options.include_dirs = arguments.include_dirs;
+    Budget budget = view_graph(compiler, graph, options).budget;
+    if (arguments.most_instructions) budget.instructions = CostLimit{.most = *arguments.most_instructions};
+    if (arguments.most_textures) budget.textures = CostLimit{.most = *arguments.most_textures};
+    if (!budget.instructions && !budget.textures) return;
+    for (Diagnostic& diagnostic : over_budget(measure_cost(result), budget)) {
+        if (diagnostic.file.empty()) diagnostic.file = graph;
+        checked.diagnostics.push_back(std::move(diagnostic));
+        checked.ok = false;
+    }
+}
+
 CompileOptions options_of(const Arguments& arguments) {
     CompileOptions options;
     options.include_dirs = arguments.include_dirs;
@@ -53,6 +72,7 @@ Checked check_graph(const Compiler& compiler, const Arguments& arguments, const 
     const Result result = compiler.compile_file(graph, options);
     Checked checked{.diagnostics = result.diagnostics, .ok = result.ok};
     validate_shaders(arguments, result, checked);
+    check_budget(compiler, arguments, graph, result, checked);
     return checked;
 }
 
@@ -107,12 +127,22 @@ void add_check(Program& program) {
     CLI::App& command = add_command(program, "check",
                                     {"patina check rust.graph.json", "patina check art/*.graph.json --quiet",
                                      "patina check rust.graph.json --diagnostics=json", "patina check wave.node.hlsl",
-                                     "patina check mine.pass.hlsl", "patina check art --jobs 4 --no-validate"});
+                                     "patina check mine.pass.hlsl", "patina check art --jobs 4 --no-validate",
+                                     "patina check art --max-instructions 400 --max-textures 6"});
     auto arguments = std::make_shared<Arguments>();
     add_input_options(command, arguments->inputs,
                       "Graphs and scenes (JSON), and files of nodes (.node.hlsl) and of passes (.pass.hlsl)");
     command.add_flag("--no-validate", arguments->without_validation,
                      "Do not check the shaders with glslang and spirv-val, which takes most of the time");
+    command
+        .add_option("--max-instructions", arguments->most_instructions,
+                    "The most instructions that a stage of a graph may run for a vertex or a pixel with one light "
+                    "('patina cost' shows them); default: the graph's maxInstructions, or no limit")
+        ->type_name("N");
+    command
+        .add_option("--max-textures", arguments->most_textures,
+                    "The most textures that a pass of a graph may read; default: the graph's maxTextures, or no limit")
+        ->type_name("N");
     add_path_options(command, arguments->path);
     add_include_option(command, arguments->include_dirs);
 
@@ -125,7 +155,7 @@ void add_check(Program& program) {
         if (!inputs) return Exit::Wrong;
         const Compiler compiler;
         return work_on(
-            console, *inputs, arguments->inputs.jobs,
+            console, inputs->files, arguments->inputs.jobs,
             [&](const Input& input) {
                 return is_scene(input.path) ? Checked{} : check_file(compiler, *arguments, input.path);
             },

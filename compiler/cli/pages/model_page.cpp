@@ -100,16 +100,16 @@ constexpr std::string_view kUnits =
 
 std::string cost_text(const Compiler& compiler, const ModelInfo& model) {
     const ModelCost cost = cost_of(compiler, model);
-    const auto with_functions = [](const Instructions& all) {
-        return fmt::format("{} instructions ({} transcendental)", all.total(), all.transcendental);
-    };
-    const Instructions& per_light = cost.fragment.per_light;
-    return fmt::format(
-        "{} for a pixel{}, and {} registers:\n"
-        "its fragment shader of the pass '{}' in the workflow '{}', with a property at every input.",
-        with_functions(cost.fragment.once),
-        per_light.total() == 0 ? "" : fmt::format(", {} for each light", with_functions(per_light)),
-        cost.fragment.registers, cost.pass, cost.workflow);
+    const Instructions &once = cost.fragment.once, &per_light = cost.fragment.per_light;
+    std::string text = fmt::format("{} instructions after `spirv-opt -O` for a pixel, {} of them transcendental",
+                                   once.total(), once.transcendental);
+    if (per_light.total() > 0)
+        text += fmt::format(",\nand {} for each light, {} of them transcendental", per_light.total(),
+                            per_light.transcendental);
+    return text + fmt::format(
+                      "; {} registers:\n"
+                      "its fragment shader of the pass '{}' in the workflow '{}', with a property at every input.",
+                      cost.fragment.registers, cost.pass, cost.workflow);
 }
 
 }  // namespace

@@ -21,6 +21,7 @@ constexpr std::string_view kNamedValues = R"({"type":"object","propertyNames":{"
                                           R"("additionalProperties":{"$ref":"#/$defs/value"}})";
 constexpr std::string_view kRange = R"({"type":"array","items":{"type":"number"},"minItems":2,"maxItems":2})";
 constexpr std::string_view kByte = R"({"type":"integer","minimum":0,"maximum":255})";
+constexpr std::string_view kMost = R"({"type":"integer","minimum":0,"maximum":1000000})";
 constexpr std::string_view kBox =
     R"({"type":"array","items":{"type":"array","items":{"type":"number"},"minItems":3,"maxItems":3},)"
     R"("minItems":2,"maxItems":2})";
@@ -66,6 +67,8 @@ std::vector<SchemaRow> make_rows(const SchemaInput& input) {
         {ExtraPass, "name", text(kIdentifier)},
         {Free, "variants",
          R"({"type":"array","items":{"type":"object","additionalProperties":{"anyOf":[{"type":"boolean"},{"type":"string"}]}}})"},
+        {Free, "maxInstructions", text(kMost)},
+        {Free, "maxTextures", text(kMost)},
         {Free, "outputs", text(kNamedValues)},
         {Free, "direct", reference("value")},
         {Free, "indirect", reference("value")},

@@ -12,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-#include "patina/patina.h"
+#include "patina/graph_view.h"
 
 namespace patina {
 
@@ -67,6 +67,9 @@ struct MaterialCost {
 MaterialCost measure_cost(const Result& compiled);
 // Of one stage. Without a line map no node has a share. Nothing if glslang refuses it; `diagnostics` say why.
 std::optional<StageCost> measure_cost(const Shader& shader, std::vector<Diagnostic>& diagnostics);
+
+// An error for each pass that costs more than the budget, with the heaviest nodes.
+std::vector<Diagnostic> over_budget(const MaterialCost& cost, const Budget& budget);
 
 // A JSON object with all of it. `graph`: the file that it is about.
 std::string to_json(const MaterialCost& cost, std::string_view graph);

@@ -25,9 +25,19 @@ struct GraphBox {
 struct GraphEdge {
     std::size_t from = 0, from_port = 0, to = 0, to_port = 0;
 };
+// The most that each pass may cost; patina/cost.h says what is counted.
+struct CostLimit {
+    std::uint32_t most = 0;
+    FilePlace place{};  // where the graph states it
+};
+struct Budget {
+    std::optional<CostLimit> instructions{};  // that a stage runs for a vertex or a pixel with one light
+    std::optional<CostLimit> textures{};      // that a pass reads
+};
 struct GraphView {
     bool ok = false;
     std::string name, kind;  // "material", "subgraph", "lighting", "workflow"
+    Budget budget{};         // of a material
     std::vector<GraphBox> boxes;
     std::vector<GraphEdge> edges;  // each once
     std::vector<Diagnostic> diagnostics;

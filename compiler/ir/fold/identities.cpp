@@ -116,8 +116,8 @@ constexpr Identity kIdentities[] = {
     {select(c, false, true), !c},
     {select(c, select(c, x, y), z), select(c, x, z)},
     {select(c, x, select(c, y, z)), select(c, x, z)},
-    {select(c, select(c, x, y) * z, w), select(c, x * z, w)},
-    {select(c, w, select(c, x, y) * z), select(c, w, y * z)},
+    {select(c, select(c, x, y) * z, w), select(c, x* z, w)},
+    {select(c, w, select(c, x, y) * z), select(c, w, y* z)},
 
     {abs(abs(x)), abs(x)},
     {abs(-x), abs(x)},
