@@ -360,7 +360,7 @@ void Builder::ret(Value value) {
 }
 
 void Builder::name(Value value, NameId name) {
-    if (!value || is_leaf(function_[value].op)) return;
+    if (!value || !name || is_leaf(function_[value].op)) return;
     Inst& inst = function_.insts[value.index];
     if (!inst.name || module_.name_of(inst.name).empty()) inst.name = name;
 }

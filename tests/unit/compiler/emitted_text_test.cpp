@@ -216,6 +216,7 @@ TEST(EmittedOperations, TurnARoughnessBack) {
 TEST(EmittedOperations, OfALoopAreNotRepeatedBehindIt) {
     const std::string text = standard("{}");
     EXPECT_LACKS(text, "SchlickWeight(ndotv)");
+    EXPECT_HAS(text, "float schlickWeight = ");
     EXPECT_HAS(text, "SchlickWeight(ndotl)");
 }
 
