@@ -1,5 +1,6 @@
-// Lists the keys of the graph format, of engines and of the options in JSON: those of each object, in canonical order, with their help. The reader refuses
-// every other key, `fmt` sorts by this order, and the JSON Schema is made from it. The values are described elsewhere.
+// Lists the keys of the graph format, of engines and of the options in JSON: those of each object, in canonical order,
+// with their help. The reader refuses every other key, `fmt` sorts by this order, and the JSON Schema is made from it.
+// The values are described elsewhere.
 //
 //   for (const KeyInfo& key : keys_of(ObjectKind::Node)) ...   // id, node, expr, in, ...
 #pragma once

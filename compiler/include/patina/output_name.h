@@ -11,6 +11,7 @@
 
 namespace patina {
 
+// The last part of the path without ".graph.json", or without its last ending.
 PATINA_API std::string output_name(std::string_view path);
 
 }  // namespace patina

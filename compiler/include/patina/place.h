@@ -7,11 +7,12 @@
 
 namespace patina {
 
+// A range of text in a file.
 struct FilePlace {
-    std::string file;
-    int line = 0, column = 0;  // from 1; columns in bytes
-    int end_line = 0, end_column = 0;
-    std::string source_line;  // empty if it is very long
+    std::string file;                  // its path; empty: no place
+    int line = 0, column = 0;          // from 1; columns in bytes
+    int end_line = 0, end_column = 0;  // behind the last byte
+    std::string source_line;           // empty if it is very long
 };
 
 }  // namespace patina

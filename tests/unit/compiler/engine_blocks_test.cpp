@@ -22,7 +22,7 @@ TEST(EngineBlocks, SayWhatEachValueIsAndWhoFillsIt) {
     for (const EngineBlockInfo& block : blocks) {
         EXPECT_NE(block.doc.find("engine"), std::string::npos) << block.name << " does not say when it is filled";
         for (const EngineValueInfo& value : block.values) {
-            EXPECT_GT(value.doc.size(), 10u) << value.name;
+            ASSERT_GT(value.doc.size(), 10u) << value.name;
             EXPECT_EQ(value.doc.back(), '.') << value.name;
             EXPECT_EQ(value.doc.find("unit:"), std::string::npos) << value.name;
             EXPECT_EQ(value.type.starts_with("Texture"), block.name.empty()) << value.name;
