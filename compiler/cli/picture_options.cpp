@@ -73,7 +73,8 @@ void add_light_options(CLI::App& command, runtime::RenderRequest& request) {
             .add_option("--env", request.environment,
                         "The surroundings: a picture of them (equirectangular, or the faces of a cube), 'sunset.hdr "
                         "rotation=90 intensity=2', studio or none; default: studio")
-            ->type_name("FILE");
+            ->type_name("FILE")
+            ->check(is_not_empty);
     command.add_option("--ambient", request.ambient, "Ambient light: a colour, or 'sky=#9ab horizon=0.2 ground=0.05'")
         ->type_name("LIGHT")
         ->excludes(environment);

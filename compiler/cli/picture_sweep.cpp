@@ -31,9 +31,7 @@ SweepAxis read_axis(const std::string& text) {
         throw CLI::ValidationError("--sweep", "'" + text + "' is not of the form NAME=FROM..TO:COUNT or NAME=A,B,C");
     SweepAxis axis{.name = std::string(name), .values = {}};
     std::string error;
-    if (const auto numbers = numbers_of_range(*value, error)) {
-        if (numbers->size() > kMostPictures)
-            throw CLI::ValidationError("--sweep", fmt::format("'{}' has more than {} values", text, kMostPictures));
+    if (const auto numbers = numbers_of_range(*value, error, kMostPictures)) {
         for (double number : *numbers) axis.values.push_back(fmt::format("{}", float(number)));
     } else if (!error.empty()) {
         throw CLI::ValidationError("--sweep", error);
@@ -243,6 +241,10 @@ void read_sweep(Sweep& sweep, runtime::RenderRequest& request) {
         std::vector<std::string> models;
         for (const std::string& word : words_of(sweep.lighting)) {
             if (word.empty()) throw CLI::ValidationError("--lighting", "'" + sweep.lighting + "' has an empty name");
+            if (word == "all" && sweep.lighting != "all")
+                throw CLI::ValidationError("--lighting", "all stands for every model: name no other one");
+            if (std::ranges::count(models, lighting_name(word)) > 0)
+                throw CLI::ValidationError("--lighting", "'" + word + "' is named twice: leave one out");
             models.push_back(lighting_name(word));
         }
         if (sweep.lighting == "all") {

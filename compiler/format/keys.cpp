@@ -34,7 +34,7 @@ constexpr std::array kMaterial = {
     KeyInfo{"surface", "the surface inputs of the workflow and of the lighting model"},
     KeyInfo{"render", "the render state: kind of surface, culling, depth", ObjectKind::Render},
     KeyInfo{"passes", "extra surfaces, each drawn in its own pass: an outline, a glow", ObjectKind::ExtraPass},
-    KeyInfo{"variants", "the combinations of variants that --variants listed compiles"},
+    KeyInfo{"variants", "the combinations of variants that --variants listed compiles", ObjectKind::Free, false, true},
     kMeta,
     kUi,
 };
@@ -463,6 +463,18 @@ std::string_view describe(ObjectKind kind) {
         case ObjectKind::Options: return "the options";
     }
     return {};
+}
+
+std::string_view identity_of(ObjectKind kind) {
+    if (kind == ObjectKind::Node || kind == ObjectKind::SceneObject) return "id";
+    const bool has_name = kind == ObjectKind::Property || kind == ObjectKind::Input || kind == ObjectKind::ExtraPass ||
+                          kind == ObjectKind::SceneMaterial;
+    return has_name ? "name" : "";
+}
+
+bool is_ordered(ObjectKind kind) {
+    // A block holds properties in their order, and passes of one queue are drawn in theirs.
+    return kind == ObjectKind::Property || kind == ObjectKind::ExtraPass;
 }
 
 ObjectKind top_level_kind(const Json& root) {

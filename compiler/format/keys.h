@@ -55,6 +55,7 @@ struct KeyInfo {
     std::string_view help;
     ObjectKind holds = ObjectKind::Free;  // the kind of the value or, if it is an array, of its elements
     bool required = false;                // in addition to the "patina" and "kind" of a file
+    bool is_set = false;                  // the order of the array has no meaning
 };
 
 // In the order in which `fmt` writes them; empty for Free.
@@ -63,6 +64,11 @@ const KeyInfo* find_key(ObjectKind kind, std::string_view name);
 
 // "a property", "a material", ...
 std::string_view describe(ObjectKind kind);
+// The key that distinguishes an object of this kind from the others of its list: "id" of a node; empty if there is
+// none.
+std::string_view identity_of(ObjectKind kind);
+// Whether the order of a list of such objects has a meaning.
+bool is_ordered(ObjectKind kind);
 
 // The kind of a file's top-level object, by its "kind"; a material if that is absent or unknown.
 ObjectKind top_level_kind(const Json& root);

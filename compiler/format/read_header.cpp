@@ -39,9 +39,12 @@ std::optional<ObjectKind> check_kind(Reading& reading, const Json& json, std::sp
                                                           "this file", describe(allowed), describe(kind));
     if (!word) record.note(fmt::format("\"kind\": \"{}\" is missing", to_string(allowed.front())));
     if (kind == ObjectKind::Scene) {
+        // Its file's name is what the commands know a scene by.
+        const bool is_named = reading.sources.resolve(json.span.begin).file.ends_with(".scene.json");
         record.note(
-            "use 'patina render' to draw a scene and 'patina check' to check it with its materials; name its file "
-            "NAME.scene.json");
+            fmt::format("use 'patina render' to draw a scene and 'patina check' to check it with its "
+                        "materials{}",
+                        is_named ? "" : "; name its file NAME.scene.json"));
     }
     return std::nullopt;
 }

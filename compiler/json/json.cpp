@@ -355,6 +355,24 @@ bool Builder::close() {
     return true;
 }
 
+// What a file that is no text is, by its first bytes, and what reads it; empty: unknown.
+std::string_view binary_kind(std::string_view bytes) {
+    using namespace std::string_view_literals;
+    constexpr std::pair<std::string_view, std::string_view> kKinds[] = {
+        {"glTF"sv, "it is a glTF model: 'patina import' makes graphs of it, and --mesh draws a graph on it"sv},
+        {"\x89PNG"sv, "it is a picture (PNG), not a graph: a graph names it at the port of a texture"sv},
+        {"\xff\xd8\xff"sv, "it is a picture (JPEG), not a graph: a graph names it at the port of a texture"sv},
+        {"v/1\x01"sv, "it is a picture (EXR), not a graph: a graph names it at the port of a texture"sv},
+        {"\x03\x02\x23\x07"sv, "it is SPIR-V, not a graph"sv},
+        {"\xff\xfe"sv, "it is UTF-16: save it as UTF-8"sv},
+        {"\xfe\xff"sv, "it is UTF-16: save it as UTF-8"sv},
+    };
+    for (const auto& [start, kind] : kKinds) {
+        if (bytes.starts_with(start)) return kind;
+    }
+    return {};
+}
+
 // Checks the text before parsing. Returns the offset of the first byte to parse, or nothing after an error.
 std::optional<std::size_t> check_text(std::string_view text, std::uint32_t base, Diagnostics& diagnostics) {
     const Span start{base, base};
@@ -369,7 +387,9 @@ std::optional<std::size_t> check_text(std::string_view text, std::uint32_t base,
     std::size_t bad = 0;
     if (!is_utf8(text, bad)) {
         const std::uint32_t at = base + static_cast<std::uint32_t>(bad);
-        diagnostics.report(Code::NotUtf8, Span{at, at + 1}, bad + 1, static_cast<unsigned char>(text[bad]));
+        DiagnosticRecord& record =
+            diagnostics.report(Code::NotUtf8, Span{at, at + 1}, bad + 1, static_cast<unsigned char>(text[bad]));
+        if (const std::string_view kind = binary_kind(text); !kind.empty()) record.note(std::string(kind));
         return std::nullopt;
     }
     if (const std::size_t zero = text.find('\0'); zero != std::string_view::npos) {

@@ -178,7 +178,12 @@ void declare_switches(Lowering& lowering) {
             for (const Property& property : lowering.material.lighting->graph->properties) {
                 if (lowering.material.variants.contains(&property)) words.push_back(property.name);
             }
-            if (has_passes) words.insert(words.begin(), known.begin(), known.end());
+            // Switches that only a renderer turns on are not for readers.
+            for (std::size_t i = known.size(); has_passes && i-- > 0;) {
+                const bool is_internal =
+                    is_of_wraps(*session.paths, known[i]) || !session.paths->switch_named(known[i])->otherwise.empty();
+                if (!is_internal) words.insert(words.begin(), known[i]);
+            }
             DiagnosticRecord& record = session.diagnostics.report(
                 Code::UnknownWord, {}, name,
                 has_passes ? "a switch of the path, nor a variant or specialization constant of the graph"

@@ -103,7 +103,9 @@ private:
         if (given(id, place)) return;
         const SemanticRecipe& recipe = lowering_.out.semantics[id.index];
         Place inside = place;
-        if (place.semantic.empty() && is_graph(place)) inside.semantic = module_.semantics[id.index].name;
+        // An interpolator of the graph is no name that a reader knows: what it reads is.
+        if (place.semantic.empty() && is_graph(place) && recipe.declaration)
+            inside.semantic = module_.semantics[id.index].name;
         const std::string_view name = inside.semantic.empty() ? module_.semantics[id.index].name : inside.semantic;
         const nodelang::VariableDecl* variable = recipe.declaration ? recipe.declaration->variable : nullptr;
         if (is_lacking(module_.semantics[id.index].name, variable, fmt::format("@{}", name), place)) return;

@@ -41,6 +41,7 @@ public:
     explicit Check(const tinygltf::Model& model) : model_(model) {}
 
     std::string run() {
+        version();
         extensions();
         for (std::size_t i = 0; i < model_.bufferViews.size(); ++i) view(i);
         for (std::size_t i = 0; i < model_.accessors.size(); ++i) accessor(i);
@@ -66,6 +67,15 @@ private:
         wrong(where, "names " + place(list, 0).substr(0, list.size()) + "[" + std::to_string(index) +
                          "], and the file has " + number(count));
         return false;
+    }
+
+    // A later 2.x may be read, unless the file says that it must not.
+    void version() {
+        const tinygltf::Asset& asset = model_.asset;
+        const bool needs_more = !asset.minVersion.empty() && asset.minVersion != "2.0";
+        if (!asset.version.starts_with("2.") || needs_more)
+            wrong(needs_more ? "asset.minVersion" : "asset.version",
+                  "version '" + (needs_more ? asset.minVersion : asset.version) + "' is not read, only 2.0");
     }
 
     void extensions() {

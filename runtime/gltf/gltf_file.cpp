@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstring>
 #include <exception>
@@ -91,7 +92,12 @@ bool read_whole(std::vector<unsigned char>* out, std::string* why, const std::st
 // What is wrong with the container of a .glb, and where; empty: nothing. (glTF 2.0, section 4.4.)
 std::string container_mistake(const std::vector<unsigned char>& bytes) {
     constexpr std::size_t kHeader = 12, kChunkHeader = 8;
-    if (!has_header_of_glb(bytes)) return {};
+    if (bytes.empty()) return "the file is empty";
+    if (bytes.size() < kHeader && std::memcmp(bytes.data(), "glTF", std::min<std::size_t>(bytes.size(), 4)) == 0)
+        return fmt::format("the file has {} bytes, less than the header of a .glb: it is cut off", bytes.size());
+    const bool is_text = bytes[0] == '{' || bytes[0] == '[' || bytes[0] <= ' ' || bytes[0] == 0xef;
+    if (!has_header_of_glb(bytes))
+        return is_text ? "" : "byte 0: it begins neither with 'glTF', as a .glb does, nor with '{', as a .gltf does";
     if (number_at(bytes, 4) != 2)
         return fmt::format("byte 4: version {} of the container is not read, only 2", number_at(bytes, 4));
     const std::size_t stated = number_at(bytes, 8);
@@ -116,8 +122,9 @@ std::string located(const std::string& why) {
                        reason == why.npos ? "" : ": " + why.substr(reason + 3));
 }
 
-// tinygltf's messages are lines; some end in a full stop.
+// tinygltf's messages are lines; some end in a full stop. Some quote a whole data URI.
 std::string one_line(std::string text) {
+    if (const std::size_t at = text.find(";base64,"); at != text.npos) text.resize(at + 8), text += "...";
     while (!text.empty() && (text.back() == '\n' || text.back() == '.' || text.back() == ' ')) text.pop_back();
     for (std::size_t at = text.find('\n'); at != text.npos; at = text.find('\n', at)) text.replace(at, 1, "; ");
     return text;
@@ -157,6 +164,8 @@ Outcome<tinygltf::Model> open_gltf(const std::string& path) {
     }
     if (!is_read) {
         why = one_line(why);
+        if (why.starts_with("File not found : "))
+            return Failure{path + ": the file '" + why.substr(17) + "' cannot be read"};
         if (const std::string place = located(why); !place.empty() && !has_header_of_glb(bytes))
             return Failure{path + place};
         return Failure{path + " is not a glTF file that can be read: " + (why.empty() ? "it is broken" : why)};

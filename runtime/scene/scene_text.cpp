@@ -227,6 +227,21 @@ Outcome<SphericalHarmonics> parse_ambient(std::string_view text) {
     return ambient_of(given(has_sky, sky), given(has_horizon, horizon), given(has_ground, ground));
 }
 
+namespace {
+
+// "rotation=90", "rotate=90": a name and a number, as no file is called.
+bool is_setting(std::string_view word) {
+    const std::size_t equals = word.find('=');
+    if (equals == word.npos || equals == 0 || equals + 1 == word.size()) return false;
+    const auto is_letter = [](char c) { return c >= 'a' && c <= 'z'; };
+    const auto is_of_number = [](char c) { return (c >= '0' && c <= '9') || c == '.' || c == '-' || c == 'e'; };
+    return std::all_of(word.begin(), word.begin() + static_cast<std::ptrdiff_t>(equals), is_letter) &&
+           (std::all_of(word.begin() + static_cast<std::ptrdiff_t>(equals) + 1, word.end(), is_of_number) ||
+            word.starts_with("rotation=") || word.starts_with("intensity="));
+}
+
+}  // namespace
+
 Outcome<EnvironmentChoice> parse_environment(std::string_view text) {
     EnvironmentChoice choice;
     std::string given;  // the settings
@@ -234,7 +249,7 @@ Outcome<EnvironmentChoice> parse_environment(std::string_view text) {
     while (true) {
         const std::size_t space = text.find_last_of(" \t");
         const std::string_view word = space == text.npos ? text : text.substr(space + 1);
-        if (!word.starts_with("rotation=") && !word.starts_with("intensity=")) break;
+        if (!is_setting(word)) break;
         given += " " + std::string(word);
         text = space == text.npos ? std::string_view() : text.substr(0, text.find_last_not_of(" \t", space) + 1);
     }

@@ -193,11 +193,11 @@ void add_env(Program& program) {
                                             "Turn it by so many degrees about y, counter-clockwise seen from above")
                                 ->type_name("DEGREES")
                                 ->check(is_finite)
-                                ->check(CLI::Range(-1e5, 1e5));
+                                ->check(within(-1e5, 1e5));
     CLI::Option* intensity = command.add_option("--intensity", arguments->choice.intensity, "Multiply its light")
                                  ->type_name("FACTOR")
                                  ->check(is_finite)
-                                 ->check(CLI::Range(0.0, 1e6));
+                                 ->check(within(0, 1e6));
     set_check(command, [=] {
         if (arguments->choice.path == kStudio && rotation->count() + intensity->count() > 0)
             throw CLI::ValidationError("--rotation", "the studio has no settings: only a picture has");

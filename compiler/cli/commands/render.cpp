@@ -206,12 +206,7 @@ std::string not_an_output(const std::string& output) {
 std::vector<std::optional<double>> read_times(const std::string& text) {
     if (text.empty()) return {std::nullopt};
     std::string error;
-    if (const auto range = numbers_of_range(text, error)) {
-        if (range->size() > kMostFrames)
-            throw CLI::ValidationError(
-                "--time", fmt::format("{} pictures are too many: the limit is {}", range->size(), kMostFrames));
-        return {range->begin(), range->end()};
-    }
+    if (const auto range = numbers_of_range(text, error, kMostFrames)) return {range->begin(), range->end()};
     double time = 0;
     if (error.empty() && !CLI::detail::lexical_cast(text, time)) error = "'" + text + "' is not a number of seconds";
     if (error.empty()) error = is_time_word(text);
@@ -371,7 +366,7 @@ void add_render(Program& program) {
         .add_option("--exposure", arguments->tone.exposure,
                     "Make the picture brighter by so many stops: 1 doubles its light; default: 0")
         ->type_name("EV")
-        ->check(CLI::Range(-64.0, 64.0));
+        ->check(within(-64, 64));
     std::vector<std::string> curves;
     for (const runtime::TonemapWord& each : runtime::kTonemaps) curves.emplace_back(each.word);
     command

@@ -12,7 +12,7 @@
 namespace patina::cli {
 namespace {
 
-constexpr int kMostRows = 100000;
+constexpr std::size_t kMostRows = 100000;
 
 template <class Number>
 bool read_number(std::string_view text, Number& number) {
@@ -47,7 +47,7 @@ bool is_read(const Values& values, const std::string& name) {
 
 }  // namespace
 
-std::optional<std::vector<double>> numbers_of_range(std::string_view text, std::string& error) {
+std::optional<std::vector<double>> numbers_of_range(std::string_view text, std::string& error, std::size_t most) {
     const std::size_t dots = text.find("..");
     if (dots == text.npos) return {};
     const std::string_view last = text.substr(dots + 2);
@@ -56,8 +56,9 @@ std::optional<std::vector<double>> numbers_of_range(std::string_view text, std::
     if (!read_number(text.substr(0, dots), from) || !read_number(last.substr(0, colon), to)) return {};
     int count = 0;
     const bool has_count = colon < last.size() && read_number(last.substr(colon + 1), count);
-    if (!has_count || count < 2 || count > kMostRows || !std::isfinite(from) || !std::isfinite(to)) {
-        error = fmt::format("'{}' is not of the form FROM..TO:COUNT with a count of 2 to {}", text, kMostRows);
+    if (!has_count || count < 2 || static_cast<std::size_t>(count) > most || !std::isfinite(from) ||
+        !std::isfinite(to)) {
+        error = fmt::format("'{}' is not of the form FROM..TO:COUNT with a count of 2 to {}", text, most);
         return {};
     }
     std::vector<double> numbers;
@@ -71,7 +72,7 @@ std::vector<Axis> axes_of(const Values& values, std::string& error) {
     double rows = 1;
     for (std::size_t i = 0; i < values.size(); ++i) {
         const auto& [name, text] = values[i];
-        std::optional<std::vector<double>> numbers = numbers_of_range(text, error);
+        std::optional<std::vector<double>> numbers = numbers_of_range(text, error, kMostRows);
         if (!error.empty()) return {};
         if (!numbers) continue;
         rows *= static_cast<double>(numbers->size());

@@ -28,7 +28,7 @@ struct Axis {
 };
 
 // "0..1:11": its numbers; nothing and no error if the text is not a range. `error`: what is wrong with a range.
-std::optional<std::vector<double>> numbers_of_range(std::string_view text, std::string& error);
+std::optional<std::vector<double>> numbers_of_range(std::string_view text, std::string& error, std::size_t most);
 
 // The ranges among the values, in order. `error`: what is wrong with a range, or with the number of rows.
 std::vector<Axis> axes_of(const Values& values, std::string& error);

@@ -4,11 +4,11 @@
 
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 
 #include "compiler/importers/gltf/gltf_material.h"
 #include "compiler/importers/gltf/gltf_rest.h"
 #include "compiler/importers/gltf/gltf_scene.h"
+#include "compiler/importers/gltf/gltf_text.h"
 #include "patina/patina.h"
 #include "runtime/gltf/gltf_file.h"
 
@@ -19,27 +19,6 @@ using namespace gltf;
 
 bool recognises(const Source& source) {
     return source.start.starts_with("glTF") || source.path.ends_with(".gltf") || source.path.ends_with(".glb");
-}
-
-// The JSON of either form. The file has been read, so it has one.
-std::string json_of(const std::string& path, bool& is_binary) {
-    std::ifstream file(path, std::ios::binary);
-    std::string head(20, '\0');
-    file.read(head.data(), 20);
-    is_binary = head.starts_with("glTF");
-    std::size_t size = 0;
-    if (is_binary) {
-        for (std::size_t i = 0; i < 4; ++i) size |= std::size_t{static_cast<unsigned char>(head[12 + i])} << (8 * i);
-    } else {
-        file.clear();
-        size = std::filesystem::file_size(path);
-        file.seekg(0);
-    }
-    std::string text(size, '\0');
-    file.read(text.data(), static_cast<std::streamsize>(size));
-    // A glb's text is padded with spaces, by some programs with zeros.
-    while (!text.empty() && text.back() == '\0') text.pop_back();
-    return text;
 }
 
 // --- which material a primitive shows
@@ -73,6 +52,9 @@ std::size_t material_of(const Context& context, const runtime::ModelPart& part, 
 void note_use(const Context& context, const runtime::ModelPart& part, MaterialUse& use) {
     const Json* attributes = primitive_of(context, part)->find("attributes");
     use.has_colors = use.has_colors || (attributes && attributes->find("COLOR_0"));
+    for (std::size_t set = 0; set < use.lacks_coordinates.size(); ++set) {
+        if (!attributes || !attributes->find(fmt::format("TEXCOORD_{}", set))) use.lacks_coordinates[set] = true;
+    }
     const glm::mat3 turn(part.object_to_world);
     const float x = glm::length(turn[0]), y = glm::length(turn[1]), z = glm::length(turn[2]);
     const auto differ = [](float a, float b) { return std::abs(a - b) > 1e-4f * b; };
@@ -185,23 +167,16 @@ Imported read(const Source& source, const Options& options) {
     if (source.path.find('#') != std::string::npos)
         return {.error = source.path + ": no scene can name a file with a '#' in its path: rename it"};
     const runtime::Outcome<tinygltf::Model> file = runtime::open_gltf(source.path);
-    if (!file) return {.error = file.error};
-    bool is_binary = false;
-    SourceMap sources;
-    const std::uint32_t begin = sources.add(source.path, json_of(source.path, is_binary));
-    Diagnostics diagnostics;
-    const std::unique_ptr<Json> root = graph::parse_json(sources, begin, diagnostics);
-    if (!root || diagnostics.has_errors()) {
-        const DiagnosticRecord& first = diagnostics.records().front();
-        const Position at = sources.resolve(first.span.begin);
-        return {.error = fmt::format("{}:{}:{}: {}", source.path, at.line, at.column, first.message)};
-    }
+    if (!file) return {.error = located_mistake(source.path, file.error)};
+    const GltfText text = read_gltf_text(source.path);
+    if (!text.root) return {.error = text.error};
+    if (std::string mistake = shape_mistake(text, source.path); !mistake.empty()) return {.error = std::move(mistake)};
     const runtime::Outcome<runtime::GltfModel> model = runtime::model_of(file.value, false);
-    if (!model) return {.error = source.path + ": " + model.error};
-    Report report(source.path, is_binary ? nullptr : &sources);
+    if (!model) return {.error = located_mistake(source.path, source.path + ": " + model.error)};
+    Report report(source.path, text.is_binary ? nullptr : &text.sources);
     const Context context{
         .file = file.value,
-        .root = *root,
+        .root = *text.root,
         .report = report,
         .path = source.path,
         .folder = options.folder.empty() ? std::filesystem::path(source.path).parent_path().string() : options.folder};

@@ -212,6 +212,7 @@ Term set_unlit(MaterialGraph& graph, Object& material, Object& metal, bool has_a
 
 GraphFile material_graph(const Context& context, Pictures& pictures, std::size_t index, const MaterialUse& use) {
     MaterialGraph graph(context, pictures, use.name);
+    graph.lacks_coordinates = use.lacks_coordinates;
     Object material = element(context, "materials", index);
     graph.graph.name = material.word("name").value_or(use.name);
     graph.graph.workflow = "metallic-roughness";

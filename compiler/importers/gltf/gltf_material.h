@@ -5,16 +5,19 @@
 //   GraphFile graph = material_graph(context, pictures, 2, {.name = "Paint", .has_colors = true});
 #pragma once
 
+#include <array>
+
 #include "compiler/importers/gltf/material_graph.h"
 
 namespace patina::importers::gltf {
 
 // How the file's meshes use a material.
 struct MaterialUse {
-    std::string name{};         // of its files
-    bool has_colors = false;    // a mesh has vertex colours
-    bool is_scaled = false;     // a node has a scale other than 1
-    bool is_stretched = false;  // with different factors along its axes
+    std::string name{};                       // of its files
+    bool has_colors = false;                  // a mesh has vertex colours
+    std::array<bool, 2> lacks_coordinates{};  // by set: a mesh has no such texture coordinates
+    bool is_scaled = false;                   // a node has a scale other than 1
+    bool is_stretched = false;                // with different factors along its axes
 };
 
 // `index` past the end: the material of meshes that name none.

@@ -125,6 +125,11 @@ std::string MaterialGraph::coordinates(Object& info) {
         info.changed("texCoord", why);
         transform.changed("texCoord", why);
     }
+    if (lacks_coordinates[set == 0 ? 0 : 1])
+        context().report.add(Remark::Kind::Changed, info.path(),
+                             fmt::format("a mesh that shows it has no TEXCOORD_{}: there the texture is read at (0, 0)",
+                                         set == 0 ? 0 : 1),
+                             info.json());
     const std::string uv = set == 0 ? "@uv0" : "@uv1";
     constexpr double kFar = 1e6;
     const auto scale = transform.numbers("scale", 2, -kFar, kFar);

@@ -7,6 +7,7 @@
 //   graph.set("roughness", roughness);
 #pragma once
 
+#include <array>
 #include <limits>
 #include <map>
 #include <string>
@@ -62,6 +63,7 @@ public:
 
     const Context& context() const { return *context_; }
     GraphFile graph{};
+    std::array<bool, 2> lacks_coordinates{};  // by set: a mesh that shows the material has no such coordinates
 
 private:
     std::string coordinates(Object& info);

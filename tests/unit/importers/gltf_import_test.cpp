@@ -306,8 +306,10 @@ TEST(GltfImport, BrokenContainersAreRefusedAtTheirPlace) {
          "byte 16: the first chunk is not JSON"},
         {"chunk.glb", "glTF" + number(2) + number(22) + number(90) + "JSON{}",
          "byte 12: the first chunk shall have 90 bytes, and 2 are left"},
-        {"text.gltf", "{ \"asset\": { \"version\": \"2.0\" },\n  \"nodes\": [ { ] ] }",
-         "text.gltf:2:16: it is broken JSON"},
+        {"text.gltf", "{ \"asset\": { \"version\": \"2.0\" },\n  \"nodes\": [ { ] ] }", "text.gltf:2:16: broken JSON"},
+        {"empty.gltf", "", "the file is empty"},
+        {"tiny.glb", "glTF", "the file has 4 bytes, less than the header of a .glb"},
+        {"magic.glb", "XXXX" + number(2) + number(12), "byte 0: it begins neither with 'glTF'"},
     };
     for (const Broken& each : cases) {
         const std::string path = testing::TempDir() + each.name;
@@ -318,6 +320,61 @@ TEST(GltfImport, BrokenContainersAreRefusedAtTheirPlace) {
         EXPECT_EQ(made.error.find("json.exception"), std::string::npos) << made.error;
         EXPECT_TRUE(made.graphs.empty() && made.copies.empty());
     }
+}
+
+// A .gltf is text: whatever is wrong in it is told at its line, also what only the reader of the meshes sees.
+TEST(GltfImport, MistakesOfTextFilesHaveALine) {
+    const std::string head = "{ \"asset\": { \"version\": \"2.0\" },\n  ";
+    const std::string scene = "\"scenes\": [{ \"nodes\": [0] }], \"nodes\": [{ \"mesh\": 0 }],\n  ";
+    const std::string meshes = "\"meshes\": [{ \"primitives\": [{ \"attributes\": { \"POSITION\": 0 } }] }],\n  ";
+    const std::string views = "\"bufferViews\": [{ \"buffer\": 0, \"byteLength\": 36 }],\n  ";
+    const std::string bytes = "\"buffers\": [{ \"byteLength\": 36, \"uri\": \"data:application/octet-stream;base64,";
+    const std::string accessor = "\"accessors\": [{ \"bufferView\": 0, \"componentType\": 5126, \"count\": 3,\n  ";
+    struct Broken {
+        std::string text, error;
+    };
+    const std::vector<Broken> cases = {
+        {"[1, 2]", "1:1: a glTF file is an object, not an array"},
+        {"{ \"nodes\": [] }", "1:1: asset: a glTF file states its version"},
+        {"{ \"asset\":\n { \"version\": \"1.0\" } }", "2:15: asset.version: version '1.0' is not read, only 2.0"},
+        {"{ \"asset\":\n { \"version\": \"2.1\", \"minVersion\": \"2.1\" } }", "asset.minVersion: version '2.1'"},
+        {head + "\"nodes\": \"x\" }", "2:12: nodes: is a string, not a list"},
+        {head + "\"nodes\": [{ \"children\": [1] },\n { \"children\": [0] }] }", "2:13: nodes[0]: is its own ancestor"},
+        {head + "\"nodes\": [{},\n { \"mesh\": 9 }] }", "3:12: nodes[1].mesh: names meshes[9], and the file has 0"},
+        {head + accessor + "\"type\": \"VEC9\" }] }", "3:11: accessors[0].type: there is no such type"},
+        {head + "\"buffers\": [{ \"byteLength\": 4,\n \"uri\": \"nothere.bin\" }] }",
+         "3:9: buffers[0].uri: the file 'nothere.bin' cannot be read"},
+        {head + bytes + "AAAA\" }] }",
+         "2:31: buffers[0].byteLength: the buffer shall have 36 bytes, and its data URI holds 3"},
+        {head + scene + meshes + accessor + "\"type\": \"VEC3\" }],\n  " + views + bytes +
+             base64(bytes_of({NAN, 0, 0, 1, 0, 0, 0, 1, 0})) + "\" }] }",
+         "3:61: meshes[0].primitives[0].attributes.POSITION: a number is not finite"},
+    };
+    const std::string path = testing::TempDir() + "mistake.gltf";
+    for (const Broken& each : cases) {
+        std::ofstream(path, std::ios::binary) << each.text;
+        const Imported made = import(path);
+        EXPECT_EQ(made.error.rfind(path + ":", 0), 0u) << made.error;
+        EXPECT_NE(made.error.find(each.error), std::string::npos) << each.error << "\n" << made.error;
+        EXPECT_EQ(made.error.find("base64"), std::string::npos) << made.error;
+        EXPECT_TRUE(made.graphs.empty() && made.copies.empty());
+    }
+}
+
+// A texture on a mesh without coordinates shows one texel: the report says so.
+TEST(GltfImport, TexturesWithoutCoordinatesAreReported) {
+    const std::string path = save_gltf(
+        {.materials = R"([{"pbrMetallicRoughness":{"baseColorTexture":{"index":0,"texCoord":1}}}])",
+         .meshes =
+             R"([{"primitives":[{"attributes":{"POSITION":0,"NORMAL":1,"TEXCOORD_0":2},"indices":5,"material":0}]}])",
+         .textures = R"("textures":[{"source":0}],"images":[)" + picture_of(png_of(1, 1, {1, 2, 3, 255})) + "]"});
+    const Imported made = import(path);
+    ASSERT_TRUE(made.error.empty()) << made.error;
+    const auto says = [](const Remark& remark) { return remark.text.find("has no TEXCOORD_1") != std::string::npos; };
+    ASSERT_EQ(std::ranges::count_if(made.remarks, says), 1);
+    const Remark& remark = *std::ranges::find_if(made.remarks, says);
+    EXPECT_EQ(remark.part, "materials[0].pbrMetallicRoughness.baseColorTexture");
+    EXPECT_EQ(remark.kind, Remark::Kind::Changed);
 }
 
 // Cut anywhere, or with any byte changed, a file is read or refused.

@@ -175,8 +175,9 @@ TEST(ParseEnvironment, AFileAndItsSettings) {
     EXPECT_EQ(set.value.path, "a=b.hdr");
     EXPECT_EQ(set.value.rotation, -90);
     EXPECT_EQ(set.value.intensity, 0.5);
-    for (const char* wrong : {"", "rotation=90", "a.hdr intensity=-1", "a.hdr rotation=x",
-                              "a.hdr rotation=1 rotation=2", "studio rotation=90", "none intensity=2"})
+    for (const char* wrong :
+         {"", "rotation=90", "a.hdr intensity=-1", "a.hdr rotation=x", "a.hdr rotation=1 rotation=2",
+          "studio rotation=90", "none intensity=2", "a.hdr rotate=90"})
         EXPECT_FALSE(parse_environment(wrong)) << wrong;
 }
 
