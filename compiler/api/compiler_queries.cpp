@@ -18,7 +18,6 @@
 #include "compiler/nodelang/parse.h"
 #include "compiler/resolve/check_graph.h"
 #include "patina/output_name.h"
-#include "patina/version.h"
 
 namespace patina {
 namespace {
@@ -104,7 +103,7 @@ std::vector<const nodelang::Expr*> read_arguments(graph::Session& session, const
 }  // namespace
 
 std::string_view version() {
-    return PATINA_VERSION_STRING;
+    return "0.1.0";
 }
 
 std::string output_name(std::string_view path) {

@@ -8,9 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "patina/export.h"
-
-namespace patina {
+namespace patina::runtime {
 
 struct DiffLine {
     enum class Kind { Same, Removed, Added, Gap } kind = Kind::Same;
@@ -21,10 +19,8 @@ struct DiffLine {
 inline constexpr int kDiffContext = 3;  // lines before and after a difference
 
 // Empty if the texts are equal. Texts of very many differences may not get the fewest.
-PATINA_API std::vector<DiffLine> differences(std::string_view old_text, std::string_view new_text);
-// The same with all lines that both texts have, and without gaps; also of equal texts.
-PATINA_API std::vector<DiffLine> all_lines(std::string_view old_text, std::string_view new_text);
+std::vector<DiffLine> differences(std::string_view old_text, std::string_view new_text);
 // How many lines are added or removed.
-PATINA_API std::size_t changed_lines(const std::vector<DiffLine>& diff);
+std::size_t changed_lines(const std::vector<DiffLine>& diff);
 
-}  // namespace patina
+}  // namespace patina::runtime
