@@ -20,6 +20,7 @@ set(compiler_rooms
     "languages: base ir"
     "format: include base json nodelang"
     "format/schema: include base json format"
+    "edit: include base json nodelang format"
     "engines: include base json ir format"
     "paths: include base ir nodelang format"
     "resolve: include base json nodelang format engines paths"
@@ -29,7 +30,8 @@ set(compiler_rooms
     "engines/shaderlab: include base ir languages format engines resolve lower link output"
     "interpret: include base ir link"
     "validate: include"
-    "api: include base json ir nodelang emit format format/schema engines paths resolve lower link output interpret")
+    "api: include base json ir nodelang emit format format/schema edit engines paths resolve lower link output interpret"
+    "capi: include base json nodelang format api")
 # The list of writers is in `engines`. It is the only file of that room that sees the rooms above it.
 set(writer_list "^compiler/engines/writers\\.(h|cpp)$")
 
@@ -158,7 +160,7 @@ endfunction()
 # The command uses the public headers, as any program does that embeds the compiler. The commands that draw or import do
 # so through the runtime and the importers. The others need at most the lighting at one point, and write files.
 file(GLOB_RECURSE files ${ROOT}/compiler/cli/*.h ${ROOT}/compiler/cli/*.cpp ${ROOT}/compiler/cli/*.in)
-set(draws "/(bake|render|check_scene|graph|sheet|snapshot|trace)\\.cpp$|/picture_(options|sweep)\\.(h|cpp)$")
+set(draws "/(bake|render|check_scene|graph|sheet|snapshot|trace|diff/pictures)\\.cpp$|/picture_(options|sweep)\\.(h|cpp)$|/watch/[a-z_]+\\.(h|cpp)$")
 foreach(file IN LISTS files)
   if(file MATCHES "/(render|model_file)\\.(h|cpp)$")  # a model is imported before it is drawn
     check_includes(${file} "^(compiler/cli|patina|runtime)/|^compiler/importers/importer\\.h$")
@@ -351,7 +353,7 @@ foreach(file IN LISTS files)
 endforeach()
 
 # --- each room has one main header, whose first line says so
-set(rooms_with_headers ${names} ir/fold ir/passes ir/linear emit/operations importers cli cli/commands cli/compile cli/pages cli/eval)
+set(rooms_with_headers ${names} ir/fold ir/passes ir/linear emit/operations importers cli cli/commands cli/compile cli/diff cli/pages cli/eval)
 list(TRANSFORM rooms_with_headers PREPEND "compiler/")
 foreach(room IN LISTS runtime_rooms)
   list(APPEND rooms_with_headers runtime/${room})

@@ -1,4 +1,6 @@
 // The Compiler class: compiling.
+#include <filesystem>
+
 #include "compiler/api/compilation.h"
 #include "compiler/api/compile_targets.h"
 #include "compiler/api/compiler_impl.h"
@@ -37,6 +39,9 @@ Result Compiler::compile_text(const std::string& path, std::string text, const C
         graph::Session session(*impl_->library, of_engine);
         Result result;
         session.dependencies.push_back(path);
+        // A part is used by its name, and must not be what a file of that name holds.
+        if (of_engine.accept_parts)
+            session.loaded[std::filesystem::path(path).lexically_normal().generic_string()] = text;
         Compilation compilation{
             .session = session, .source = session.sources.add(path, text), .path = path, .result = result};
         compile(compilation);

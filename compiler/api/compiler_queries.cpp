@@ -18,6 +18,7 @@
 #include "compiler/nodelang/parse.h"
 #include "compiler/resolve/check_graph.h"
 #include "patina/output_name.h"
+#include "patina/version.h"
 
 namespace patina {
 namespace {
@@ -103,7 +104,7 @@ std::vector<const nodelang::Expr*> read_arguments(graph::Session& session, const
 }  // namespace
 
 std::string_view version() {
-    return "0.1.0";
+    return PATINA_VERSION_STRING;
 }
 
 std::string output_name(std::string_view path) {

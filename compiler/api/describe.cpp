@@ -89,7 +89,8 @@ Doc read_doc(std::string_view comment) {
         if (line.starts_with("test:")) {
             const std::string_view text = trim(line.substr(5));
             doc.tests.push_back({.text = text, .offset = static_cast<std::uint32_t>(text.data() - comment.data())});
-        } else if (!keyword("formula:", doc.formula) && !keyword("source:", doc.source) && !keyword("use:", doc.use)) {
+        } else if (!keyword("formula:", doc.formula) && !keyword("source:", doc.source) && !keyword("use:", doc.use) &&
+                   !keyword("unit:", doc.unit) && !keyword("space:", doc.space) && !keyword("block:", doc.block)) {
             doc.text += line;
             doc.text += '\n';
         }

@@ -54,7 +54,9 @@ std::string join_path(std::string_view folder, std::string_view name) {
 std::string make_rule(std::string_view target, std::span<const std::string> dependencies) {
     std::string rule = escaped(target) + ":";
     for (const std::string& dependency : dependencies) rule += " \\\n  " + escaped(dependency);
-    return rule + "\n";
+    rule += "\n";
+    for (const std::string& dependency : dependencies) rule += escaped(dependency) + ":\n";
+    return rule;
 }
 
 }  // namespace patina::cli

@@ -17,7 +17,8 @@ bool is_scene(std::string_view path);
 // `folder`/`name`, or just the name in the current folder.
 std::string join_path(std::string_view folder, std::string_view name);
 
-// A rule in Makefile syntax, as ninja's `depfile` wants it: "target: a.json b.json".
+// A rule in Makefile syntax, as make's `include` and ninja's `depfile` want it: "target: a.json b.json". Each
+// dependency has an empty rule of its own, so that make goes on when one of them has been removed.
 std::string make_rule(std::string_view target, std::span<const std::string> dependencies);
 
 }  // namespace patina::cli

@@ -24,13 +24,13 @@ bool has_ending(const std::string& path, std::initializer_list<std::string_view>
 }
 
 bool add_folder(const Console& console, const std::string& folder, std::initializer_list<std::string_view> endings,
-                std::vector<Input>& inputs) {
-    const runtime::Outcome<std::vector<std::string>> files = runtime::files_below(folder);
-    const std::size_t before = inputs.size();
-    for (const std::string& file : files.value)
-        if (has_ending(file, endings)) inputs.push_back({.path = file, .folder = folder_below(file, folder)});
-    if (inputs.size() > before) return true;
-    complain(console, Complaint::CannotRead, {folder, files ? "there is no graph in it" : files.error});
+                Inputs& inputs) {
+    const std::vector<Input> files = inputs_below(folder, endings);
+    const runtime::Outcome<std::vector<std::string>> folders = runtime::folders_below(folder);
+    inputs.files.insert(inputs.files.end(), files.begin(), files.end());
+    inputs.folders.insert(inputs.folders.end(), folders.value.begin(), folders.value.end());
+    if (folders && !files.empty()) return true;
+    complain(console, Complaint::CannotRead, {folder, folders ? "there is no graph in it" : folders.error});
     return false;
 }
 
@@ -45,7 +45,8 @@ bool add_list(const Console& console, const std::string& list, std::vector<Input
         const std::size_t end = std::min(text->find('\n', begin), text->size());
         std::string path = text->substr(begin, end - begin);
         if (path.ends_with('\r')) path.pop_back();
-        if (!path.empty()) inputs.push_back({.path = path, .folder = folder_below(path, ".")});
+        if (!path.empty())
+            inputs.push_back({.path = path, .folder = folder_below(path, "."), .from = Input::From::List});
         begin = end + 1;
     }
     return true;
@@ -70,24 +71,51 @@ void require_inputs(const InputArguments& arguments) {
         throw CLI::ValidationError("GRAPH", "name a graph or a folder, or a list of graphs with --files");
 }
 
-std::optional<std::vector<Input>> find_inputs(const Console& console, const InputArguments& arguments,
-                                              std::initializer_list<std::string_view> endings) {
+std::vector<Input> inputs_below(const std::string& folder, std::initializer_list<std::string_view> endings) {
     std::vector<Input> inputs;
-    for (const std::string& word : arguments.words) {
-        std::error_code ignored;
-        if (!fs::is_directory(word, ignored))
-            inputs.push_back({.path = word});
-        else if (!add_folder(console, word, endings, inputs))
-            return std::nullopt;
+    for (const std::string& file : runtime::files_below(folder).value) {
+        if (has_ending(file, endings))
+            inputs.push_back({.path = file, .folder = folder_below(file, folder), .from = Input::From::Folder});
     }
-    if (!arguments.list.empty() && !add_list(console, arguments.list, inputs)) return std::nullopt;
     return inputs;
 }
 
-void refuse_equal_outputs(const std::vector<Input>& inputs, std::string_view ending, std::string_view verb) {
-    std::map<std::string, std::vector<std::string>> by_folder;
-    for (const Input& input : inputs) by_folder[input.folder].push_back(input.path);
-    for (const auto& [folder, graphs] : by_folder) refuse_equal_outputs(graphs, ending, verb);
+std::optional<Inputs> find_inputs(const Console& console, const InputArguments& arguments,
+                                  std::initializer_list<std::string_view> endings) {
+    Inputs inputs;
+    for (const std::string& word : arguments.words) {
+        std::error_code ignored;
+        if (!fs::is_directory(word, ignored))
+            inputs.files.push_back({.path = word, .from = Input::From::CommandLine});
+        else if (!add_folder(console, word, endings, inputs))
+            return std::nullopt;
+    }
+    if (!arguments.list.empty() && !add_list(console, arguments.list, inputs.files)) return std::nullopt;
+    return inputs;
+}
+
+Exit take_out_equal_outputs(const Console& console, std::vector<Input>& inputs, std::string_view ending,
+                            std::string_view verb) {
+    std::map<std::string, std::vector<std::size_t>> by_folder;
+    for (std::size_t i = 0; i < inputs.size(); ++i) by_folder[inputs[i].folder].push_back(i);
+    std::vector<bool> is_out(inputs.size());
+    for (const auto& [folder, indices] : by_folder) {
+        std::vector<std::string> graphs;
+        for (const std::size_t i : indices) graphs.push_back(inputs[i].path);
+        for (const EqualOutputs& equal : find_equal_outputs(graphs, ending, verb)) {
+            const std::size_t first = indices[equal.first], second = indices[equal.second];
+            const auto is_named = [](const Input& input) { return input.from == Input::From::CommandLine; };
+            if (is_named(inputs[first]) && is_named(inputs[second])) throw CLI::ValidationError("GRAPH", equal.why);
+            complain(console, Complaint::EqualOutputs, {equal.why});
+            is_out[first] = is_out[second] = true;
+        }
+    }
+    std::vector<Input> kept;
+    for (std::size_t i = 0; i < inputs.size(); ++i)
+        if (!is_out[i]) kept.push_back(std::move(inputs[i]));
+    const bool are_all = kept.size() == inputs.size();
+    inputs = std::move(kept);
+    return are_all ? Exit::Ok : Exit::Wrong;
 }
 
 }  // namespace patina::cli

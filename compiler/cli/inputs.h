@@ -2,8 +2,8 @@
 // several threads, with their results in order.
 //
 //   add_input_options(command, arguments->inputs, "Material graphs (JSON)");
-//   const Inputs inputs = find_inputs(arguments.inputs, {".graph.json"});
-//   work_on(console, inputs, jobs, [&](const Input& input) { return make(input); },
+//   const std::optional<Inputs> inputs = find_inputs(console, arguments.inputs, {".graph.json"});
+//   work_on(console, inputs->files, jobs, [&](const Input& input) { return make(input); },
 //           [&](const Input& input, Made& made) { return write(input, made); });
 #pragma once
 
@@ -21,6 +21,13 @@ namespace patina::cli {
 struct Input {
     std::string path{};
     std::string folder{};  // below the folder of the outputs: "metal" for art/metal/rust.graph.json of the folder art
+    // The command line is wrong if it names two files of one output.
+    enum class From { CommandLine, List, Folder } from = From::CommandLine;
+};
+
+struct Inputs {
+    std::vector<Input> files{};
+    std::vector<std::string> folders{};  // that were searched for them; what is put into one is a new input
 };
 
 struct InputArguments {
@@ -36,11 +43,15 @@ void require_inputs(const InputArguments& arguments);
 
 // Of folders: the files with one of the endings, in order. Nothing: a list or a folder cannot be read, or holds no such
 // file, and that has been reported.
-std::optional<std::vector<Input>> find_inputs(const Console& console, const InputArguments& arguments,
-                                              std::initializer_list<std::string_view> endings);
+std::optional<Inputs> find_inputs(const Console& console, const InputArguments& arguments,
+                                  std::initializer_list<std::string_view> endings);
 
-// Throws the usage error if two of them would write one file.
-void refuse_equal_outputs(const std::vector<Input>& inputs, std::string_view ending, std::string_view verb);
+// The files of a folder and below it. None if it is no folder, or cannot be read.
+std::vector<Input> inputs_below(const std::string& folder, std::initializer_list<std::string_view> endings);
+
+// Takes out those that would write one file, and reports them. Throws the usage error if the command line names both.
+Exit take_out_equal_outputs(const Console& console, std::vector<Input>& inputs, std::string_view ending,
+                            std::string_view verb);
 
 // `make` runs on several threads; `finish`, which prints and writes, on one at a time and in the inputs' order. The
 // exit code is the greatest one that `finish` returns.

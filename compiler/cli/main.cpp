@@ -29,6 +29,10 @@ bool may_name_scenes(std::string_view word) {
     return is_scene(word) || word.starts_with("--files") || std::filesystem::is_directory(word, ignored);
 }
 
+bool asks_for_picture(std::string_view word) {
+    return word.starts_with("--picture");
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -36,6 +40,7 @@ int main(int argc, char** argv) {
     const CommandInfo* command = find_command(first);
     Home home = command ? command->home : Home::Patina;
     if (first == "check" && std::any_of(argv, argv + argc, may_name_scenes)) home = Home::Render;
+    if (first == "diff" && std::any_of(argv, argv + argc, asks_for_picture)) home = Home::Render;
     switch (home) {
         case Home::Import: return turn_into("patina-import", argv);
         case Home::Render: return turn_into("patina-render", argv);

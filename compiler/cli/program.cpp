@@ -198,22 +198,32 @@ std::function<std::string(std::string)> within(double low, double high) {
     };
 }
 
-void refuse_equal_outputs(const std::vector<std::string>& graphs, std::string_view ending, std::string_view verb) {
-    std::map<std::string, std::string> seen;  // by name in lower case
-    for (const std::string& graph : graphs) {
-        const std::string name = output_name(graph), file = name + std::string(ending);
+std::vector<EqualOutputs> find_equal_outputs(const std::vector<std::string>& graphs, std::string_view ending,
+                                             std::string_view verb) {
+    std::vector<EqualOutputs> equal;
+    std::map<std::string, std::size_t> seen;  // by name in lower case
+    for (std::size_t i = 0; i < graphs.size(); ++i) {
+        const std::string name = output_name(graphs[i]), file = name + std::string(ending);
         std::string folded = name;
         std::ranges::transform(folded, folded.begin(), [](unsigned char c) { return std::tolower(c); });
-        const auto [found, is_new] = seen.emplace(folded, graph);
+        const auto [found, is_new] = seen.emplace(folded, i);
         if (is_new) continue;
-        const std::string& other = found->second;
+        const std::string& other = graphs[found->second];
         const std::string other_name = output_name(other);
         const std::string both = other_name == name ? "would both write " + file
                                                     : "would write " + other_name + std::string(ending) + " and " +
                                                           file + ", which are one for some file systems";
-        throw CLI::ValidationError("GRAPH", "'" + other + "' and '" + graph + "' " + both + ": " + std::string(verb) +
-                                                " them into different folders");
+        equal.push_back({.first = found->second,
+                         .second = i,
+                         .why = "'" + other + "' and '" + graphs[i] + "' " + both + ": " + std::string(verb) +
+                                " them into different folders"});
     }
+    return equal;
+}
+
+void refuse_equal_outputs(const std::vector<std::string>& graphs, std::string_view ending, std::string_view verb) {
+    const std::vector<EqualOutputs> equal = find_equal_outputs(graphs, ending, verb);
+    if (!equal.empty()) throw CLI::ValidationError("GRAPH", equal.front().why);
 }
 
 int run(Program& program, int argc, char** argv) {

@@ -1,11 +1,15 @@
-// patina-render: the commands that need Vulkan and OpenImageIO, and the check of scenes. `patina` turns into it.
+// patina-render: the commands that need Vulkan and OpenImageIO, the check of scenes, and
+// pictures of `patina diff`. `patina` turns into it.
 #include "compiler/cli/commands/commands.h"
+#include "compiler/cli/diff/report.h"
 
 int main(int argc, char** argv) {
     using namespace patina::cli;
     Program program;
     program.check_scene = check_scene;
+    program.compare_pictures = compare_pictures;
     add_check(program);
+    add_diff(program);
 #define COMMAND(name, home, summary) \
     if constexpr (Home::home == Home::Render) add_##name(program);
 #include "compiler/cli/commands/commands.def"

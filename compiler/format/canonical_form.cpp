@@ -81,6 +81,12 @@ public:
         return std::move(out_);
     }
 
+    std::string write_part(const Json& value, std::size_t indent, std::size_t column) {
+        out_.assign(column, ' ');
+        write_value(value, indent);
+        return out_.substr(column);
+    }
+
 private:
     // The value starts at the end of `out_`, on a line that is indented by `indent`.
     void write_value(const Json& json, std::size_t indent) {
@@ -157,6 +163,10 @@ FormattedText format_graph(const SourceMap& sources, std::uint32_t base, Diagnos
 
 std::string layout_json(const Json& root, const SourceMap& sources) {
     return Layout(sources).write_file(root);
+}
+
+std::string layout_value(const Json& value, const SourceMap& sources, std::size_t indent, std::size_t column) {
+    return Layout(sources).write_part(value, indent, column);
 }
 
 }  // namespace patina::graph

@@ -20,5 +20,7 @@ FormattedText format_graph(const SourceMap& sources, std::uint32_t base, Diagnos
 
 // Lays out any JSON in the same way, with the keys in the order that they have.
 std::string layout_json(const Json& root, const SourceMap& sources);
+// The same for a value in a file: it starts at `column` of a line that is indented by `indent`.
+std::string layout_value(const Json& value, const SourceMap& sources, std::size_t indent, std::size_t column);
 
 }  // namespace patina::graph

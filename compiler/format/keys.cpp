@@ -34,7 +34,7 @@ constexpr std::array kMaterial = {
     KeyInfo{"surface", "the surface inputs of the workflow and of the lighting model"},
     KeyInfo{"render", "the render state: kind of surface, culling, depth", ObjectKind::Render},
     KeyInfo{"passes", "extra surfaces, each drawn in its own pass: an outline, a glow", ObjectKind::ExtraPass},
-    KeyInfo{"variants", "the combinations of variants that --variants listed compiles"},
+    KeyInfo{"variants", "the combinations of variants that --variants listed compiles", ObjectKind::Free, false, true},
     kMeta,
     kUi,
 };
@@ -362,6 +362,19 @@ constexpr std::array kEngineNames = {
     KeyInfo{"ownNearProperties", "names that only properties must not have"},
     KeyInfo{"instead", "the names of library functions in this engine, by the library's names"},
 };
+constexpr std::array kOptions = {
+    KeyInfo{"targets", "languages and engines that shaders are made for"},
+    KeyInfo{"path", "the rendering path"},
+    KeyInfo{"passes", "the passes that are wanted, instead of all of the path"},
+    KeyInfo{"preview", "a port that is shown instead of the surface"},
+    KeyInfo{"functions", "a prefix: functions are made instead of passes"},
+    KeyInfo{"switches", "values of switches, variants and specialization constants"},
+    KeyInfo{"lighting", "a lighting model in place of the graph's own"},
+    KeyInfo{"includeDirs", "folders that are searched after the graph's own"},
+    KeyInfo{"keepVariants", "shaders keep all values of variants without a value"},
+    KeyInfo{"acceptParts", "a lighting graph or a sub-graph is compiled, too"},
+    KeyInfo{"hashes", "the reflection has the hash of each pass"},
+};
 
 }  // namespace
 
@@ -400,6 +413,7 @@ std::span<const KeyInfo> keys_of(ObjectKind kind) {
         case ObjectKind::EngineClip: return kEngineClip;
         case ObjectKind::EngineLimits: return kEngineLimits;
         case ObjectKind::EngineNames: return kEngineNames;
+        case ObjectKind::Options: return kOptions;
     }
     return {};
 }
@@ -446,8 +460,21 @@ std::string_view describe(ObjectKind kind) {
         case ObjectKind::EngineClip: return "clip space";
         case ObjectKind::EngineLimits: return "the limits";
         case ObjectKind::EngineNames: return "the names";
+        case ObjectKind::Options: return "the options";
     }
     return {};
+}
+
+std::string_view identity_of(ObjectKind kind) {
+    if (kind == ObjectKind::Node || kind == ObjectKind::SceneObject) return "id";
+    const bool has_name = kind == ObjectKind::Property || kind == ObjectKind::Input || kind == ObjectKind::ExtraPass ||
+                          kind == ObjectKind::SceneMaterial;
+    return has_name ? "name" : "";
+}
+
+bool is_ordered(ObjectKind kind) {
+    // A block holds properties in their order, and passes of one queue are drawn in theirs.
+    return kind == ObjectKind::Property || kind == ObjectKind::ExtraPass;
 }
 
 ObjectKind top_level_kind(const Json& root) {

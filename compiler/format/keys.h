@@ -1,5 +1,5 @@
-// Lists the keys of the graph format: those of each object, in canonical order, with their help. The reader refuses
-// every other key, `fmt` sorts by this order, and the JSON Schema is made from it. The values are described elsewhere.
+// Lists the keys of the graph format, of engines and of JSON options: those of each object, in canonical order, with
+// their help. The reader refuses other keys, `fmt` sorts by this order, and the JSON Schema is made from it.
 //
 //   for (const KeyInfo& key : keys_of(ObjectKind::Node)) ...   // id, node, expr, in, ...
 #pragma once
@@ -45,7 +45,8 @@ enum class ObjectKind {
     EngineVertexInput,
     EngineClip,
     EngineLimits,
-    EngineNames
+    EngineNames,
+    Options
 };
 
 struct KeyInfo {
@@ -53,6 +54,7 @@ struct KeyInfo {
     std::string_view help;
     ObjectKind holds = ObjectKind::Free;  // the kind of the value or, if it is an array, of its elements
     bool required = false;                // in addition to the "patina" and "kind" of a file
+    bool is_set = false;                  // the order of the array has no meaning
 };
 
 // In the order in which `fmt` writes them; empty for Free.
@@ -61,6 +63,11 @@ const KeyInfo* find_key(ObjectKind kind, std::string_view name);
 
 // "a property", "a material", ...
 std::string_view describe(ObjectKind kind);
+// The key that distinguishes an object of this kind from the others of its list: "id" of a node; empty if there is
+// none.
+std::string_view identity_of(ObjectKind kind);
+// Whether the order of a list of such objects has a meaning.
+bool is_ordered(ObjectKind kind);
 
 // The kind of a file's top-level object, by its "kind"; a material if that is absent or unknown.
 ObjectKind top_level_kind(const Json& root);

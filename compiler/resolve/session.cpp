@@ -39,6 +39,7 @@ std::optional<std::string>& loaded(Session& session, const std::string& path) {
 }
 
 bool exists(Session& session, const std::string& path) {
+    if (const auto known = session.loaded.find(path); known != session.loaded.end()) return known->second.has_value();
     if (session.options.loader) return loaded(session, path).has_value();
     std::error_code error;
     return std::filesystem::is_regular_file(path, error);
@@ -115,7 +116,8 @@ void report_unread(Session& session, const std::string& path, Span where, const 
 
 std::optional<std::uint32_t> load_source(Session& session, const std::string& path, Span where) {
     std::string why;
-    std::optional<std::string> text = session.options.loader ? loaded(session, path) : read_text(path, why);
+    const bool is_known = session.options.loader || session.loaded.count(path) != 0;
+    std::optional<std::string> text = is_known ? loaded(session, path) : read_text(path, why);
     if (!text) {
         report_unread(session, path, where, why);
         return {};

@@ -49,7 +49,7 @@ struct Session {
     Diagnostics diagnostics;
     nodelang::Ast ast;
     std::vector<std::string> dependencies;
-    std::map<std::string, std::optional<std::string>> loaded;  // by path: what CompileOptions::loader returned
+    std::map<std::string, std::optional<std::string>> loaded;  // by path: of the loader, or given to compile_text()
     std::deque<CheckedGraph> checked;
     std::map<std::string, const CheckedGraph*> graphs;  // by path
     std::map<std::string, std::unique_ptr<NodeFile>> node_files;

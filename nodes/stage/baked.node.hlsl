@@ -15,14 +15,23 @@
 /// Real-time shadows fade out at a distance.
 [switch] bool shadowsFade;
 
+/// The object's lightmap: ambient light, E/pi, encoded as lightmapDecode says.
 [extern] [with("lightmap")] Texture2D lightmapTexture;
-[extern("Object")] [perObject] [with("lightmap")] float4 lightmapDecode;  // the instructions of DecodeHDR
-[extern("Lights")] [with("subtractive")] int mainLight;        // slot of the light that lightmaps hold; -1: not listed
-[extern("Lights")] [with("subtractive")] float4 shadowColor;   // rgb: the darkest colour of its shadow
-[extern] [with("shadowMask")] Texture2D shadowMaskTexture;   // four lights in each texel: 1 lit, 0 in shadow
-[extern("Lights")] [with("shadowMask", "deferred-shadowmask")] float4 lightMask[16];  // 1 in the light's channel of
-                                                                                        // shadow masks; all 0: none
-[extern("Lights")] [with("shadowsFade")] float2 shadowFade;   // scale and offset of ShadowFade
+/// How the lightmap is decoded: the instructions of the node DecodeHDR.
+[extern("Object")] [perObject] [with("lightmap")] float4 lightmapDecode;
+/// Slot of the light that lightmaps hold; -1: it is not listed.
+[extern("Lights")] [with("subtractive")] int mainLight;
+/// rgb: the darkest colour that the shadow of that light may have, linear.
+/// unit: E/pi
+[extern("Lights")] [with("subtractive")] float4 shadowColor;
+/// The object's shadow mask: four lights in each texel, 1 lit, 0 in shadow.
+[extern] [with("shadowMask")] Texture2D shadowMaskTexture;
+/// 1 in the light's channel of shadow masks; all 0: it has none.
+[extern("Lights")] [with("shadowMask", "deferred-shadowmask")] float4 lightMask[16];
+/// Scale and offset of the distance along the camera's axis, which give how far real-time shadows have faded: the node
+/// ShadowFade.
+/// unit: 1/m (x)
+[extern("Lights")] [with("shadowsFade")] float2 shadowFade;
 
 /// The light of the lightmap at given coordinates, E / pi.
 float3 lightmapLight(float2 uv) {

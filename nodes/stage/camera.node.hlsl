@@ -1,22 +1,43 @@
 // The camera and the frame. Clip space is y up, its depth is the engine's; view space looks along -z.
 
 /// Seconds since the start.
+/// unit: s
+/// block: The frame as a whole. The engine fills it once a frame.
 [extern("Frame")] [semantic("uniform")] float time;
 /// Size of the picture in pixels.
+/// unit: pixels
+/// space: screen
 [extern("Frame")] [semantic("uniform")] float2 screenSize;
 
+/// World to clip space: view and projection.
+/// space: world to clip
+/// block: The camera. The engine fills it for each view: of the camera, and of each light that draws a shadow map.
 [extern("Camera")] float4x4 worldToClip;
+/// World to view space.
+/// space: world to view
 [extern("Camera")] float4x4 worldToView;
 /// Camera position in world space.
+/// unit: m
+/// space: world
 [extern("Camera")] [semantic("uniform")] float3 cameraPositionWS;
-[extern("Camera")] float viewIsOrthographic;  // 1 or 0
+/// 1: the view is orthographic, so that it looks along the same direction everywhere; 0: perspective.
+[extern("Camera")] float viewIsOrthographic;
 /// Direction that the camera looks along in world space, unit.
+/// space: world
 [extern("Camera")] [semantic("uniform")] float3 cameraForwardWS;
 
-[extern("Camera")] float shadowBias;         // in a light's own view: metres that everything is moved away from it
+/// In a light's own view: how far everything is moved away from the light.
+/// unit: m
+[extern("Camera")] float shadowBias;
+/// The inverse of worldToClip.
+/// space: clip to world
 [extern("Camera")] float4x4 clipToWorld;
-[extern("Camera")] float2 clipPlanes;        // distances of the near and the far plane, metres
-[extern("Camera")] float shadowNormalBias;  // in a light's own view: metres that a surface is moved inwards, at w = 1
+/// Distances of the near plane (x) and of the far plane (y).
+/// unit: m
+[extern("Camera")] float2 clipPlanes;
+/// In a light's own view: how far a surface is moved inwards, at w = 1.
+/// unit: m
+[extern("Camera")] float shadowNormalBias;
 
 /// Pixels, textures and texture coordinates of the engine count from the bottom.
 [static("uvOrigin", "bottom")] bool uvFromBottom;

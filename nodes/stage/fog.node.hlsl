@@ -2,9 +2,13 @@
 
 /// Distant surfaces fade into fog.
 [switch] bool fog;
-[extern("Frame")] [with("fog")] float4 fogColor;     // rgb, linear
-[extern("Frame")] [with("fog")] float4 fogSettings;  // x: 0 none, 1 linear, 2 exponential, 3 exponential squared; y:
-                                                      // density per metre; z, w: where linear fog starts and ends, metres
+/// The colour that distant surfaces fade into: red, green and blue.
+/// unit: linear radiance
+[extern("Frame")] [with("fog")] float4 fogColor;
+/// x: the kind of fog: 0 none, 1 linear, 2 exponential, 3 exponential squared; y: its density; z and w: the distances at
+/// which linear fog starts and ends.
+/// unit: 1/m (y), m (z, w)
+[extern("Frame")] [with("fog")] float4 fogSettings;
 
 /// The visible fraction of a surface in fog: 1 is fully visible. Distance is measured along the camera's axis.
 [extern]

@@ -20,25 +20,47 @@ struct LightSum {
 
 const int MAX_LIGHTS = 16;
 
+/// Number of lights that are computed per pixel.
+/// block: The lights that a pass sees. The engine fills it for each draw, or once for all that see the same lights.
 [extern("Lights")] int lightCount;
-[extern("Lights")] float4 lightPosition[16];  // xyz: direction to a directional light, else position; w: type
-[extern("Lights")] float4 lightColor[16];     // rgb: colour times intensity; w: range in metres
-[extern("Lights")] float4 lightAxis[16];      // xyz: direction that a spot shines along; w: 1 if it has the cookie
-[extern("Lights")] float4 lightCone[16];      // cosines of a spot's half angles: x inner, y outer; z: number of the
-                                               // light in the scene; w: number of its shadow map, or -1
-[extern("Lights")] int vertexLightCount;     // lights after the first `lightCount`, computed per vertex, up to four
+/// xyz: the unit direction to a directional light, else the light's position; w: 0 directional, 1 point, 2 spot.
+/// unit: m (xyz of a position)
+/// space: world
+[extern("Lights")] float4 lightPosition[16];
+/// rgb: colour times intensity, linear; w: range.
+/// unit: E/pi (rgb: the radiance of a white Lambert surface that faces the light), m (w)
+[extern("Lights")] float4 lightColor[16];
+/// xyz: the unit direction that a spot shines along; w: 1 if it has the cookie.
+/// space: world
+[extern("Lights")] float4 lightAxis[16];
+/// Cosines of a spot's half angles: x inner, y outer; z: number of the light in the scene; w: number of its shadow map, or
+/// -1.
+[extern("Lights")] float4 lightCone[16];
+/// Number of lights, after the first `lightCount`, that are computed per vertex: up to four.
+[extern("Lights")] int vertexLightCount;
 
 /// Lights cast shadows.
 [switch("shadow-caster")] bool shadows;
-[extern("Shadows")] float4x4 worldToShadow[4];  // to the map's clip space
-[extern("Shadows")] float4 shadowTile[4];        // xy: size of the map in the texture, zw: its upper left corner
-[extern("Shadows")] float4 shadowStrength;       // of each map, 0 to 1
-[extern("Shadows")] float shadowTexel;           // 1 / width of the texture in texels
+/// World to the clip space of each shadow map.
+/// space: world to a light's clip
+/// block: The shadow maps. The engine fills it once a frame, when they are drawn.
+[extern("Shadows")] float4x4 worldToShadow[4];
+/// Where each map is in the texture: xy: its size, zw: its upper left corner, 0 to 1.
+/// unit: widths of the texture
+[extern("Shadows")] float4 shadowTile[4];
+/// How dark the shadow of each map is, 0 to 1.
+[extern("Shadows")] float4 shadowStrength;
+/// Width of a texel: 1 / width of the texture in texels.
+/// unit: widths of the texture
+[extern("Shadows")] float shadowTexel;
 [reads("shadowMap")] Texture2D shadowMap;      // red: depth, 0 near to 1 far; up to four maps
 
 /// A light shines through a texture, its cookie.
 [switch] bool cookies;
+/// World to the clip space of the light that has the cookie.
+/// space: world to a light's clip
 [extern("Shadows")] [with("cookies")] float4x4 worldToCookie;
+/// The cookie: red is the share of the light that passes.
 [extern] [with("cookies")] Texture2D lightCookie;
 
 /// Colour times attenuation times shadow.

@@ -32,7 +32,12 @@
 /// The background is multiplied by the colour of the material.
 [static("surface", "multiply")] bool multiplies;
 
+/// Object to world space.
+/// space: object to world
+/// block: The drawn object. The engine fills it for each draw, or for each instance of a draw.
 [extern("Object")] [perObject] float4x4 objectToWorld;
+/// The inverse of objectToWorld.
+/// space: world to object
 [extern("Object")] [perObject] float4x4 worldToObject;
 
 /// Position in world space.

@@ -2,24 +2,46 @@
 // the CPU reference use the bodies here.
 // Units: radiance; the ambient irradiance is E/pi, the radiance of a white Lambert surface.
 
-[extern("Ambient")] float4 ambientSH[9];  // radiance coefficients, order l(l+1)+m, z up as in Ramamoorthi & Hanrahan 2001
+/// Ambient light as nine coefficients of spherical harmonics, order l(l+1)+m, red, green and blue in xyz: the
+/// polynomials of Ramamoorthi and Hanrahan (2001), evaluated on world x, y and z unchanged.
+/// unit: linear radiance
+/// space: world
+/// block: Light from all around. The engine fills it for each object, or once for all that see the same surroundings.
+[extern("Ambient")] float4 ambientSH[9];
 
 const float ENVIRONMENT_STEPS = 5;  // level of the map for a roughness of 1
 
-[extern] TextureCube environmentMap;  // radiance; each level is blurred for a rougher surface
-// x: square root of n.v, y: perceptual roughness, from 0 to 1 between the centres of the outer texels of 64 x 64; red:
-// scale of f0, green: offset
+/// What mirrors reflect. Each of the levels 0 to 5 is blurred for a rougher surface: level l for the perceptual roughness
+/// r with 5 r (1.7 - 0.7 r) = l.
+/// unit: linear radiance
+/// space: world
+/// block: The engine binds lightmaps, shadow masks and probes for each object, and the other textures once.
+[extern] TextureCube environmentMap;
+/// x: square root of n.v, y: perceptual roughness, from 0 to 1 between the centres of the outer texels of 64 x 64; red:
+/// scale of f0, green: offset. It is the same for all environments.
 [extern] Texture2D splitSumTable;
 
 /// Objects reflect the probes near them instead of the environment.
 [switch] bool reflectionProbes;
-[extern] [with("reflectionProbes")] TextureCube probeMap;  // of the object's first probe. environmentMap is then that
-                                                             // of the second one, or what is around
-[extern("Ambient")] [with("reflectionProbes")] float4 probeCenter[2];  // xyz: where each map was taken; w: 1 if what it
-                                                                        // shows is at the walls of its box, 0 if far away
-[extern("Ambient")] [with("reflectionProbes")] float4 probeBoxMin[2];  // xyz: corners of its box
+/// The map of the object's first probe, blurred as environmentMap is. environmentMap is then that of the second one, or
+/// what is around.
+/// unit: linear radiance
+/// space: world
+[extern] [with("reflectionProbes")] TextureCube probeMap;
+/// Of the two probes: xyz: where the map was taken; w: 1 if what it shows is at the walls of its box, 0 if it is far away.
+/// unit: m (xyz)
+/// space: world
+[extern("Ambient")] [with("reflectionProbes")] float4 probeCenter[2];
+/// The lowest corner of each probe's box, in xyz.
+/// unit: m
+/// space: world
+[extern("Ambient")] [with("reflectionProbes")] float4 probeBoxMin[2];
+/// The highest corner of each probe's box, in xyz.
+/// unit: m
+/// space: world
 [extern("Ambient")] [with("reflectionProbes")] float4 probeBoxMax[2];
-[extern("Ambient")] [with("reflectionProbes")] float probeShare;        // of the first probe, 0 to 1
+/// The share of the first probe, 0 to 1; the second one has the rest.
+[extern("Ambient")] [with("reflectionProbes")] float probeShare;
 
 /// Ambient irradiance divided by pi: a diffuse colour times it is radiance.
 ///

@@ -3,10 +3,14 @@
 
 /// The picture is drawn tile by tile: render targets hold only a part of it.
 [switch] bool tiles;
-[extern("Frame")] [with("tiles")] float4 tile;      // xy: pixel of the picture at the upper left corner of the targets;
-                                                     // zw: their size in pixels
-[extern("Frame")] [with("tiles")] float4 tileClip;  // scale and offset of clip space, where a viewport that is as large
-                                                     // as the picture is too large for the device; else 1, 1, 0, 0
+/// xy: the pixel of the picture at the upper left corner of the targets; zw: their size.
+/// unit: pixels
+/// space: screen
+[extern("Frame")] [with("tiles")] float4 tile;
+/// Scale (xy) and offset (zw) of clip space, where a viewport that is as large as the picture is too large for the
+/// device; else 1, 1, 0, 0.
+/// space: clip
+[extern("Frame")] [with("tiles")] float4 tileClip;
 
 /// The position of a vertex in the clip space of the viewport.
 [wraps("position")] [with("tiles")]

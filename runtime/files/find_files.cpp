@@ -5,22 +5,47 @@
 #include <system_error>
 
 namespace patina::runtime {
+namespace {
 
 namespace fs = std::filesystem;
 
-Outcome<std::vector<std::string>> files_below(const std::string& folder) {
-    std::vector<std::string> files;
+struct Below {
+    std::vector<std::string> files{}, folders{};
+    std::string error{};
+};
+
+// std::filesystem::recursive_directory_iterator would end at a folder that is removed meanwhile.
+void look_into(const fs::path& folder, bool is_outermost, Below& below) {
     std::error_code error;
-    for (fs::recursive_directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
+    fs::directory_iterator at(folder, error);
+    if (error == std::errc::no_such_file_or_directory && !is_outermost) return;
+    below.folders.push_back(folder.lexically_normal().string());
+    for (const fs::directory_iterator end; !error && at != end; at.increment(error)) {
         std::error_code ignored;
         if (!at->is_directory(ignored))
-            files.push_back(at->path().lexically_normal().string());
-        else if (at->path().filename().string().starts_with('.'))
-            at.disable_recursion_pending();
+            below.files.push_back(at->path().lexically_normal().string());
+        else if (!at->is_symlink(ignored) && !at->path().filename().string().starts_with('.'))
+            look_into(at->path(), false, below);
     }
-    if (error) return Failure{"cannot read the folder '" + folder + "': " + error.message()};
-    std::sort(files.begin(), files.end());
-    return files;
+    if (error) below.error = "cannot read the folder '" + folder.string() + "': " + error.message();
+}
+
+Outcome<std::vector<std::string>> sorted(std::vector<std::string> Below::*paths, const std::string& folder) {
+    Below below;
+    look_into(folder, true, below);
+    if (!below.error.empty()) return Failure{below.error};
+    std::sort((below.*paths).begin(), (below.*paths).end());
+    return below.*paths;
+}
+
+}  // namespace
+
+Outcome<std::vector<std::string>> files_below(const std::string& folder) {
+    return sorted(&Below::files, folder);
+}
+
+Outcome<std::vector<std::string>> folders_below(const std::string& folder) {
+    return sorted(&Below::folders, folder);
 }
 
 }  // namespace patina::runtime

@@ -10,14 +10,10 @@
 
 #include "runtime/lighting/map_cache.h"
 #include "runtime/lighting/panorama.h"
-#include "runtime/lighting/prefilter.h"
 #include "runtime/picture/image.h"
 
 namespace patina::runtime {
 namespace {
-
-// Texels along a face of the map: as fine as the picture, within these limits.
-constexpr int kSmallestMap = 256, kLargestMap = 512;
 
 // The bytes of a file; nothing if it cannot be read, of which load_image() knows the reason.
 std::string bytes_of(const std::string& path) {
@@ -32,13 +28,6 @@ Outcome<Panorama> load_panorama(const std::string& path) {
     if (!image) return Failure{image.error};
     if (image.value.bits <= 8) decode_srgb(image.value);
     return panorama_of(std::move(image.value), path);
-}
-
-Pyramid pyramid_of(const Panorama& around, double rotation) {
-    const int wanted = int(std::bit_ceil(unsigned(std::clamp(around.quarter, kSmallestMap, kLargestMap))));
-    // At least two directions for each pixel along each axis, so that a small sun counts as much as it does there.
-    const int samples = std::max(2, (2 * around.quarter + wanted - 1) / wanted);
-    return {turned(around.radiance, rotation), wanted, samples};
 }
 
 TextureData scaled(TextureData map, float factor) {
@@ -75,9 +64,9 @@ Made make_environment(const EnvironmentChoice& choice, const std::string& name, 
     }
     Outcome<Panorama> around = load_panorama(choice.path);
     if (!around) return Failure{around.error};
-    const auto pyramid = std::make_shared<const Pyramid>(pyramid_of(around.value, rotation));
-    const SphericalHarmonics ambient =
-        project([&](glm::vec3 direction) { return pyramid->look(direction, 0); }, pyramid->size());
+    around.value.radiance = turned(std::move(around.value.radiance), rotation);
+    const auto pyramid = std::make_shared<const Pyramid>(pyramid_of(around.value));
+    const SphericalHarmonics ambient = ambient_of(*pyramid);
     return std::make_shared<const Environment>(scaled(ambient, intensity), [=, progress = std::move(progress)] {
         KeptEnvironment made{ambient, prefiltered(*pyramid, after_a_second(progress, choice.path))};
         cache.write(name, made);

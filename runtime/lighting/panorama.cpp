@@ -1,9 +1,8 @@
 #include "runtime/lighting/panorama.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <memory>
 #include <numbers>
@@ -76,7 +75,8 @@ std::string check_light(Image& image, const std::string& name) {
         for (int x = 0; x < image.width; x++) {
             for (float& value : image.at(x, y).first(3)) {
                 if (!std::isfinite(value))
-                    return fmt::format("'{}' is no picture of light: the pixel {},{} is not finite", name, x, y);
+                    return "'" + name + "' is no picture of light: the pixel " + std::to_string(x) + "," +
+                           std::to_string(y) + " is not finite";
                 value = std::max(value, 0.0f);
             }
         }
@@ -90,11 +90,10 @@ Outcome<Panorama> panorama_of(Image image, const std::string& name) {
     const bool is_sphere = image.width == 2 * image.height;
     const Layout* layout = layout_of(image);
     if (!is_sphere && !layout)
-        return Failure{
-            fmt::format("'{}' is no picture of all directions: it has {} x {} pixels, and these shapes are "
-                        "understood: 2:1 (equirectangular), 4:3 and 3:4 (crosses of a cube's faces), 6:1 "
-                        "and 1:6 (strips of them)",
-                        name, image.width, image.height)};
+        return Failure{"'" + name + "' is no picture of all directions: it has " + std::to_string(image.width) + " x " +
+                       std::to_string(image.height) +
+                       " pixels, and these shapes are understood: 2:1 (equirectangular), 4:3 and 3:4 (crosses of a "
+                       "cube's faces), 6:1 and 1:6 (strips of them)"};
     if (std::string error = check_light(image, name); !error.empty()) return Failure{error};
     const auto kept = std::make_shared<const Image>(std::move(image));
     if (is_sphere)
@@ -112,6 +111,18 @@ Radiance turned(Radiance radiance, double degrees) {
     return [radiance = std::move(radiance), c, s](glm::vec3 d) {
         return radiance({c * d.x - s * d.z, d.y, s * d.x + c * d.z});
     };
+}
+
+Pyramid pyramid_of(const Panorama& around, int face_size) {
+    const int wanted =
+        face_size > 0 ? face_size : int(std::bit_ceil(unsigned(std::clamp(around.quarter, kSmallestMap, kLargestMap))));
+    // At least two directions for each pixel along each axis, so that a small sun counts as much as it does there.
+    const int samples = std::max(2, (2 * around.quarter + wanted - 1) / wanted);
+    return {around.radiance, wanted, samples};
+}
+
+SphericalHarmonics ambient_of(const Pyramid& pyramid) {
+    return project([&](glm::vec3 direction) { return pyramid.look(direction, 0); }, pyramid.size());
 }
 
 }  // namespace patina::runtime

@@ -14,7 +14,7 @@
 
 #include <string>
 
-#include "runtime/lighting/harmonics.h"
+#include "runtime/lighting/prefilter.h"
 #include "runtime/outcome.h"
 #include "runtime/picture/image.h"
 
@@ -31,5 +31,12 @@ Outcome<Panorama> panorama_of(Image image, const std::string& name);
 
 // The same, turned by so many degrees about y, counter-clockwise seen from above.
 Radiance turned(Radiance radiance, double degrees);
+
+// Texels along a face of a map that is as fine as its picture.
+inline constexpr int kSmallestMap = 256, kLargestMap = 512;
+// The radiance on a cube. `face_size`: 0: as fine as the picture, within these limits.
+Pyramid pyramid_of(const Panorama& around, int face_size = 0);
+// Of all texels of its finest level.
+SphericalHarmonics ambient_of(const Pyramid& pyramid);
 
 }  // namespace patina::runtime

@@ -17,9 +17,9 @@
 #include <string_view>
 #include <vector>
 
+#include "patina/text_diff.h"
 #include "runtime/render/render_request.h"
 #include "runtime/snapshot/gates.h"
-#include "runtime/snapshot/text_diff.h"
 
 namespace patina::runtime {
 

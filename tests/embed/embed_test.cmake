@@ -1,6 +1,9 @@
-# cmake -D BUILD=... -D SOURCE=... -D WORK=... -D CXX=(compiler) -D NM=... -D FLAGS=(compiler flags) -P embed_test.cmake
-# Installs the library into an empty prefix, and builds and runs examples/embed with no other part of Patina in reach.
+# cmake -D BUILD=... -D SOURCE=... -D WORK=... -D CXX=(compiler) -D CC=(C compiler) -D PYTHON=(or empty) -D NM=...
+#       -D FLAGS=(compiler flags) -P embed_test.cmake
+# Installs the libraries into an empty prefix, and builds and runs programs with no other part of Patina in reach: with
+# the static and with the shared libraries, by CMake's package and by pkg-config alone.
 cmake_minimum_required(VERSION 3.22)
+separate_arguments(flags UNIX_COMMAND "${FLAGS}")
 
 function(run)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE status OUTPUT_VARIABLE text ERROR_VARIABLE text)
@@ -10,46 +13,111 @@ function(run)
   set(output "${text}" PARENT_SCOPE)
 endfunction()
 
-file(REMOVE_RECURSE ${WORK})
-run(${CMAKE_COMMAND} --install ${BUILD} --component library --prefix ${WORK}/prefix)
-# A copy, so that the example finds no files of the source tree.
-file(COPY ${SOURCE}/examples/embed DESTINATION ${WORK})
-run(${CMAKE_COMMAND} -S ${WORK}/embed -B ${WORK}/build -D CMAKE_PREFIX_PATH=${WORK}/prefix
-    -D CMAKE_FIND_USE_PACKAGE_REGISTRY=OFF -D CMAKE_BUILD_TYPE=Release -D "CMAKE_CXX_FLAGS=${FLAGS}")
-run(${CMAKE_COMMAND} --build ${WORK}/build)
-run(${WORK}/build/embed)
-foreach(wanted IN ITEMS "dotted.forward.vert.glsl" "dotted.forward.frag.glsl" "#version 450" "_Tint" "void main()")
-  string(FIND "${output}" "${wanted}" at)
-  if(at EQUAL -1)
-    message(FATAL_ERROR "the program does not print '${wanted}':\n${output}")
-  endif()
-endforeach()
+# run_and_find(PROGRAM... WORDS...): runs a program, which must print each of the words.
+function(run_and_find)
+  cmake_parse_arguments(arg "" "" "RUN;PRINTS" ${ARGN})
+  run(${arg_RUN})
+  foreach(wanted IN LISTS arg_PRINTS)
+    string(FIND "${output}" "${wanted}" at)
+    if(at EQUAL -1)
+      message(FATAL_ERROR "${arg_RUN} does not print '${wanted}':\n${output}")
+    endif()
+  endforeach()
+endfunction()
+set(shaders "dotted.forward.vert.glsl" "dotted.forward.frag.glsl" "#version 450" "_Tint" "void main()")
 
+file(REMOVE_RECURSE ${WORK})
+run(${CMAKE_COMMAND} --install ${BUILD} --component library --prefix ${WORK}/installed)
+# The package works wherever it is moved to.
+file(RENAME ${WORK}/installed ${WORK}/prefix)
+# Copies, so that the programs find no files of the source tree.
+file(COPY ${SOURCE}/examples/embed ${SOURCE}/examples/embed_c ${SOURCE}/examples/embed_python
+     ${SOURCE}/tests/embed/programs DESTINATION ${WORK})
+file(GLOB_RECURSE found ${WORK}/prefix/*/libpatina.a)
+get_filename_component(libraries "${found}" DIRECTORY)
+
+# --- CMake
+set(configure -D CMAKE_PREFIX_PATH=${WORK}/prefix -D CMAKE_FIND_USE_PACKAGE_REGISTRY=OFF -D CMAKE_BUILD_TYPE=Release
+    -D CMAKE_CXX_COMPILER=${CXX} -D "CMAKE_CXX_FLAGS=${FLAGS}" -D CMAKE_C_COMPILER=${CC} -D "CMAKE_C_FLAGS=${FLAGS}")
+foreach(shared IN ITEMS OFF ON)
+  set(folder ${WORK}/shared-${shared})
+  run(${CMAKE_COMMAND} -S ${WORK}/embed -B ${folder}/example ${configure} -D BUILD_SHARED_LIBS=${shared})
+  run(${CMAKE_COMMAND} --build ${folder}/example)
+  run_and_find(RUN ${folder}/example/embed PRINTS ${shaders})
+  run(${CMAKE_COMMAND} -S ${WORK}/programs -B ${folder}/programs ${configure} -D BUILD_SHARED_LIBS=${shared}
+      -D EXAMPLES=${WORK})
+  run(${CMAKE_COMMAND} --build ${folder}/programs)
+  run_and_find(RUN ${folder}/programs/embed PRINTS ${shaders})
+  run_and_find(RUN ${folder}/programs/embed_c PRINTS ${shaders})
+  run_and_find(RUN ${folder}/programs/lighting PRINTS "lighting 6 64")
+endforeach()
+# A project in C alone, by the shared library.
+run(${CMAKE_COMMAND} -S ${WORK}/embed_c -B ${WORK}/c ${configure})
+run(${CMAKE_COMMAND} --build ${WORK}/c)
+run_and_find(RUN ${WORK}/c/embed_c PRINTS ${shaders})
+
+# --- pkg-config
+set(ENV{PKG_CONFIG_LIBDIR} ${libraries}/pkgconfig)  # no other package is in reach
+set(ENV{LD_LIBRARY_PATH} ${libraries})
+file(MAKE_DIRECTORY ${WORK}/pkg-config)
+function(compile_with package program)  # and the compiler with the files of the program
+  run(pkg-config --cflags --libs ${package})
+  separate_arguments(arguments UNIX_COMMAND "${output}")
+  run(${ARGN} ${arguments} -o ${WORK}/pkg-config/${program})
+endfunction()
+foreach(form IN ITEMS "" "-static")
+  set(compiler ${CXX} -std=c++20 ${flags} ${WORK}/programs/other_fmt.cpp)
+  compile_with(patina${form} embed${form} ${compiler} ${WORK}/embed/main.cpp)
+  run_and_find(RUN ${WORK}/pkg-config/embed${form} PRINTS ${shaders})
+  compile_with(patina${form} embed_c${form} ${CC} -std=c99 -Wall -Wextra -Werror -pedantic ${flags} ${WORK}/embed_c/main.c)
+  run_and_find(RUN ${WORK}/pkg-config/embed_c${form} PRINTS ${shaders})
+  compile_with(patina-lighting${form} lighting${form} ${compiler} ${WORK}/programs/lighting.cpp)
+  run_and_find(RUN ${WORK}/pkg-config/lighting${form} PRINTS "lighting 6 64")
+endforeach()
+file(READ ${SOURCE}/compiler/include/patina/version.h version)
+string(REGEX MATCH "PATINA_VERSION_STRING \"([0-9.]+)\"" version "${version}")
+run_and_find(RUN pkg-config --modversion patina PRINTS ${CMAKE_MATCH_1})
+
+# --- Python, which cannot load a library with sanitizers
+if(PYTHON AND NOT FLAGS MATCHES "sanitize")
+  run_and_find(RUN ${PYTHON} -B -I ${WORK}/embed_python/main.py ${libraries}/libpatina.so PRINTS ${shaders} "// _Tint")
+endif()
+
+# --- what the libraries show
 # A program can use another version of {fmt} or RapidJSON beside it: the library defines neither under its usual name. A
 # plugin that contains the library shows Patina's own functions only.
-run(${NM} --demangle --defined-only ${BUILD}/compiler/libpatina.a)
-foreach(unwanted IN ITEMS "fmt::v[0-9]+::" "rapidjson::(Generic|internal|Reader|Memory)")
-  if(output MATCHES "[^\n]*${unwanted}[^\n]*")
-    message(FATAL_ERROR "the library defines '${CMAKE_MATCH_0}'")
-  endif()
+foreach(name IN ITEMS patina patina-lighting)
+  run(${NM} --demangle --defined-only ${libraries}/lib${name}.a)
+  foreach(unwanted IN ITEMS "fmt::v[0-9]+::" "rapidjson::(Generic|internal|Reader|Memory)")
+    if(output MATCHES "[^\n]*${unwanted}[^\n]*")
+      message(FATAL_ERROR "lib${name}.a defines '${CMAKE_MATCH_0}'")
+    endif()
+  endforeach()
 endforeach()
-separate_arguments(flags UNIX_COMMAND "${FLAGS}")
-run(${CXX} ${flags} -shared -o ${WORK}/plugin.so -Wl,--whole-archive ${BUILD}/compiler/libpatina.a
-    -Wl,--no-whole-archive)
+run(${CXX} ${flags} -shared -o ${WORK}/plugin.so -Wl,--whole-archive ${libraries}/libpatina.a -Wl,--no-whole-archive)
 run(${NM} --demangle --dynamic --defined-only ${WORK}/plugin.so)
 if(NOT output MATCHES "patina::Compiler::compile_text\\(")
   message(FATAL_ERROR "the plugin does not show patina::Compiler::compile_text")
 endif()
-string(REGEX MATCHALL "[^\n]* (fmt|rapidjson|patina::[a-z_]+)::[^\n]*" shown "${output}")
+string(REGEX MATCHALL "[^\n]* (fmt|rapidjson|glm|patina::[a-z_]+)::[^\n]*" shown "${output}")
 if(shown)
   message(FATAL_ERROR "the plugin shows what is not public:\n${shown}")
 endif()
+# The shared libraries show nothing else, not even instances of the standard library's templates.
+foreach(name IN ITEMS patina patina-lighting)
+  run(${NM} --demangle --dynamic --defined-only ${libraries}/lib${name}.so)
+  string(REGEX REPLACE "[^\n]* [A-Z] ((typeinfo|typeinfo name|vtable) for )?(patina::[^\n]*|patina_[a-z_]+)\n" "" other
+         "${output}")
+  if(NOT other STREQUAL "" OR NOT output MATCHES "patina")
+    message(FATAL_ERROR "lib${name}.so shows what is not public:\n${other}")
+  endif()
+endforeach()
 
 # The package is self-contained: it has no header of another library, and no path of this build or source tree.
-file(GLOB_RECURSE installed ${WORK}/prefix/*.h ${WORK}/prefix/*.cmake)
+file(GLOB_RECURSE installed ${WORK}/prefix/*.h ${WORK}/prefix/*.cmake ${WORK}/prefix/*.pc)
 foreach(file IN LISTS installed)
   file(READ ${file} text)
-  foreach(unwanted IN ITEMS "fmt" "rapidjson" "patina_options" "${SOURCE}/" "${BUILD}/")
+  foreach(unwanted IN ITEMS "fmt" "rapidjson" "glm" "patina_options" "${SOURCE}/" "${BUILD}/")
     string(FIND "${text}" "${unwanted}" at)
     if(NOT at EQUAL -1)
       message(FATAL_ERROR "${file} mentions '${unwanted}'")

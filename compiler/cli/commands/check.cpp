@@ -125,7 +125,7 @@ void add_check(Program& program) {
         if (!inputs) return Exit::Wrong;
         const Compiler compiler;
         return work_on(
-            console, *inputs, arguments->inputs.jobs,
+            console, inputs->files, arguments->inputs.jobs,
             [&](const Input& input) {
                 return is_scene(input.path) ? Checked{} : check_file(compiler, *arguments, input.path);
             },

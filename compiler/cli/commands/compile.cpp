@@ -5,38 +5,16 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <set>
 
 #include "compiler/cli/commands/commands.h"
-#include "compiler/cli/compile/arguments.h"
+#include "compiler/cli/compile/compiled.h"
 #include "compiler/cli/files.h"
 #include "compiler/cli/outputs.h"
 #include "patina/output_name.h"
-#include "patina/validate.h"
 
 namespace patina::cli {
 namespace {
-
-std::string as_bytes(const std::vector<std::uint32_t>& words) {
-    return std::string(reinterpret_cast<const char*>(words.data()), words.size() * sizeof(std::uint32_t));
-}
-
-// "rust.forward.vert.glsl" -> "rust.forward.vert.spv"
-std::string spirv_name(const Shader& shader) {
-    return shader.file_name.substr(0, shader.file_name.rfind('.')) + ".spv";
-}
-
-// Adds the shader's files. False: glslang or spirv-val refuses it, and `diagnostics` say why.
-bool add_shader(const CompileArguments& arguments, const std::string& folder, const Shader& shader, OutputFiles& files,
-                std::vector<Diagnostic>& diagnostics) {
-    if (contains(arguments.written, shader.target)) files.add(join_path(folder, shader.file_name), shader.text);
-    const bool wants_spirv = arguments.wants_spirv() && shader.target == Target::Glsl;
-    const bool is_stage = shader.has_main || !arguments.functions.empty();
-    if ((!arguments.validate && !wants_spirv) || !is_stage) return true;
-    const Validated validated = validate(shader);
-    diagnostics.insert(diagnostics.end(), validated.diagnostics.begin(), validated.diagnostics.end());
-    if (wants_spirv) files.add(join_path(folder, spirv_name(shader)), as_bytes(validated.spirv));
-    return validated.ok;
-}
 
 // Which graph has made the shader that an engine lists under a name.
 using ShaderNames = std::map<std::string, std::string, std::less<>>;
@@ -61,21 +39,19 @@ struct Run {
     const Compiler& compiler;
     Outputs outputs{console};
     ShaderNames shader_names{};
-    std::string written{};  // the paths of all outputs, a line each
+    std::string written{};                 // the paths of all outputs, a line each
+    std::set<std::string> dependencies{};  // of all graphs
 };
-
-std::string folder_of(const CompileArguments& arguments, const Input& input) {
-    return join_path(arguments.folder, input.folder);
-}
 
 Exit write(Run& run, const Input& input, const std::string& target, std::span<const std::string> dependencies,
            OutputFiles files) {
-    if (run.arguments.depfile) {
+    if (run.arguments.depfile && run.arguments.output_list.empty()) {
         const std::string name = output_name(input.path) + run.arguments.kind + ".d";
         files.add(join_path(folder_of(run.arguments, input), name), make_rule(target, dependencies));
     }
     if (!run.outputs.write(input.path, files, dependencies)) return Exit::Wrong;
     for (const runtime::OutputFile& file : files.files) run.written += file.path + "\n";
+    run.dependencies.insert(dependencies.begin(), dependencies.end());
     say(run.console, files);
     return Exit::Ok;
 }
@@ -99,26 +75,6 @@ Exit compile_variants(Run& run, const Input& input) {
     return write(run, input, manifest, dependencies, std::move(files));
 }
 
-// What is made of a graph before anything is printed or written.
-struct Compiled {
-    Result result{};
-    std::string reflection{};  // the path of its file
-    OutputFiles files{};
-    bool ok = false;
-};
-
-Compiled compile_graph(const CompileArguments& arguments, const Compiler& compiler, const Input& input) {
-    Compiled made{.result = compiler.compile_file(input.path, options_of(arguments))};
-    made.ok = made.result.ok;
-    if (!made.ok) return made;
-    const std::string folder = folder_of(arguments, input);
-    for (const Shader& shader : made.result.shaders)
-        made.ok &= add_shader(arguments, folder, shader, made.files, made.result.diagnostics);
-    made.reflection = join_path(folder, output_name(input.path) + arguments.kind + ".reflect.json");
-    made.files.add(made.reflection, made.result.reflection.to_json());
-    return made;
-}
-
 Exit finish(Run& run, const Input& input, Compiled& made) {
     report(run.console, made.result.diagnostics);
     for (const Dump& dump : made.result.dumps)
@@ -128,23 +84,51 @@ Exit finish(Run& run, const Input& input, Compiled& made) {
     return write(run, input, made.reflection, made.result.dependencies, std::move(made.files));
 }
 
-Exit compile_all(Run& run, const std::vector<Input>& inputs) {
-    const CompileArguments& arguments = run.arguments;
-    Exit exit = Exit::Ok;
-    if (arguments.variants.wanted.empty()) {
-        exit = work_on(
-            run.console, inputs, arguments.inputs.jobs,
-            [&](const Input& input) { return compile_graph(arguments, run.compiler, input); },
-            [&](const Input& input, Compiled& made) { return finish(run, input, made); });
-    } else {
-        for (const Input& input : inputs) exit = worse(exit, compile_variants(run, input));
-    }
-    if (exit != Exit::Ok || arguments.output_list.empty()) return exit;
+// Without symbolic links.
+std::filesystem::path folder_itself(const std::filesystem::path& folder) {
+    std::error_code ignored;
+    return std::filesystem::canonical(folder.empty() ? "." : folder, ignored);
+}
+
+// Adds what the graphs were found in, for the dependency file of the list: a list of files, and folders, which get
+// another time when a graph is added or removed. A folder that this command writes to would never be older than what is
+// made of it.
+void add_places(Run& run, const Inputs& inputs) {
+    const InputArguments& arguments = run.arguments.inputs;
+    if (!arguments.list.empty() && arguments.list != "-") run.dependencies.insert(arguments.list);
+    std::set<std::filesystem::path> written = {
+        folder_itself(std::filesystem::path(run.arguments.output_list).parent_path())};
+    for (const Input& input : inputs.files) written.insert(folder_itself(folder_of(run.arguments, input)));
+    for (const std::string& folder : inputs.folders)
+        if (!written.contains(folder_itself(folder))) run.dependencies.insert(folder);
+}
+
+Exit write_list(Run& run, const Inputs& inputs) {
+    const std::string& path = run.arguments.output_list;
     OutputFiles list;
-    list.files.push_back({.path = arguments.output_list, .bytes = run.written, .is_stamp = true});
+    list.files.push_back({.path = path, .bytes = run.written, .is_stamp = true});
+    if (run.arguments.depfile) {
+        add_places(run, inputs);
+        const std::vector<std::string> dependencies(run.dependencies.begin(), run.dependencies.end());
+        list.add(path + ".d", make_rule(path, dependencies));
+    }
     std::vector<std::string> graphs;
-    for (const Input& input : inputs) graphs.push_back(input.path);
-    return run.outputs.write(arguments.output_list, list, graphs) ? Exit::Ok : Exit::Wrong;
+    for (const Input& input : inputs.files) graphs.push_back(input.path);
+    return run.outputs.write(path, list, graphs) ? Exit::Ok : Exit::Wrong;
+}
+
+Exit compile_all(Run& run, Inputs& inputs) {
+    const CompileArguments& arguments = run.arguments;
+    Exit exit = take_out_equal_outputs(run.console, inputs.files, ".*", "compile");
+    if (arguments.variants.wanted.empty()) {
+        exit = worse(exit, work_on(
+                               run.console, inputs.files, arguments.inputs.jobs,
+                               [&](const Input& input) { return compile_graph(arguments, run.compiler, input); },
+                               [&](const Input& input, Compiled& made) { return finish(run, input, made); }));
+    } else {
+        for (const Input& input : inputs.files) exit = worse(exit, compile_variants(run, input));
+    }
+    return exit != Exit::Ok || arguments.output_list.empty() ? exit : write_list(run, inputs);
 }
 
 }  // namespace
@@ -156,26 +140,18 @@ void add_compile(Program& program) {
          "patina compile art -o out --jobs 4 --list-outputs out/all.txt   # out has the folders of art",
          "git ls-files '*.graph.json' | patina compile --files - -o out",
          "patina compile rust.graph.json -t spirv -o out --depfile",
+         "patina compile art -o out --list-outputs out/all.txt --depfile   # one step of a build",
          "patina compile rust.graph.json -t unity -o Assets/Shaders   # 'patina engines' lists what there is",
          "patina compile rust.graph.json --path deferred -D shadows -o out",
          "patina compile rust.graph.json -D _Mode=Wet -o out", "patina compile rust.graph.json --variants all -o out",
          "patina compile rust.graph.json --functions Rust_ -o out", "patina compile rust.graph.json --dump tidy"});
     auto arguments = std::make_shared<CompileArguments>();
     add_input_options(command, arguments->inputs, "Material graphs (JSON)");
-    add_words_option(command, "-t,--target", arguments->targets,
-                     "glsl, hlsl, spirv, or an engine; several with commas between; default: glsl,hlsl",
-                     [](const std::string&) { return std::string(); })
-        ->type_name("TARGETS");
-    command
-        .add_option(
-            "-o,--output", arguments->folder,
-            "Folder to write to, which is made if it is missing; it gets the folders that a folder of graphs has. "
-            "Default: the current folder")
-        ->type_name("DIR")
-        ->check(is_folder_name);
+    add_target_options(command, *arguments);
     command.add_flag("--validate", arguments->validate, "Check the shaders with glslang and spirv-val");
     command.add_flag("--depfile", arguments->depfile,
-                     "Write NAME.d next to NAME.reflect.json, a list of the files that this was made from, for ninja");
+                     "Write a list of the files that this was made from, for make and ninja: NAME.d next to "
+                     "NAME.reflect.json, or with --list-outputs FILE one for all, FILE.d");
     command
         .add_option(
             "--list-outputs", arguments->output_list,
@@ -223,16 +199,13 @@ void add_compile(Program& program) {
             complain(console, Complaint::FunctionsAsSpirv, {});
             return Exit::Usage;
         }
-        const std::optional<std::vector<Input>> inputs = find_inputs(console, arguments->inputs, {".graph.json"});
+        std::optional<Inputs> inputs = find_inputs(console, arguments->inputs, {".graph.json"});
         if (!inputs) return Exit::Wrong;
-        refuse_equal_outputs(*inputs, ".*", "compile");
         const Compiler compiler;
-        read_targets(*arguments, compiler);
-        if (const std::string why = not_for_engine(*arguments, compiler); !why.empty()) {
+        if (const std::string why = settle(*arguments, compiler); !why.empty()) {
             complain(console, Complaint::Usage, {why});
             return Exit::Usage;
         }
-        arguments->kind = arguments->variants.kind = kind_of(*arguments, compiler);
         Run run{console, *arguments, compiler};
         return compile_all(run, *inputs);
     });

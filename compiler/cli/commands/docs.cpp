@@ -1,5 +1,5 @@
 // patina docs: the reference as Markdown. It has a page for each node and each lighting model, an index of each kind,
-// and one page of semantics.
+// one page of semantics and one of what the engine gives.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,6 +12,7 @@
 #include "compiler/cli/outputs.h"
 #include "compiler/cli/pages/model_cost.h"
 #include "compiler/cli/pages/pages.h"
+#include "patina/engine_values.h"
 
 namespace patina::cli {
 namespace {
@@ -107,6 +108,32 @@ void add_semantics(Pages& pages, const Compiler& compiler) {
     pages["semantics.md"] = text;
 }
 
+// The page of engine values: what an engine puts into its blocks, and the textures that it binds.
+void add_engine_values(Pages& pages, const Compiler& compiler) {
+    std::string text =
+        std::string(kWritten) +
+        "# What the engine gives\n\nThe members of the engine's uniform blocks, and its textures. A material reads "
+        "some "
+        "of them: its reflection says which, and the offset of each. The engine, which is the "
+        "program that draws, fills all of them; only the block of the material's own properties is not here. An "
+        "engine may have names of its own for blocks ([engines](engines.md)). Axes and units are those of [the "
+        "conventions](conventions.md); `E/pi` is the radiance of a white Lambert surface. What has a row under \"only "
+        "with\" exists if one of these switches or rendering paths is on.\n";
+    for (const EngineBlockInfo& block : engine_blocks(compiler)) {
+        text += fmt::format("\n## {}\n\n", block.name.empty() ? "Textures" : "`" + block.name + "`");
+        if (!block.doc.empty()) text += escaped(block.doc) + "\n\n";
+        text += "| name | type | unit | space | | only with |\n|---|---|---|---|---|---|\n";
+        for (const EngineValueInfo& value : block.values) {
+            std::string with;
+            for (const std::string& name : value.with) with += fmt::format("{}`{}`", with.empty() ? "" : ", ", name);
+            text += fmt::format("| `{}` | {} | {} | {} | {}{} | {} |\n", value.name, value.type, escaped(value.unit),
+                                escaped(value.space), escaped(value.doc),
+                                value.is_of_object ? " A draw of instances has one for each." : "", with);
+        }
+    }
+    pages["engine-values.md"] = text;
+}
+
 // Pages that an earlier version wrote, of nodes and models that no longer exist.
 std::vector<std::string> stale(const Pages& pages, const std::string& folder) {
     std::vector<std::string> paths;
@@ -156,6 +183,7 @@ Exit write_docs(const Console& console, const Arguments& arguments) {
     add_nodes(pages, compiler, arguments.folder);
     add_models(pages, compiler, arguments.folder);
     add_semantics(pages, compiler);
+    add_engine_values(pages, compiler);
     if (arguments.check) return compare(console, pages, arguments.folder);
     OutputFiles files;
     for (const auto& [path, text] : pages) files.add(join_path(arguments.folder, path), text);
@@ -174,10 +202,10 @@ void add_docs(Program& program) {
     CLI::App& command = add_command(program, "docs", {"patina docs docs", "patina docs docs --check"});
     auto arguments = std::make_shared<Arguments>();
     command
-        .add_option(
-            "DIR", arguments->folder,
-            "Folder for nodes/*.md, models/*.md and semantics.md; pages of nodes and models that no longer exist are "
-            "removed, and pages that patina has not written are not overwritten")
+        .add_option("DIR", arguments->folder,
+                    "Folder for nodes/*.md, models/*.md, semantics.md and engine-values.md; pages of nodes and models "
+                    "that no longer exist are "
+                    "removed, and pages that patina has not written are not overwritten")
         ->required()
         ->type_name(" ")
         ->check(is_folder_name);

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "compiler/cli/outputs.h"
+
 namespace patina::cli {
 namespace {
 
@@ -36,6 +38,36 @@ bool contains(const std::vector<Target>& targets, const Target& target) {
     return std::find(targets.begin(), targets.end(), target) != targets.end();
 }
 
+void add_target_options(CLI::App& command, CompileArguments& arguments) {
+    add_words_option(command, "-t,--target", arguments.targets,
+                     "glsl, hlsl, spirv, or an engine; several with commas between; default: glsl,hlsl",
+                     [](const std::string&) { return std::string(); })
+        ->type_name("TARGETS");
+    command
+        .add_option(
+            "-o,--output", arguments.folder,
+            "Folder to write to, which is made if it is missing; it gets the folders that a folder of graphs has. "
+            "Default: the current folder")
+        ->type_name("DIR")
+        ->check(is_folder_name);
+}
+
+CompileOptions options_of(const CompileArguments& arguments) {
+    CompileOptions options;
+    options.targets = arguments.written;
+    if (arguments.wants_spirv() && !contains(options.targets, Target::Glsl))
+        options.targets.insert(options.targets.begin(), Target::Glsl);
+    options.include_dirs = arguments.include_dirs;
+    options.dump = arguments.dump;
+    options.path = arguments.path.path;
+    options.switches = arguments.path.switches();
+    options.functions = arguments.functions;
+    return options;
+}
+
+namespace {
+
+// Throws the usage error if there is no such target.
 void read_targets(CompileArguments& arguments, const Compiler& compiler) {
     std::vector<std::string> known;
     for (const EngineInfo& engine : compiler.engines()) {
@@ -54,19 +86,6 @@ void read_targets(CompileArguments& arguments, const Compiler& compiler) {
             if (arguments.wants(word) || arguments.wants(engine.name)) arguments.written.push_back(target);
         }
     }
-}
-
-CompileOptions options_of(const CompileArguments& arguments) {
-    CompileOptions options;
-    options.targets = arguments.written;
-    if (arguments.wants_spirv() && !contains(options.targets, Target::Glsl))
-        options.targets.insert(options.targets.begin(), Target::Glsl);
-    options.include_dirs = arguments.include_dirs;
-    options.dump = arguments.dump;
-    options.path = arguments.path.path;
-    options.switches = arguments.path.switches();
-    options.functions = arguments.functions;
-    return options;
 }
 
 std::string kind_of(const CompileArguments& arguments, const Compiler& compiler) {
@@ -104,6 +123,14 @@ std::string not_for_engine(const CompileArguments& arguments, const Compiler& co
                                fmt::join(engine.paths, " or "), arguments.path.path);
     }
     return {};
+}
+
+}  // namespace
+
+std::string settle(CompileArguments& arguments, const Compiler& compiler) {
+    read_targets(arguments, compiler);
+    arguments.kind = arguments.variants.kind = kind_of(arguments, compiler);
+    return not_for_engine(arguments, compiler);
 }
 
 }  // namespace patina::cli

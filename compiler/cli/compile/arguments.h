@@ -22,15 +22,16 @@ struct CompileArguments {
     PathOptions path;
     std::string functions;
     VariantOptions variants;
-    std::string output_list;  // --list-outputs
+    std::string output_list;  // --list-outputs; its --depfile is one for all
     bool validate = false;
     bool depfile = false;
 
     bool wants(std::string_view target) const;
     bool wants_spirv() const;
-    // Whose files are written. SPIR-V is made from GLSL, which may not be among them. read_targets() finds them.
+    // Whose files are written. SPIR-V is made from GLSL, which may not be among them. settle() finds them.
     std::vector<Target> written;
-    // What tells the reflection of this kind of output from those of others: "", ".deferred", ".functions".
+    // What the names of the reflection, its dependency file and its manifest hold besides the graph: nothing for the
+    // default engine and path, else ".deferred", ".functions". settle() finds it.
     std::string kind;
     // --dump alone is for looking, not for writing.
     bool writes() const { return dump.empty() || !folder.empty(); }
@@ -38,16 +39,12 @@ struct CompileArguments {
 
 bool contains(const std::vector<Target>& targets, const Target& target);
 
-// Reads the words of -t. Throws the usage error if there is no such target.
-void read_targets(CompileArguments& arguments, const Compiler& compiler);
+// -t and -o.
+void add_target_options(CLI::App& command, CompileArguments& arguments);
+// Reads the words of -t, and what follows from them. Throws the usage error if there is no such target. Returns what
+// was asked for and a wanted engine's files do not have; empty: nothing.
+std::string settle(CompileArguments& arguments, const Compiler& compiler);
 
 CompileOptions options_of(const CompileArguments& arguments);
-
-// What the names of the reflection, its dependency file and its manifest hold besides the graph: nothing for the
-// default engine and path.
-std::string kind_of(const CompileArguments& arguments, const Compiler& compiler);
-
-// What was asked for and a wanted engine's files do not have; empty: nothing.
-std::string not_for_engine(const CompileArguments& arguments, const Compiler& compiler);
 
 }  // namespace patina::cli

@@ -1,5 +1,5 @@
 // The differences of texts. How few they can be is known from the longest common subsequence, found the slow way.
-#include "runtime/snapshot/text_diff.h"
+#include "patina/text_diff.h"
 
 #include <gtest/gtest.h>
 

@@ -8,7 +8,9 @@
 #include <string_view>
 #include <vector>
 
-namespace patina::runtime {
+#include "patina/export.h"
+
+namespace patina {
 
 struct DiffLine {
     enum class Kind { Same, Removed, Added, Gap } kind = Kind::Same;
@@ -19,8 +21,10 @@ struct DiffLine {
 inline constexpr int kDiffContext = 3;  // lines before and after a difference
 
 // Empty if the texts are equal. Texts of very many differences may not get the fewest.
-std::vector<DiffLine> differences(std::string_view old_text, std::string_view new_text);
+PATINA_API std::vector<DiffLine> differences(std::string_view old_text, std::string_view new_text);
+// The same with all lines that both texts have, and without gaps; also of equal texts.
+PATINA_API std::vector<DiffLine> all_lines(std::string_view old_text, std::string_view new_text);
 // How many lines are added or removed.
-std::size_t changed_lines(const std::vector<DiffLine>& diff);
+PATINA_API std::size_t changed_lines(const std::vector<DiffLine>& diff);
 
-}  // namespace patina::runtime
+}  // namespace patina

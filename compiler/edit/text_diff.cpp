@@ -1,8 +1,8 @@
-#include "runtime/snapshot/text_diff.h"
+#include "patina/text_diff.h"
 
 #include <algorithm>
 
-namespace patina::runtime {
+namespace patina {
 namespace {
 
 using Lines = std::vector<std::string_view>;
@@ -60,7 +60,10 @@ void find_common(const Lines& a, const Lines& b, std::vector<bool>& kept_a, std:
     }
 }
 
-std::vector<DiffLine> all_lines(const Lines& a, const Lines& b) {
+}  // namespace
+
+std::vector<DiffLine> all_lines(std::string_view old_text, std::string_view new_text) {
+    const Lines a = lines_of(old_text), b = lines_of(new_text);
     std::vector<bool> kept_a(a.size()), kept_b(b.size());
     find_common(a, b, kept_a, kept_b);
     std::vector<DiffLine> all;
@@ -80,11 +83,9 @@ std::vector<DiffLine> all_lines(const Lines& a, const Lines& b) {
     return all;
 }
 
-}  // namespace
-
 std::vector<DiffLine> differences(std::string_view old_text, std::string_view new_text) {
     if (old_text == new_text) return {};
-    std::vector<DiffLine> all = all_lines(lines_of(old_text), lines_of(new_text));
+    std::vector<DiffLine> all = all_lines(old_text, new_text);
     std::vector<bool> shown(all.size());
     for (int i = 0; i < int(all.size()); i++) {
         if (all[std::size_t(i)].kind == Kind::Same) continue;
@@ -102,8 +103,9 @@ std::vector<DiffLine> differences(std::string_view old_text, std::string_view ne
 }
 
 std::size_t changed_lines(const std::vector<DiffLine>& diff) {
-    return std::size_t(std::ranges::count_if(
-        diff, [](const DiffLine& line) { return line.kind == Kind::Added || line.kind == Kind::Removed; }));
+    return std::size_t(std::count_if(diff.begin(), diff.end(), [](const DiffLine& line) {
+        return line.kind == Kind::Added || line.kind == Kind::Removed;
+    }));
 }
 
-}  // namespace patina::runtime
+}  // namespace patina

@@ -1,0 +1,92 @@
+// diff_graphs(): reads two texts and lists what changed between them.
+#include <algorithm>
+
+#include "compiler/api/report.h"
+#include "compiler/edit/changes.h"
+#include "compiler/edit/merge_names.h"
+#include "compiler/format/read_graph.h"
+#include "compiler/json/json_text.h"
+#include "patina/graph_diff.h"
+
+namespace patina {
+namespace {
+
+using graph::GraphText;
+using graph::TreeValue;
+
+std::unique_ptr<GraphText> read(const GraphVersion& version) {
+    std::unique_ptr<GraphText> text = graph::read_graph_text(version.name, version.text.empty() ? "{}" : version.text);
+    if (version.text.empty()) text->ok = true;
+    return text;
+}
+
+void add_errors(const GraphText& text, GraphDiff& diff) {
+    for (Diagnostic& each : to_public(text.diagnostics, text.sources)) {
+        if (each.severity == Severity::Error) diff.diagnostics.push_back(std::move(each));
+    }
+}
+
+std::string json_of(const TreeValue& value) {
+    std::string text;
+    if (value) graph::append_one_line(text, *value.json, value.text->sources);
+    return text;
+}
+
+// The names of a list, for a change of its order.
+std::string names_of(const TreeValue& list) {
+    std::string text;
+    for (const graph::TreeChild& child : graph::children_of(list)) {
+        text += text.empty() ? "[" : ", ";
+        graph::append_quoted(text, child.name);
+    }
+    return text + "]";
+}
+
+FilePlace place_in(const GraphText& text, const graph::Path& path) {
+    const TreeValue value = graph::find(text, path);
+    return value ? graph::place_of(text.sources, value.json->span) : FilePlace{};
+}
+
+}  // namespace
+
+GraphDiff diff_graphs(const GraphVersion& before, const GraphVersion& after) {
+    GraphDiff diff;
+    const std::unique_ptr<GraphText> old_text = read(before), new_text = read(after);
+    for (const auto& [text, other] : {std::pair(&old_text, &new_text), std::pair(&new_text, &old_text)}) {
+        if (!(*text)->ok) add_errors(**text, diff);
+        if ((*text)->json && (*text)->json->members.empty()) (*text)->kind = (*other)->kind;
+    }
+    if (!old_text->ok || !new_text->ok) return diff;
+    diff.ok = true;
+
+    // A rename is one change, whatever reads the name.
+    const std::vector<graph::Rename> renames = graph::find_renames(*old_text, *new_text);
+    for (const graph::Rename& rename : renames) {
+        diff.changes.push_back({.kind = GraphChangeKind::Renamed,
+                                .path = {rename.list, rename.to},
+                                .before = rename.from,
+                                .after = rename.to,
+                                .before_place = place_in(*old_text, {rename.list, rename.from}),
+                                .after_place = place_in(*new_text, {rename.list, rename.to})});
+    }
+    const std::unique_ptr<GraphText> renamed = graph::read_graph_text(
+        before.name, graph::apply(old_text->sources, old_text->base, graph::rename_edits(*old_text, renames)));
+    renamed->kind = old_text->kind;
+    for (const graph::TreeChange& each : graph::find_changes(*renamed, *new_text)) {
+        const graph::Path old_path = graph::before_renames(each.path, renames);
+        const TreeValue old_value = each.before ? graph::find(*old_text, old_path) : TreeValue{};
+        GraphChange& change = diff.changes.emplace_back();
+        change.kind = each.is_order  ? GraphChangeKind::Reordered
+                      : !each.before ? GraphChangeKind::Added
+                      : !each.after  ? GraphChangeKind::Removed
+                                     : GraphChangeKind::Changed;
+        change.path = each.path;
+        change.before = each.is_order ? names_of(old_value) : json_of(old_value);
+        change.after = each.is_order ? names_of(each.after) : json_of(each.after);
+        change.before_place = old_value ? place_in(*old_text, old_path) : FilePlace{};
+        change.after_place = each.after ? place_in(*new_text, each.path) : FilePlace{};
+    }
+    return diff;
+}
+
+}  // namespace patina

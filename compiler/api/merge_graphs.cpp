@@ -1,0 +1,91 @@
+// merge_graphs(): reads the three texts, and compiles what is merged of them.
+#include <algorithm>
+
+#include "compiler/api/report.h"
+#include "compiler/edit/merge_texts.h"
+#include "patina/graph_merge.h"
+
+namespace patina {
+namespace {
+
+bool has_carriage_returns(std::string_view text) {
+    const auto newlines = std::count(text.begin(), text.end(), '\n');
+    std::ptrdiff_t returns = 0;
+    for (std::size_t at = text.find("\r\n"); at != text.npos; at = text.find("\r\n", at + 2)) ++returns;
+    return newlines > 0 && returns == newlines;
+}
+
+std::string without_carriage_returns(std::string text) {
+    if (has_carriage_returns(text)) text.erase(std::remove(text.begin(), text.end(), '\r'), text.end());
+    return text;
+}
+
+std::string with_carriage_returns(std::string_view text) {
+    std::string made;
+    for (const char c : text) {
+        if (c == '\n') made += '\r';
+        made += c;
+    }
+    return made;
+}
+
+std::unique_ptr<graph::GraphText> read(const MergeInput& input, MergeResult& result) {
+    std::unique_ptr<graph::GraphText> text = graph::read_graph_text(input.name, without_carriage_returns(input.text));
+    if (!text->ok) {
+        for (Diagnostic& error : to_public(text->diagnostics, text->sources))
+            result.diagnostics.push_back(std::move(error));
+    }
+    return text;
+}
+
+// Of a file that both sides added: one in which nothing is.
+std::unique_ptr<graph::GraphText> nothing(const MergeInput& base, const graph::GraphText& ours) {
+    std::unique_ptr<graph::GraphText> text = graph::read_graph_text(base.name, "{}");
+    text->kind = ours.kind;
+    return text;
+}
+
+void keep_errors(std::vector<Diagnostic>& diagnostics) {
+    const auto is_no_error = [](const Diagnostic& each) { return each.severity != Severity::Error; };
+    diagnostics.erase(std::remove_if(diagnostics.begin(), diagnostics.end(), is_no_error), diagnostics.end());
+}
+
+std::vector<Diagnostic> errors_of(const Compiler& compiler, const MergeOptions& options, const std::string& text) {
+    CompileOptions compile;
+    compile.include_dirs = options.compile.include_dirs;
+    compile.loader = options.compile.loader;
+    compile.targets = {Target::Glsl};
+    compile.accept_parts = true;
+    std::vector<Diagnostic> errors = compiler.compile_text(options.path, text, compile).diagnostics;
+    keep_errors(errors);
+    return errors;
+}
+
+// A scene is not compiled, nor is a workflow by itself. What their own parts call each other is known without other
+// files.
+std::vector<Diagnostic> errors_of_form(const MergeOptions& options, const std::string& text) {
+    const std::unique_ptr<graph::GraphText> read = graph::read_graph_text(options.path, text);
+    std::vector<Diagnostic> errors = to_public(read->diagnostics, read->sources);
+    keep_errors(errors);
+    return errors;
+}
+
+}  // namespace
+
+MergeResult merge_graphs(const Compiler& compiler, const MergeInput& base, const MergeInput& ours,
+                         const MergeInput& theirs, const MergeOptions& options) {
+    MergeResult result{.text = ours.text};
+    graph::Sides sides{.base = nullptr, .ours = read(ours, result), .theirs = read(theirs, result)};
+    sides.base = base.text.empty() ? nothing(base, *sides.ours) : read(base, result);
+    if (!sides.ours->ok || !sides.theirs->ok || (!base.text.empty() && !sides.base->ok)) return result;
+
+    const bool is_compiled =
+        sides.ours->kind != graph::ObjectKind::Scene && sides.ours->kind != graph::ObjectKind::Workflow;
+    result = graph::merge_texts(sides, options, [&](const std::string& text) {
+        return is_compiled ? errors_of(compiler, options, text) : errors_of_form(options, text);
+    });
+    if (has_carriage_returns(ours.text)) result.text = with_carriage_returns(result.text);
+    return result;
+}
+
+}  // namespace patina

@@ -1,0 +1,224 @@
+// The functions of patina/patina_c.h: each calls one of patina::Compiler and keeps what it returns.
+#include "patina/patina_c.h"
+
+#include <exception>
+#include <map>
+#include <memory>
+#include <new>
+#include <optional>
+
+#include "compiler/capi/read_options.h"
+
+struct patina_compiler {
+    patina::Compiler compiler;
+};
+
+struct patina_result {
+    patina::Result result;
+    std::string messages, diagnostics, reflection;
+    std::vector<patina_shader> shaders;
+};
+
+struct patina_reply {
+    std::optional<std::string> text;
+    std::optional<std::string> error;
+};
+
+namespace patina::capi {
+namespace {
+
+const char* or_empty(const char* text) {
+    return text ? text : "";
+}
+
+// Runs `work`, which may throw as C++ does.
+template <class Work>
+patina_status guarded(const Work& work) noexcept {
+    try {
+        return work();
+    } catch (const std::bad_alloc&) {
+        return PATINA_OUT_OF_MEMORY;
+    } catch (...) {
+        return PATINA_INTERNAL_ERROR;
+    }
+}
+
+// Why files could not be read, by their paths.
+using Reasons = std::map<std::string, std::string>;
+
+void use(const patina_callbacks& given, CompileOptions& options, Reasons& reasons) {
+    if (!given.read) return;
+    options.loader = [given, &reasons](const std::string& path) -> std::optional<std::string> {
+        patina_reply reply;
+        try {
+            given.read(given.user, path.c_str(), &reply);
+        } catch (const std::exception& thrown) {  // the callback may be C++
+            reply.error = thrown.what();
+        }
+        if (!reply.error) return std::move(reply.text);
+        reasons[path] = *reply.error;
+        return std::nullopt;
+    };
+}
+
+// Makes what the functions return of a result. The texts of its shaders stay where they are.
+void complete(patina_result& made) {
+    made.diagnostics = "[";
+    for (const Diagnostic& diagnostic : made.result.diagnostics) {
+        made.messages += to_text(diagnostic) + "\n";
+        made.diagnostics += (made.diagnostics.size() > 1 ? ",\n" : "") + to_json(diagnostic);
+    }
+    made.diagnostics += "]";
+    if (!made.result.ok) {
+        made.result.shaders.clear();
+        return;
+    }
+    made.reflection = made.result.reflection.to_json();
+    for (const Shader& shader : made.result.shaders) {
+        made.shaders.push_back({.file_name = shader.file_name.c_str(),
+                                .text = shader.text.c_str(),
+                                .size = shader.text.size(),
+                                .pass = shader.pass.c_str(),
+                                .stage = to_string(shader.stage).data(),
+                                .engine = shader.target.engine.c_str(),
+                                .language = shader.target.language.c_str()});
+    }
+}
+
+// `work` compiles with the options.
+template <class Work>
+patina_status compile(const patina_compiler* compiler, const char* options_text, const patina_callbacks* callbacks,
+                      patina_result** result, const Work& work) noexcept {
+    if (!result) return PATINA_BAD_ARGUMENT;
+    *result = nullptr;
+    if (!compiler) return PATINA_BAD_ARGUMENT;
+    return guarded([&] {
+        auto made = std::make_unique<patina_result>();
+        CompileOptions options;
+        if (options_text) made->result.diagnostics = read_options(compiler->compiler, options_text, options);
+        if (made->result.diagnostics.empty()) {
+            Reasons reasons;
+            if (callbacks) use(*callbacks, options, reasons);
+            made->result = work(options);
+            for (const auto& [path, reason] : reasons) {
+                made->result.ok = false;
+                FilePlace place;
+                place.file = path;
+                made->result.diagnostics.push_back(
+                    diagnostic_at(place, "cannot-read", "cannot read '" + path + "': " + reason));
+            }
+        }
+        complete(*made);
+        const bool is_ok = made->result.ok;
+        *result = made.release();
+        return is_ok ? PATINA_OK : PATINA_HAS_ERRORS;
+    });
+}
+
+}  // namespace
+}  // namespace patina::capi
+
+using namespace patina::capi;
+
+extern "C" {
+
+const char* patina_status_text(patina_status status) {
+    switch (status) {
+        case PATINA_OK: return "all is well";
+        case PATINA_HAS_ERRORS: return "there are errors";
+        case PATINA_WRONG_ABI: return "the program was compiled for another version of patina_c.h than the library";
+        case PATINA_BAD_ARGUMENT: return "a pointer is null that must not be";
+        case PATINA_OUT_OF_MEMORY: return "there is not enough memory";
+        case PATINA_INTERNAL_ERROR: return "a mistake of the library";
+    }
+    return "an unknown status";
+}
+
+uint32_t patina_c_abi(void) {
+    return PATINA_C_ABI;
+}
+
+const char* patina_version(void) {
+    return PATINA_VERSION_STRING;
+}
+
+patina_status patina_compiler_create(uint32_t abi, patina_compiler** compiler) {
+    if (!compiler) return PATINA_BAD_ARGUMENT;
+    *compiler = nullptr;
+    if (abi != PATINA_C_ABI) return PATINA_WRONG_ABI;
+    return guarded([&] {
+        *compiler = new patina_compiler;
+        return PATINA_OK;
+    });
+}
+
+void patina_compiler_free(patina_compiler* compiler) {
+    delete compiler;
+}
+
+void patina_reply_text(patina_reply* reply, const char* text, size_t size) {
+    if (!reply) return;
+    const patina_status status = guarded([&] {
+        reply->text = std::string(or_empty(text), text ? size : 0);
+        return PATINA_OK;
+    });
+    if (status != PATINA_OK) reply->error.emplace();  // too short to need memory
+}
+
+void patina_reply_error(patina_reply* reply, const char* reason) {
+    if (!reply) return;
+    const patina_status status = guarded([&] {
+        reply->error = or_empty(reason);
+        return PATINA_OK;
+    });
+    if (status != PATINA_OK) reply->error.emplace();
+}
+
+patina_status patina_compile(const patina_compiler* compiler, const char* path, const char* text, size_t size,
+                             const char* options, const patina_callbacks* callbacks, patina_result** result) {
+    const bool is_complete = path && (text || size == 0);
+    return compile(is_complete ? compiler : nullptr, options, callbacks, result,
+                   [&](const patina::CompileOptions& read) {
+                       return compiler->compiler.compile_text(path, std::string(or_empty(text), size), read);
+                   });
+}
+
+patina_status patina_compile_file(const patina_compiler* compiler, const char* path, const char* options,
+                                  const patina_callbacks* callbacks, patina_result** result) {
+    return compile(path ? compiler : nullptr, options, callbacks, result,
+                   [&](const patina::CompileOptions& read) { return compiler->compiler.compile_file(path, read); });
+}
+
+void patina_result_free(patina_result* result) {
+    delete result;
+}
+
+const char* patina_result_messages(const patina_result* result) {
+    return result ? result->messages.c_str() : "";
+}
+
+const char* patina_result_diagnostics(const patina_result* result) {
+    return result ? result->diagnostics.c_str() : "[]";
+}
+
+size_t patina_result_shader_count(const patina_result* result) {
+    return result ? result->shaders.size() : 0;
+}
+
+const patina_shader* patina_result_shader(const patina_result* result, size_t index) {
+    return result && index < result->shaders.size() ? &result->shaders[index] : nullptr;
+}
+
+const char* patina_result_reflection(const patina_result* result) {
+    return result ? result->reflection.c_str() : "";
+}
+
+size_t patina_result_dependency_count(const patina_result* result) {
+    return result ? result->result.dependencies.size() : 0;
+}
+
+const char* patina_result_dependency(const patina_result* result, size_t index) {
+    return result && index < result->result.dependencies.size() ? result->result.dependencies[index].c_str() : nullptr;
+}
+
+}  // extern "C"

@@ -1,0 +1,128 @@
+#include "compiler/capi/read_options.h"
+
+#include <memory>
+#include <optional>
+
+#include "compiler/api/report.h"
+#include "compiler/format/read_fields.h"
+
+namespace patina::capi {
+namespace {
+
+using graph::Json;
+using graph::ObjectKind;
+
+class Reader {
+public:
+    Reader(graph::Reading& reading, const Compiler& compiler, CompileOptions& options)
+        : reading_(reading), compiler_(compiler), options_(options) {}
+
+    void read(const Json& json) {
+        if (!expect(reading_, json, Json::Kind::Object, "the text of the options")) return;
+        check_keys(reading_, json, ObjectKind::Options);
+        if (const Json* names = json.find("targets")) targets(*names);
+        request(json);
+        if (const Json* values = json.find("switches")) switches(*values);
+        options_.lighting = read_text(reading_, json, "lighting");
+        options_.include_dirs = texts(json, "includeDirs");
+        options_.keep_variants = flag(json, "keepVariants");
+        options_.accept_parts = flag(json, "acceptParts");
+        options_.hashes = flag(json, "hashes");
+    }
+
+private:
+    void targets(const Json& json) {
+        options_.targets.clear();
+        for (const Json* each : strings(json, "targets")) {
+            const std::vector<Target> meant = compiler_.targets(each->string);
+            if (meant.empty()) {
+                std::vector<std::string_view> known;
+                for (const EngineInfo& engine : compiler_.engines()) {
+                    if (engine.is_default) known.insert(known.end(), engine.languages.begin(), engine.languages.end());
+                    known.push_back(engine.name);
+                }
+                suggest(reading_,
+                        reading_.diagnostics.report(Code::UnknownWord, graph::inside(each->span),
+                                                    graph::shown(each->string), "a language or an engine"),
+                        each->string, known);
+            }
+            options_.targets.insert(options_.targets.end(), meant.begin(), meant.end());
+        }
+        if (json.kind == Json::Kind::Array && json.elements.empty())
+            reading_.diagnostics.report(Code::EmptyList, json.span, "targets");
+    }
+
+    // Passes, functions or a preview.
+    void request(const Json& json) {
+        if (std::string path = read_text(reading_, json, "path"); !path.empty()) options_.path = std::move(path);
+        options_.passes = texts(json, "passes");
+        options_.preview = read_text(reading_, json, "preview");
+        options_.functions = read_text(reading_, json, "functions");
+        const graph::JsonMember* functions = find_member(json, "functions");
+        if (!functions) return;
+        for (const std::string_view other : {"path", "passes", "preview"}) {
+            if (json.find(other))
+                reading_.diagnostics.report(Code::ConflictingInputs, functions->key_span, "functions", other);
+        }
+    }
+
+    void switches(const Json& json) {
+        if (!expect(reading_, json, Json::Kind::Object, "'switches'")) return;
+        for (const graph::JsonMember& member : json.members) {
+            std::string value = member.value.string;
+            switch (member.value.kind) {
+                case Json::Kind::String: break;
+                case Json::Kind::Bool: value = member.value.boolean ? "true" : "false"; break;
+                case Json::Kind::Number: value = reading_.sources.text(member.value.span); break;
+                case Json::Kind::Null:
+                case Json::Kind::Array:
+                case Json::Kind::Object:
+                    report_type(reading_, member.value, fmt::format("'{}'", graph::shown(member.key)),
+                                "a word, a number, true or false");
+                    continue;
+            }
+            options_.switches.emplace_back(member.key, std::move(value));
+        }
+    }
+
+    bool flag(const Json& object, std::string_view key) {
+        const Json* json = object.find(key);
+        return json && read_bool(reading_, *json, fmt::format("'{}'", key)).value_or(false);
+    }
+
+    std::vector<const Json*> strings(const Json& json, std::string_view key) {
+        std::vector<const Json*> result;
+        if (!expect(reading_, json, Json::Kind::Array, fmt::format("'{}'", key))) return result;
+        for (const Json& each : json.elements) {
+            if (read_string(reading_, each, fmt::format("an entry of '{}'", key))) result.push_back(&each);
+        }
+        return result;
+    }
+    std::vector<std::string> texts(const Json& object, std::string_view key) {
+        std::vector<std::string> result;
+        if (const Json* json = object.find(key)) {
+            for (const Json* each : strings(*json, key)) result.push_back(each->string);
+        }
+        return result;
+    }
+
+    graph::Reading& reading_;
+    const Compiler& compiler_;
+    CompileOptions& options_;
+};
+
+}  // namespace
+
+std::vector<Diagnostic> read_options(const Compiler& compiler, std::string text, CompileOptions& options) {
+    SourceMap sources;
+    Diagnostics diagnostics;
+    nodelang::Ast ast;
+    const std::uint32_t base = sources.add("options", std::move(text));
+    if (const std::unique_ptr<Json> json = graph::parse_json(sources, base, diagnostics)) {
+        graph::Reading reading{.sources = sources, .ast = ast, .diagnostics = diagnostics};
+        Reader(reading, compiler, options).read(*json);
+    }
+    return to_public(diagnostics, sources);
+}
+
+}  // namespace patina::capi

@@ -1,0 +1,49 @@
+#include "compiler/cli/compile/compiled.h"
+
+#include "compiler/cli/files.h"
+#include "patina/output_name.h"
+#include "patina/validate.h"
+
+namespace patina::cli {
+namespace {
+
+std::string as_bytes(const std::vector<std::uint32_t>& words) {
+    return std::string(reinterpret_cast<const char*>(words.data()), words.size() * sizeof(std::uint32_t));
+}
+
+// "rust.forward.vert.glsl" -> "rust.forward.vert.spv"
+std::string spirv_name(const Shader& shader) {
+    return shader.file_name.substr(0, shader.file_name.rfind('.')) + ".spv";
+}
+
+}  // namespace
+
+bool add_shader(const CompileArguments& arguments, const std::string& folder, const Shader& shader, OutputFiles& files,
+                std::vector<Diagnostic>& diagnostics) {
+    if (contains(arguments.written, shader.target)) files.add(join_path(folder, shader.file_name), shader.text);
+    const bool wants_spirv = arguments.wants_spirv() && shader.target == Target::Glsl;
+    const bool is_stage = shader.has_main || !arguments.functions.empty();
+    if ((!arguments.validate && !wants_spirv) || !is_stage) return true;
+    const Validated validated = validate(shader);
+    diagnostics.insert(diagnostics.end(), validated.diagnostics.begin(), validated.diagnostics.end());
+    if (wants_spirv) files.add(join_path(folder, spirv_name(shader)), as_bytes(validated.spirv));
+    return validated.ok;
+}
+
+std::string folder_of(const CompileArguments& arguments, const Input& input) {
+    return join_path(arguments.folder, input.folder);
+}
+
+Compiled compile_graph(const CompileArguments& arguments, const Compiler& compiler, const Input& input) {
+    Compiled made{.result = compiler.compile_file(input.path, options_of(arguments))};
+    made.ok = made.result.ok;
+    if (!made.ok) return made;
+    const std::string folder = folder_of(arguments, input);
+    for (const Shader& shader : made.result.shaders)
+        made.ok &= add_shader(arguments, folder, shader, made.files, made.result.diagnostics);
+    made.reflection = join_path(folder, output_name(input.path) + arguments.kind + ".reflect.json");
+    made.files.add(made.reflection, made.result.reflection.to_json());
+    return made;
+}
+
+}  // namespace patina::cli

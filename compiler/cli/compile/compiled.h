@@ -1,0 +1,33 @@
+// What `patina compile` makes of one graph before anything is printed or written. `patina watch` makes the same.
+//
+//   Compiled made = compile_graph(arguments, compiler, input);
+//   report(console, made.result.diagnostics);
+//   if (made.ok) outputs.write(input.path, made.files, made.result.dependencies);
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "compiler/cli/compile/arguments.h"
+#include "compiler/cli/outputs.h"
+
+namespace patina::cli {
+
+struct Compiled {
+    Result result{};
+    std::string reflection{};  // the path of its file
+    OutputFiles files{};
+    bool ok = false;
+};
+
+// Any number of threads may do so with one compiler.
+Compiled compile_graph(const CompileArguments& arguments, const Compiler& compiler, const Input& input);
+
+// Adds the files of one shader to `files`. False: glslang or spirv-val refuses it, and `diagnostics` say why.
+bool add_shader(const CompileArguments& arguments, const std::string& folder, const Shader& shader, OutputFiles& files,
+                std::vector<Diagnostic>& diagnostics);
+
+// Where the files of a graph go.
+std::string folder_of(const CompileArguments& arguments, const Input& input);
+
+}  // namespace patina::cli

@@ -1,0 +1,74 @@
+#include <algorithm>
+#include <tuple>
+
+#include "compiler/cli/diff/report.h"
+#include "patina/spirv_size.h"
+#include "patina/validate.h"
+
+namespace patina::cli {
+namespace {
+
+auto key_of(const Shader& shader) {
+    return std::tie(shader.pass, shader.stage, shader.target);
+}
+
+ShaderChange::Size count_of(const Shader& shader) {
+    const bool is_stage = shader.has_main && shader.target.engine.empty();
+    if (!is_stage) return {};
+    const Validated validated = validate(shader);
+    if (!validated.ok) return {};
+    const SpirvSize size = size_of(optimised(validated.spirv));
+    return {.instructions = size.in_functions, .per_light = size.in_loops};
+}
+
+ShaderChange change_of(const Shader& shader) {
+    return {.pass = shader.pass, .stage = shader.stage, .target = shader.target};
+}
+
+}  // namespace
+
+bool add_shader_changes(const Compiler& compiler, const Version& before, const Version& after,
+                        const CompileOptions& options, DiffReport& report, std::vector<Diagnostic>& diagnostics) {
+    CompileOptions compile = options;
+    compile.hashes = true;
+    compile.accept_parts = true;
+    const Result old_result = compiler.compile_text(before.path, before.text, compile);
+    const Result new_result = compiler.compile_text(after.path, after.text, compile);
+    for (const Result* result : {&old_result, &new_result}) {
+        if (!result->ok) diagnostics.insert(diagnostics.end(), result->diagnostics.begin(), result->diagnostics.end());
+    }
+    if (!old_result.ok || !new_result.ok) return false;
+    report.has_shaders = true;
+
+    const auto find = [](const Result& result, const Shader& like) {
+        return std::ranges::find_if(result.shaders, [&](const Shader& each) { return key_of(each) == key_of(like); });
+    };
+    for (const Shader& shader : old_result.shaders) {
+        const auto other = find(new_result, shader);
+        ShaderChange change = change_of(shader);
+        if (other == new_result.shaders.end()) {
+            change.is_there = false;
+            change.before = count_of(shader);
+        } else if (other->text == shader.text) {
+            continue;
+        } else {
+            change.lines = differences(shader.text, other->text);
+            change.computes_same = !shader.hash.empty() && shader.hash == other->hash;
+            if (!change.computes_same) {
+                change.before = count_of(shader);
+                change.after = count_of(*other);
+            }
+        }
+        report.shaders.push_back(std::move(change));
+    }
+    for (const Shader& shader : new_result.shaders) {
+        if (find(old_result, shader) != old_result.shaders.end()) continue;
+        ShaderChange change = change_of(shader);
+        change.was_there = false;
+        change.after = count_of(shader);
+        report.shaders.push_back(std::move(change));
+    }
+    return true;
+}
+
+}  // namespace patina::cli

@@ -1,0 +1,33 @@
+// What a change of a graph did to its shaders, as lines to read: which files differ and where, and what the passes
+// cost.
+//
+//   for (const std::string& line : changes_of(before, after)) say(console, line);
+//
+//   out/rust.forward.frag.glsl  +1 -1, 212 -> 215 instructions
+//      41  -    float rough = 0.5;
+//      41  +    float rough = 0.25 * mask;
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "compiler/cli/compile/compiled.h"
+#include "runtime/sheet/cost.h"
+
+namespace patina::cli {
+
+// A compiled graph, and what its passes cost once somebody has asked.
+struct Version {
+    Compiled made{};
+    std::optional<std::vector<runtime::PassCost>> costs{};
+};
+
+// Counts the instructions, which takes glslang some time. Of GLSL: without it, nothing is known.
+void count_costs(Version& version);
+
+// Empty if the files are the same. `shown`: the target whose lines are shown; others say the same in other words.
+std::vector<std::string> changes_of(const Version& before, const Version& after, const Target& shown);
+
+}  // namespace patina::cli

@@ -1,0 +1,86 @@
+// The room `cli/watch` is `patina watch`: it compiles graphs again when they change, and says what is different.
+//
+// Each look at the files compiles the graphs of which one has changed, writes and prints what is different, and draws a
+// picture if one is wanted. What is wrong is printed once. It is tried again every second, because it may be a missing
+// file, and nobody knows where that will appear.
+//
+//   Watch watch(console, compiler, arguments, inputs);
+//   while (watch.look() != Exit::Machine) std::this_thread::sleep_for(200ms);
+#pragma once
+
+#include <chrono>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "compiler/cli/compile/compiled.h"
+#include "compiler/cli/watch/changes.h"
+#include "compiler/cli/watch/stamps.h"
+#include "runtime/render/render_request.h"
+
+namespace patina::cli {
+
+struct WatchArguments {
+    CompileArguments compile;
+    std::string picture;  // --render; empty: none
+    std::vector<std::string> set;
+    runtime::RenderRequest request;
+};
+
+class Watch {
+public:
+    // `inputs`: as find_inputs() finds them at the beginning; folders are searched again at each look.
+    Watch(const Console& console, const Compiler& compiler, const WatchArguments& arguments, Inputs inputs);
+
+    // Does what is to do now. Machine: there is no device to draw with.
+    Exit look();
+
+private:
+    using Clock = std::chrono::steady_clock;
+
+    // Something that is made of files, and again when one of them changes.
+    struct Task {
+        Stamps stamps{};
+        Clock::time_point tried{};
+        bool is_new = true, ok = false;
+        std::string said{};  // the messages of the last time
+
+        bool is_due() const;
+        // What has just been made. Returns true if the messages are not those of the last time.
+        bool done(bool is_ok, Stamps read, std::string messages);
+    };
+    struct Graph {
+        Input input{};
+        Task task{};
+        std::optional<Version> version{};  // the last one without mistakes
+    };
+    struct Made {
+        Version version{};
+        Stamps stamps{};
+    };
+
+    void find_graphs();
+    void choose_subject(const std::vector<Input>& due);
+    Made make(const Input& input, bool counts_costs) const;
+    Exit finish(const Input& input, Made& made, bool shows_changes);
+    Exit draw();
+    void write_page(bool ok);
+    void tell(const std::string& subject, const std::string& line);
+
+    const Console& console_;
+    const Compiler& compiler_;
+    const WatchArguments& arguments_;
+    Inputs inputs_;
+    std::vector<std::string> found_{};       // the paths of the last look
+    std::map<std::string, Graph> graphs_{};  // by path
+    bool is_first_ = true;
+
+    std::string subject_{};  // what the picture shows
+    Task picture_{};
+    std::string text_{};  // what was said of the subject, for the page
+    std::int64_t page_version_ = 0;
+    runtime::RenderMachine machine_{};
+};
+
+}  // namespace patina::cli

@@ -1,0 +1,297 @@
+#include "compiler/edit/graph_text.h"
+
+#include <algorithm>
+
+#include "compiler/format/read_graph.h"
+#include "compiler/format/scene/read_scene.h"
+#include "compiler/json/json_text.h"
+
+namespace patina::graph {
+namespace {
+
+using nodelang::Expr;
+
+// --- expressions
+
+class Collector {
+public:
+    explicit Collector(std::vector<PlacedExpr>& out) : out_(out) {}
+
+    void add(const Graph& graph) {
+        for (const Node& node : graph.nodes) {
+            add({"nodes", node.id, "expr"}, node.expr);
+            add({"nodes", node.id, "in"}, node.inputs);
+        }
+        const char* inputs = graph.kind == GraphKind::Lighting ? "surface" : "inputs";
+        for (const Input& input : graph.inputs) {
+            add({inputs, input.name, "default"}, input.value);
+            add({inputs, input.name, "as"}, input.as);
+        }
+        add(graph.kind == GraphKind::Lighting ? Path{} : Path{"outputs"}, graph.outputs);
+        add_looks({}, graph);
+        for (const ExtraPass& pass : graph.passes) add_looks({"passes", pass.name}, *pass.graph);
+    }
+
+private:
+    void add(Path path, const Expr* expr) {
+        if (expr) out_.push_back({std::move(path), expr});
+    }
+    void add(const Path& path, const std::vector<PortValue>& values) {
+        for (const PortValue& value : values) {
+            Path of_value = path;
+            of_value.push_back(value.name);
+            add(std::move(of_value), value.value);
+        }
+    }
+    void add_looks(const Path& path, const Graph& graph) {
+        const auto at = [&](std::initializer_list<const char*> keys) {
+            Path longer = path;
+            longer.insert(longer.end(), keys.begin(), keys.end());
+            return longer;
+        };
+        add(at({"lighting", "in"}), graph.lighting.inputs);
+        add(at({"vertex"}), graph.vertex);
+        add(at({"surface"}), graph.surface);
+    }
+
+    std::vector<PlacedExpr>& out_;
+};
+
+bool is_same(const Expr& a, const Expr& b, const Renaming& renaming) {
+    if (a.kind != b.kind || a.number_kind != b.number_kind || a.number != b.number || a.args.size() != b.args.size())
+        return false;
+    switch (a.kind) {
+        case Expr::Kind::Color: break;  // #fc8 is #ffcc88
+        case Expr::Kind::Name:
+            if (!renaming.nodes.match(a.text, b.text)) return false;
+            break;
+        case Expr::Kind::Property:
+            if (!renaming.dollar.match(a.text, b.text)) return false;
+            break;
+        case Expr::Kind::Number:
+        case Expr::Kind::Bool:
+        case Expr::Kind::List:
+        case Expr::Kind::Semantic:
+        case Expr::Kind::Member:
+        case Expr::Kind::Index:
+        case Expr::Kind::Call:
+        case Expr::Kind::Method:
+        case Expr::Kind::Unary:
+        case Expr::Kind::Binary:
+        case Expr::Kind::Ternary:
+        case Expr::Kind::File:
+            if (a.text != b.text) return false;
+    }
+    for (std::size_t i = 0; i < a.args.size(); ++i) {
+        if (!is_same(*a.args[i], *b.args[i], renaming)) return false;
+    }
+    return true;
+}
+
+// --- reading
+
+// The values at ports, by their place. A string is an expression there, and a list a vector.
+void note_values(const Graph& graph, GraphText& text) {
+    const auto note = [&](Span span, const Expr* expr) {
+        if (expr) text.values.emplace(span.begin, expr);
+    };
+    const auto note_all = [&](const std::vector<PortValue>& values) {
+        for (const PortValue& value : values) note(value.value_span, value.value);
+    };
+    for (const Node& node : graph.nodes) {
+        note(node.expr_span, node.expr);
+        note_all(node.inputs);
+    }
+    for (const Input& input : graph.inputs) note(input.default_span, input.value);
+    note_all(graph.vertex);
+    note_all(graph.surface);
+    note_all(graph.outputs);
+    note_all(graph.lighting.inputs);
+    if (graph.lighting.inlined) note_values(*graph.lighting.inlined, text);
+    for (const ExtraPass& pass : graph.passes) note_values(*pass.graph, text);
+}
+
+TreeValue member_value(const TreeValue& object, const JsonMember& member) {
+    TreeValue value{object.text, &member.value, ObjectKind::Free, false};
+    if (const KeyInfo* key = find_key(object.kind, member.key)) {
+        value.kind = value_kind(*key, member.value);
+        value.is_set = key->is_set;
+    }
+    return value;
+}
+
+// A string of a member that is the name of its object, and of what else reads it.
+const NamePairs* names_of(const TreeValue& object, const JsonMember& member, const Renaming& renaming) {
+    if (member.key != identity_of(object.kind) || member.value.kind != Json::Kind::String) return nullptr;
+    if (object.kind == ObjectKind::Node) return &renaming.nodes;
+    return object.kind == ObjectKind::Property || object.kind == ObjectKind::Input ? &renaming.dollar : nullptr;
+}
+
+bool is_same_object(const TreeValue& a, const TreeValue& b, const Renaming& renaming) {
+    if (a.json->members.size() != b.json->members.size()) return false;
+    return std::all_of(a.json->members.begin(), a.json->members.end(), [&](const JsonMember& member) {
+        const auto other = std::find_if(b.json->members.begin(), b.json->members.end(),
+                                        [&](const JsonMember& each) { return each.key == member.key; });
+        if (other == b.json->members.end()) return false;
+        if (const NamePairs* names = names_of(a, member, renaming); names && other->value.kind == Json::Kind::String)
+            return names->match(member.value.string, other->value.string);
+        return is_same(member_value(a, member), member_value(b, *other), renaming);
+    });
+}
+
+// Each child of the one is a child of the other. Lists without order are short.
+bool is_same_set(const std::vector<TreeChild>& a, const std::vector<TreeChild>& b, const Renaming& renaming) {
+    std::vector<bool> taken(b.size(), false);
+    for (const TreeChild& child : a) {
+        std::size_t i = 0;
+        while (i < b.size() && (taken[i] || !is_same(child.value, b[i].value, renaming))) ++i;
+        if (i == b.size()) return false;
+        taken[i] = true;
+    }
+    return true;
+}
+
+bool is_same_array(const TreeValue& a, const TreeValue& b, const Renaming& renaming) {
+    if (a.json->elements.size() != b.json->elements.size()) return false;
+    const Shape shape = shape_of(a);
+    if (shape == Shape::ByContent) return is_same_set(children_of(a), children_of(b), renaming);
+    if (shape == Shape::ByName && !is_ordered(a.kind)) {
+        std::unordered_map<std::string, TreeValue> by_name;
+        for (TreeChild& child : children_of(b)) by_name.emplace(child.name, child.value);
+        const std::vector<TreeChild> children = children_of(a);
+        return std::all_of(children.begin(), children.end(), [&](const TreeChild& child) {
+            const auto other = by_name.find(child.name);
+            return other != by_name.end() && is_same(child.value, other->second, renaming);
+        });
+    }
+    for (std::size_t i = 0; i < a.json->elements.size(); ++i) {
+        const TreeValue left{a.text, &a.json->elements[i], a.kind, false};
+        const TreeValue right{b.text, &b.json->elements[i], b.kind, false};
+        if (!is_same(left, right, renaming)) return false;
+    }
+    return true;
+}
+
+}  // namespace
+
+std::unique_ptr<GraphText> read_graph_text(const std::string& path, std::string bytes) {
+    auto text = std::make_unique<GraphText>();
+    text->base = text->sources.add(path, std::move(bytes));
+    text->json = parse_json(text->sources, text->base, text->diagnostics);
+    if (!text->json) return text;
+    text->kind = top_level_kind(*text->json);
+    if (text->kind == ObjectKind::Scene) {
+        const SceneFiles files{.find = [](const std::string& name) { return name; }};
+        const Reading reading{text->sources, text->ast, text->diagnostics};
+        read_scene(reading, *text->json, path, name_of_file(path), files);
+    } else {
+        const std::shared_ptr<Graph> graph =
+            read_graph(*text->json, path, text->sources, text->ast, text->diagnostics, std::nullopt);
+        note_values(*graph, *text);
+        text->graph = graph;
+    }
+    text->ok = !text->diagnostics.has_errors();
+    return text;
+}
+
+Shape shape_of(const TreeValue& value) {
+    const Json& json = *value.json;
+    if (json.kind == Json::Kind::Object) return Shape::ByKey;
+    if (json.kind != Json::Kind::Array) return Shape::Whole;
+    if (value.is_set) return Shape::ByContent;
+    if (!identity_of(value.kind).empty()) return Shape::ByName;
+    return value.kind == ObjectKind::Free ? Shape::Whole : Shape::ByPosition;
+}
+
+std::vector<TreeChild> children_of(const TreeValue& value) {
+    std::vector<TreeChild> children;
+    for (const JsonMember& member : value.json->members) children.push_back({member.key, member_value(value, member)});
+    const Shape shape = shape_of(value);
+    for (std::size_t i = 0; i < value.json->elements.size(); ++i) {
+        const Json& element = value.json->elements[i];
+        std::string name = std::to_string(i);
+        if (shape == Shape::ByName) {
+            const Json* identity = element.find(identity_of(value.kind));
+            name = identity ? identity->string : std::string();
+        } else if (shape == Shape::ByContent) {
+            name.clear();
+            append_one_line(name, element, value.text->sources);
+        }
+        children.push_back({std::move(name), {value.text, &element, value.kind, false}});
+    }
+    return children;
+}
+
+bool NamePairs::match(std::string_view a, std::string_view b) const {
+    if (const auto pair = pairs.find(a); pair != pairs.end()) return pair->second == b;
+    if (any_of_a.count(a) && any_of_b.count(b)) return true;
+    return a == b;
+}
+
+bool is_same(const TreeValue& a, const TreeValue& b, const Renaming& renaming) {
+    const Json &left = *a.json, &right = *b.json;
+    const auto left_value = a.text->values.find(left.span.begin), right_value = b.text->values.find(right.span.begin);
+    if (left_value != a.text->values.end() && right_value != b.text->values.end())
+        return is_same(*left_value->second, *right_value->second, renaming);
+    if (left.kind != right.kind) return false;
+    switch (left.kind) {
+        case Json::Kind::Null: return true;
+        case Json::Kind::Bool: return left.boolean == right.boolean;
+        case Json::Kind::Number: return left.number == right.number;
+        case Json::Kind::String: return left.string == right.string;
+        case Json::Kind::Array: return is_same_array(a, b, renaming);
+        case Json::Kind::Object: return a.kind == b.kind && is_same_object(a, b, renaming);
+    }
+    return false;
+}
+
+std::string to_string(const Path& path) {
+    std::string text;
+    for (const std::string& part : path) text += (text.empty() ? "" : ".") + shown(part);
+    return text;
+}
+
+bool starts_with(const Path& path, const Path& start) {
+    return path.size() >= start.size() && std::equal(start.begin(), start.end(), path.begin());
+}
+
+TreeValue find(const GraphText& text, const Path& path) {
+    TreeValue value = text.root();
+    for (const std::string& name : path) {
+        const std::vector<TreeChild> children = children_of(value);
+        const auto child =
+            std::find_if(children.begin(), children.end(), [&](const TreeChild& each) { return each.name == name; });
+        if (child == children.end()) return {};
+        value = child->value;
+    }
+    return value;
+}
+
+Path path_at(const GraphText& text, std::uint32_t offset) {
+    Path path;
+    TreeValue value = text.root();
+    for (bool is_inside = true; is_inside && shape_of(value) != Shape::Whole;) {
+        is_inside = false;
+        for (TreeChild& child : children_of(value)) {
+            // A member's key belongs to it.
+            std::uint32_t begin = child.value.json->span.begin;
+            for (const JsonMember& member : value.json->members) {
+                if (&member.value == child.value.json) begin = member.key_span.begin - 1;
+            }
+            if (offset < begin || offset >= child.value.json->span.end) continue;
+            path.push_back(child.name);
+            value = child.value;
+            is_inside = true;
+            break;
+        }
+    }
+    return path;
+}
+
+std::vector<PlacedExpr> expressions_of(const Graph& graph) {
+    std::vector<PlacedExpr> all;
+    Collector(all).add(graph);
+    return all;
+}
+
+}  // namespace patina::graph

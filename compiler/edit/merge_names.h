@@ -1,0 +1,37 @@
+// The renames of two sides of a merge. If one side renamed a node, the other side's text gets the new name, too, so
+// that its changes of that node, and what it newly reads of it, go along.
+//
+//   SameNames same = unify_names(std::move(base), std::move(ours), std::move(theirs));
+#pragma once
+
+#include <memory>
+
+#include "compiler/edit/merge_trees.h"
+#include "compiler/edit/renames.h"
+
+namespace patina::graph {
+
+struct NameConflict {
+    std::string list, from, ours, theirs;  // both sides renamed one thing
+};
+
+// One side renamed what the other one removed.
+struct LostName {
+    std::string list, from, to;
+    Side renamed_by;
+};
+
+struct SameNames {
+    std::unique_ptr<GraphText> base, ours, theirs;  // with the names of the result
+    std::vector<Rename> from_ours, from_theirs;     // that were carried into the other texts
+    std::vector<NameConflict> conflicts;            // the texts have the name of OURS
+    std::vector<LostName> lost;                     // the base has the new name
+};
+
+SameNames unify_names(std::unique_ptr<GraphText> base, std::unique_ptr<GraphText> ours,
+                      std::unique_ptr<GraphText> theirs);
+
+// A path by the names that a thing had before the renames.
+Path before_renames(Path path, std::span<const Rename> renames);
+
+}  // namespace patina::graph

@@ -1,0 +1,136 @@
+#include "compiler/edit/merge_report.h"
+
+#include <algorithm>
+
+#include "compiler/format/read_graph.h"
+#include "compiler/json/json_text.h"
+#include "patina/complaints.h"
+
+namespace patina::graph {
+
+// What a side did, and where.
+struct ConflictReport::Did {
+    std::string what;
+    FilePlace place;
+};
+
+namespace {
+
+// The place of a value, or of what lacks it.
+FilePlace place_in(const GraphText& text, Path path) {
+    bool is_there = true;
+    for (;;) {
+        if (const TreeValue value = find(text, path)) {
+            const Span span = value.json->span;
+            const bool is_long = value.json->kind == Json::Kind::Object || value.json->kind == Json::Kind::Array;
+            return place_of(text.sources, is_there && !is_long ? span : Span{span.begin, span.begin + 1});
+        }
+        is_there = false;
+        path.pop_back();
+    }
+}
+
+Diagnostic note_at(const FilePlace& place, std::string message) {
+    Diagnostic note = diagnostic_at(place, {}, std::move(message));
+    note.severity = Severity::Note;
+    return note;
+}
+
+}  // namespace
+
+std::string one_line(const TreeValue& value) {
+    std::string text;
+    append_one_line(text, *value.json, value.text->sources);
+    return shown(text);
+}
+
+ConflictReport::Did ConflictReport::did(Side side, const Path& path) const {
+    const bool ours = side == Side::Ours;
+    const GraphText& text = ours ? *original_.ours : *original_.theirs;
+    // Names of this side's file: without what came from the other side.
+    const Path own = before_renames(path, ours ? names_.from_theirs : names_.from_ours);
+    const TreeValue before = find(*names_.base, path), after = find(ours ? *names_.ours : *names_.theirs, path);
+    const TreeValue after_own = find(text, own);
+    std::string what = ours ? "ours: " : "theirs: ";
+    if (!after) {
+        what += fmt::format("removes '{}'", to_string(own));
+    } else if (!before) {
+        what += fmt::format("adds '{}': {}", to_string(own), one_line(after_own ? after_own : after));
+    } else if (is_same(before, after)) {
+        what += fmt::format("keeps '{}'", to_string(own));
+    } else {
+        // The first change in it; of a whole node, a reader would look for it.
+        std::vector<TreeChange> changes = find_changes(*names_.base, ours ? *names_.ours : *names_.theirs);
+        const auto is_outside = [&](const TreeChange& change) { return !starts_with(change.path, path); };
+        changes.erase(std::remove_if(changes.begin(), changes.end(), is_outside), changes.end());
+        if (!changes.empty() && changes.front().path != path) {
+            Did first = did(side, changes.front().path);
+            if (changes.size() > 1)
+                first.what += fmt::format(", and {} more in '{}'", changes.size() - 1, to_string(own));
+            return first;
+        }
+        what += fmt::format("changes '{}' from {} to {}", to_string(own), one_line(before),
+                            one_line(after_own ? after_own : after));
+    }
+    return {std::move(what), place_in(text, own)};
+}
+
+void ConflictReport::add(std::string message, const std::vector<Did>& all) {
+    Diagnostic& diagnostic = diagnostics_.emplace_back(
+        diagnostic_at(all.front().place, std::string(code_of(Complaint::MergeConflict)), std::move(message)));
+    for (const Did& did : all) diagnostic.notes.push_back(note_at(did.place, did.what));
+}
+
+void ConflictReport::both_renamed(const NameConflict& conflict) {
+    const auto did = [&](const GraphText& text, const char* side, const std::string& name) {
+        return Did{fmt::format("{}: calls it '{}'", side, name), place_in(text, {conflict.list, name})};
+    };
+    add(fmt::format("both sides rename '{}.{}'", conflict.list, conflict.from),
+        {did(*original_.ours, "ours", conflict.ours), did(*original_.theirs, "theirs", conflict.theirs)});
+}
+
+void ConflictReport::renamed_and_removed(const LostName& lost) {
+    const bool ours = lost.renamed_by == Side::Ours;
+    const GraphText& renaming = ours ? *original_.ours : *original_.theirs;
+    const GraphText& removing = ours ? *original_.theirs : *original_.ours;
+    const char *by = ours ? "ours" : "theirs", *other = ours ? "theirs" : "ours";
+    std::vector<Did> all = {
+        {fmt::format("{}: calls it '{}'", by, lost.to), place_in(renaming, {lost.list, lost.to})},
+        {fmt::format("{}: removes '{}.{}'", other, lost.list, lost.from), place_in(removing, {lost.list, lost.from})}};
+    if (!ours) std::swap(all[0], all[1]);
+    add(fmt::format("{} renames '{}.{}', which {} removes", by, lost.list, lost.from, other), all);
+}
+
+void ConflictReport::conflict(const TreeConflict& conflict) {
+    const std::string name = to_string(conflict.path);
+    std::string message;
+    switch (conflict.kind) {
+        case TreeConflict::Kind::BothChanged: message = fmt::format("both sides change '{}'", name); break;
+        case TreeConflict::Kind::BothAdded: message = fmt::format("both sides add '{}'", name); break;
+        case TreeConflict::Kind::OursRemoved:
+            message = fmt::format("ours removes '{}', which theirs changes", name);
+            break;
+        case TreeConflict::Kind::TheirsRemoved:
+            message = fmt::format("theirs removes '{}', which ours changes", name);
+            break;
+        case TreeConflict::Kind::BothReordered:
+            message = fmt::format("both sides put '{}' into another order", name);
+            break;
+    }
+    add(std::move(message), {did(Side::Ours, conflict.path), did(Side::Theirs, conflict.path)});
+}
+
+void ConflictReport::clash(const Diagnostic& error, const std::vector<TreeChange>& ours,
+                           const std::vector<TreeChange>& theirs) {
+    constexpr std::size_t kMost = 4;  // of each side
+    std::vector<Did> all;
+    const auto add_some = [&](Side side, const std::vector<TreeChange>& changes) {
+        for (std::size_t i = 0; i < std::min(changes.size(), kMost); ++i) all.push_back(did(side, changes[i].path));
+    };
+    add_some(Side::Ours, ours);
+    add_some(Side::Theirs, theirs);
+    if (all.empty()) all.push_back({"", place_in(*original_.ours, {})});
+    add(fmt::format("with the changes of both sides, {}", error.message), all);
+}
+
+}  // namespace patina::graph

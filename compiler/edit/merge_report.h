@@ -1,0 +1,45 @@
+// Says what the conflicts of a merge are: each with what both sides did, at the places of their files.
+//
+//   ConflictReport report(original, names);
+//   report.conflict({.kind = TreeConflict::Kind::BothChanged, .path = {"surface", "roughness"}});
+#pragma once
+
+#include "compiler/edit/changes.h"
+#include "compiler/edit/merge_names.h"
+#include "compiler/edit/merge_trees.h"
+#include "patina/patina.h"
+
+namespace patina::graph {
+
+// The three texts of a merge as they were given.
+struct Sides {
+    std::unique_ptr<GraphText> base, ours, theirs;
+};
+
+class ConflictReport {
+public:
+    // `names`: the texts of which the conflicts are.
+    ConflictReport(const Sides& original, const SameNames& names) : original_(original), names_(names) {}
+
+    void both_renamed(const NameConflict& conflict);
+    void renamed_and_removed(const LostName& lost);
+    void conflict(const TreeConflict& conflict);
+    // Changes that do not go together.
+    void clash(const Diagnostic& error, const std::vector<TreeChange>& ours, const std::vector<TreeChange>& theirs);
+
+    const std::vector<Diagnostic>& diagnostics() const { return diagnostics_; }
+
+private:
+    struct Did;
+    Did did(Side side, const Path& path) const;
+    void add(std::string message, const std::vector<Did>& all);
+
+    const Sides& original_;
+    const SameNames& names_;
+    std::vector<Diagnostic> diagnostics_{};
+};
+
+// A value on one line, for messages; a long one is cut.
+std::string one_line(const TreeValue& value);
+
+}  // namespace patina::graph

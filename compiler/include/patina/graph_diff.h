@@ -1,0 +1,41 @@
+// What changed in meaning between two graphs or scenes. Layout, comments, the order of nodes and of keys, and what an
+// editor keeps under "ui" are no meaning. Nothing is compiled.
+//
+//   patina::GraphDiff diff = patina::diff_graphs({"old.graph.json", old_text}, {"new.graph.json", new_text});
+//   for (const patina::GraphChange& change : diff.changes) show(change.path, change.before, change.after);
+#pragma once
+
+#include "patina/patina.h"
+
+namespace patina {
+
+struct GraphVersion {
+    std::string name;  // for messages
+    std::string text;  // empty: the file did not exist
+};
+
+enum class GraphChangeKind {
+    Added,
+    Removed,
+    Changed,
+    Renamed,    // the path has the new name, `before` and `after` are the names; what reads it has not changed
+    Reordered,  // a list whose order has a meaning: properties, passes
+};
+
+struct GraphChange {
+    GraphChangeKind kind = GraphChangeKind::Changed;
+    // {"nodes", "rust", "in", "level"}: keys, and the ids and names of the objects in lists.
+    std::vector<std::string> path{};
+    std::string before{}, after{};            // JSON on one line; empty: there is none
+    FilePlace before_place{}, after_place{};  // line 0: there is none
+};
+
+struct GraphDiff {
+    bool ok = false;  // both are graphs or scenes
+    std::vector<GraphChange> changes{};
+    std::vector<Diagnostic> diagnostics{};
+};
+
+PATINA_API GraphDiff diff_graphs(const GraphVersion& before, const GraphVersion& after);
+
+}  // namespace patina

@@ -1,0 +1,143 @@
+// The compiler for programs in C, and in any language that can call C. It has what most programs need of patina.h: a
+// graph in, shaders and their reflection out.
+//
+//   patina_compiler* compiler = NULL;
+//   if (patina_compiler_create(PATINA_C_ABI, &compiler) != PATINA_OK) return 1;
+//   patina_result* result = NULL;
+//   if (patina_compile_file(compiler, "rust.graph.json", "{ \"targets\": [\"glsl\"] }", NULL, &result) == PATINA_OK) {
+//       fputs(patina_result_messages(result), stderr);
+//       for (size_t i = 0; i < patina_result_shader_count(result); i++) save(patina_result_shader(result, i));
+//   }
+//   patina_result_free(result);
+//   patina_compiler_free(compiler);
+//
+// Texts are UTF-8. Texts that the library gives end with a zero byte and live as long as the object that gave them;
+// texts that it is given are copied or only read during the call. No function throws; none ends the program. A null
+// pointer where an object is wanted is PATINA_BAD_ARGUMENT, or an empty answer.
+//
+// Threads: any number of them may compile with one compiler, and read one result. An object is freed once, when no
+// other thread uses it.
+#pragma once
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "patina/export.h"
+#include "patina/version.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+// Counts the changes of this header that an older program could not run with.
+#define PATINA_C_ABI 1
+
+// The compiler with its library. It is loaded once, and never changes.
+typedef struct patina_compiler patina_compiler;
+// What a compilation made, complete and unchanging.
+typedef struct patina_result patina_result;
+// Where a callback puts its answer. It is only for the time of the call.
+typedef struct patina_reply patina_reply;
+
+// What became of a call.
+typedef enum patina_status {
+    PATINA_OK = 0,             // all is well
+    PATINA_HAS_ERRORS = 1,     // the graph, the options or a file has errors: the result's messages say which
+    PATINA_WRONG_ABI = 2,      // the program was compiled for another version of this header
+    PATINA_BAD_ARGUMENT = 3,   // a pointer is null that must not be
+    PATINA_OUT_OF_MEMORY = 4,  // there was not enough memory; no object was made
+    PATINA_INTERNAL_ERROR = 5  // a mistake of the library; no object was made
+} patina_status;
+
+// The status as a sentence, for messages. It lives as long as the program.
+PATINA_API const char* patina_status_text(patina_status status);
+
+// PATINA_C_ABI of the library that runs.
+PATINA_API uint32_t patina_c_abi(void);
+// The version of the library that runs: "0.1.0". It lives as long as the program.
+PATINA_API const char* patina_version(void);
+
+// --- the compiler
+
+// Makes a compiler. `abi` is PATINA_C_ABI.
+PATINA_API patina_status patina_compiler_create(uint32_t abi, patina_compiler** compiler);
+// Its results may live on. Null is allowed.
+PATINA_API void patina_compiler_free(patina_compiler* compiler);
+
+// --- files of the program's own
+
+// Where a compilation finds files. Each function may be null, and is called from the thread that compiles. It must
+// return: it must not jump out of the call.
+typedef struct patina_callbacks {
+    void* user;  // handed to each function
+    // Gives the text of a file: calls patina_reply_text() if there is one, patina_reply_error() if it cannot be read,
+    // and neither if there is none. Within one compilation it is asked once for each file. Null: the disk.
+    void (*read)(void* user, const char* path, patina_reply* reply);
+} patina_callbacks;
+
+// Answers with a text, which is copied. It need not end with a zero byte.
+PATINA_API void patina_reply_text(patina_reply* reply, const char* text, size_t size);
+// Answers that there is a text that cannot be given, and why: the error `cannot-read` at the place that names the file.
+PATINA_API void patina_reply_error(patina_reply* reply, const char* reason);
+
+// --- compilation
+
+// Compiles a graph from a text. `path` names it in messages and in names of shaders; files that it names are searched
+// from there.
+//
+// `options` is a JSON object, or null. All keys may be left out:
+//   "targets"       list of languages and engines: "glsl", "hlsl", "unity"; without it GLSL and HLSL
+//   "path"          the rendering path: "forward", "deferred", a file
+//   "passes"        list of passes, instead of all of the path
+//   "preview"       a port that is shown instead of the surface: "mask.r", "surface.roughness"
+//   "functions"     a prefix: functions for shaders of your own instead of passes
+//   "switches"      object: values of switches, variants and specialization constants
+//   "lighting"      a lighting model instead of the graph's own
+//   "includeDirs"   list of folders that are searched after the graph's own
+//   "keepVariants"  true: the shaders keep all values of variants that "switches" leaves open
+//   "acceptParts"   true: also compiles a lighting graph or a sub-graph
+//   "hashes"        true: the reflection has the hash of each pass
+// patina::CompileOptions says more about each. Errors have places in a file that is called "options".
+//
+// `callbacks` may be null. A result is made if the status is PATINA_OK or PATINA_HAS_ERRORS; otherwise it is null.
+PATINA_API patina_status patina_compile(const patina_compiler* compiler, const char* path, const char* text,
+                                        size_t size, const char* options, const patina_callbacks* callbacks,
+                                        patina_result** result);
+// The same, with the text of the file that `path` names.
+PATINA_API patina_status patina_compile_file(const patina_compiler* compiler, const char* path, const char* options,
+                                             const patina_callbacks* callbacks, patina_result** result);
+// Null is allowed.
+PATINA_API void patina_result_free(patina_result* result);
+
+// --- results
+
+// Errors and warnings for people: with the line, a caret and notes. Empty if there are none.
+PATINA_API const char* patina_result_messages(const patina_result* result);
+// The same for programs: a JSON array, empty if there are none, of objects as `patina check --json` prints them.
+PATINA_API const char* patina_result_diagnostics(const patina_result* result);
+
+// A shader: a stage of a pass, or a file that holds all passes.
+typedef struct patina_shader {
+    const char* file_name;  // "rust.forward.frag.glsl"
+    const char* text;       // ends with a zero byte
+    size_t size;            // bytes of the text, without that zero
+    const char* pass;       // "forward"; empty: a file that holds all passes, or functions
+    const char* stage;      // "vertex", "fragment"
+    const char* engine;     // empty: the default engine
+    const char* language;   // "glsl"
+} patina_shader;
+
+// 0 if there are errors.
+PATINA_API size_t patina_result_shader_count(const patina_result* result);
+// Null if there is no such shader. It lives as long as the result.
+PATINA_API const patina_shader* patina_result_shader(const patina_result* result, size_t index);
+// The reflection as JSON, as NAME.reflect.json has it; empty if there are errors.
+PATINA_API const char* patina_result_reflection(const patina_result* result);
+// The number of files that were read, the graph first: they are what the result depends on.
+PATINA_API size_t patina_result_dependency_count(const patina_result* result);
+// The path of one of them; null if there is no such file.
+PATINA_API const char* patina_result_dependency(const patina_result* result, size_t index);
+
+#ifdef __cplusplus
+}  // extern "C"
+#endif

@@ -1,0 +1,26 @@
+# find_package(patina [COMPONENTS lighting]) gives patina::patina, and patina::lighting if it was built. They are the
+# shared libraries if BUILD_SHARED_LIBS is on and there are some, else the static ones. patina::patina_static,
+# patina::patina_shared and the same of lighting name a form. If Patina's programs are installed, there is a function
+# patina_add_shaders() (patina-shaders.cmake).
+include(CMakeFindDependencyMacro)
+find_dependency(Threads)
+include("${CMAKE_CURRENT_LIST_DIR}/patina-targets.cmake")
+include("${CMAKE_CURRENT_LIST_DIR}/patina-shaders.cmake" OPTIONAL)
+foreach(library IN ITEMS patina lighting)
+  set(form static)
+  if(BUILD_SHARED_LIBS AND TARGET patina::${library}_shared)
+    set(form shared)
+  endif()
+  if(TARGET patina::${library}_${form} AND NOT TARGET patina::${library})
+    add_library(patina::${library} ALIAS patina::${library}_${form})
+  endif()
+  if(TARGET patina::${library})
+    set(patina_${library}_FOUND TRUE)
+  endif()
+endforeach()
+foreach(component IN LISTS patina_FIND_COMPONENTS)
+  if(patina_FIND_REQUIRED_${component} AND NOT patina_${component}_FOUND)
+    set(patina_FOUND FALSE)
+    set(patina_NOT_FOUND_MESSAGE "this installation of Patina has no component '${component}'")
+  endif()
+endforeach()

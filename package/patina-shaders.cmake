@@ -1,0 +1,111 @@
+# Compiles material graphs when a project is built: each graph is a step of its own, which is done again when the graph,
+# a file that it reads, its options or Patina itself has changed.
+#
+#   find_package(patina REQUIRED)
+#   patina_add_shaders(shaders FOLDER art OPTIONS -t glsl --path deferred)
+#   add_dependencies(game shaders)
+#
+# patina_add_shaders(TARGET
+#   [FOLDER folder]       all graphs (*.graph.json) in this folder and below; the output gets the same folders
+#   [GRAPHS graph...]     these graphs; their files are directly in the output folder
+#   [OUTPUT folder]       where the files go; default: ${CMAKE_CURRENT_BINARY_DIR}/TARGET
+#   [OPTIONS option...]   of 'patina compile'; paths in them are full ones
+#   [DEPENDS file...]     more files that all graphs are made again for
+#   [ALL])                build it by default
+#
+# The property PATINA_OUTPUTS of TARGET is a text file that lists the paths of all files that were made, one a line. It
+# gets a new time whenever a graph has been compiled: let a step that reads the shaders depend on it.
+
+# The step that joins the lists of the graphs: cmake -D LISTS=(file that lists them) -D OUTPUT=... -P patina-shaders.cmake
+if(CMAKE_SCRIPT_MODE_FILE STREQUAL CMAKE_CURRENT_LIST_FILE)
+  file(STRINGS "${LISTS}" lists)
+  set(text "")
+  foreach(list IN LISTS lists)
+    file(READ "${list}" lines)
+    string(APPEND text "${lines}")
+  endforeach()
+  file(WRITE "${OUTPUT}" "${text}")
+  return()
+endif()
+
+set(PATINA_SHADERS_SCRIPT "${CMAKE_CURRENT_LIST_FILE}")
+find_program(PATINA_EXECUTABLE patina DOC "The program that patina_add_shaders() runs"
+             HINTS "${CMAKE_CURRENT_LIST_DIR}/../../../bin" "${CMAKE_CURRENT_LIST_DIR}/../../../../bin")
+
+function(patina_add_shaders target)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "ALL" "FOLDER;OUTPUT" "GRAPHS;OPTIONS;DEPENDS")
+  if(arg_UNPARSED_ARGUMENTS OR arg_KEYWORDS_MISSING_VALUES)
+    message(FATAL_ERROR "patina_add_shaders(${target}): cannot use '${arg_UNPARSED_ARGUMENTS}'"
+                        "${arg_KEYWORDS_MISSING_VALUES}: the words are FOLDER, GRAPHS, OUTPUT, OPTIONS, DEPENDS and ALL")
+  endif()
+  if(NOT PATINA_EXECUTABLE)
+    message(FATAL_ERROR "patina_add_shaders() needs the program 'patina': install Patina's programs, or set "
+                        "PATINA_EXECUTABLE to its path")
+  endif()
+  if(NOT arg_OUTPUT)
+    set(arg_OUTPUT ${target})
+  endif()
+  get_filename_component(output "${arg_OUTPUT}" ABSOLUTE BASE_DIR "${CMAKE_CURRENT_BINARY_DIR}")
+
+  # --- the graphs, each with its path below the output folder
+  set(graphs "")
+  set(places "")
+  foreach(graph IN LISTS arg_GRAPHS)
+    get_filename_component(graph "${graph}" ABSOLUTE)
+    get_filename_component(place "${graph}" NAME)
+    list(APPEND graphs "${graph}")
+    list(APPEND places "${place}")
+  endforeach()
+  if(arg_FOLDER)
+    get_filename_component(folder "${arg_FOLDER}" ABSOLUTE)
+    file(GLOB_RECURSE found CONFIGURE_DEPENDS RELATIVE "${folder}" "${folder}/*.graph.json")
+    list(FILTER found EXCLUDE REGEX "(^|/)\\.")
+    foreach(place IN LISTS found)
+      list(APPEND graphs "${folder}/${place}")
+      list(APPEND places "${place}")
+    endforeach()
+  endif()
+  if(NOT graphs)
+    message(FATAL_ERROR "patina_add_shaders(${target}): there is no graph '*.graph.json' in '${arg_FOLDER}'; name "
+                        "graphs with GRAPHS or a folder with FOLDER")
+  endif()
+
+  # --- a step for each
+  set(own "${CMAKE_CURRENT_BINARY_DIR}/${target}.patina")
+  set(lists "")
+  foreach(graph place IN ZIP_LISTS graphs places)
+    set(list "${own}/${place}.outputs")
+    if(list IN_LIST lists)
+      message(FATAL_ERROR "patina_add_shaders(${target}): two graphs are named '${place}', and their shaders would be, "
+                          "too: give them to two targets with an OUTPUT each, or name their FOLDER")
+    endif()
+    list(APPEND lists "${list}")
+    get_filename_component(below "${place}" DIRECTORY)
+    get_filename_component(list_folder "${list}" DIRECTORY)
+    file(MAKE_DIRECTORY "${list_folder}")
+    add_custom_command(
+      OUTPUT "${list}"
+      COMMAND "${PATINA_EXECUTABLE}" compile "${graph}" --output "${output}/${below}" --quiet --depfile
+              --list-outputs "${list}" ${arg_OPTIONS}
+      DEPENDS "${graph}" "${PATINA_EXECUTABLE}" ${arg_DEPENDS}
+      DEPFILE "${list}.d"
+      COMMENT "Compiling ${place}"
+      VERBATIM)
+  endforeach()
+
+  # --- one list of all
+  string(REPLACE ";" "\n" lines "${lists}")
+  file(CONFIGURE OUTPUT "${own}/lists" CONTENT "${lines}\n" @ONLY)  # keeps its time if nothing has changed
+  add_custom_command(
+    OUTPUT "${own}/outputs"
+    COMMAND "${CMAKE_COMMAND}" -D "LISTS=${own}/lists" -D "OUTPUT=${own}/outputs" -P "${PATINA_SHADERS_SCRIPT}"
+    DEPENDS ${lists} "${own}/lists"
+    COMMENT "Listing the outputs of ${target}"
+    VERBATIM)
+  set(all "")
+  if(arg_ALL)
+    set(all ALL)
+  endif()
+  add_custom_target(${target} ${all} DEPENDS "${own}/outputs")
+  set_target_properties(${target} PROPERTIES PATINA_OUTPUTS "${own}/outputs")
+endfunction()

@@ -1,0 +1,434 @@
+// What a merge takes from each side, and what it calls a conflict. Each case is a base and what both sides wrote.
+#include <gtest/gtest.h>
+
+#include "patina/graph_merge.h"
+
+namespace patina {
+namespace {
+
+// A graph in which `{}` of each list are its lines.
+struct Lines {
+    std::string properties = R"(    { "name": "_Amount", "type": "float", "default": 0.5 },
+    { "name": "_Tint", "type": "color", "default": "#c9a27e" }
+)";
+    std::string nodes = R"json(    // How much rust there is.
+    { "id": "mask", "node": "GradientNoise", "in": { "uv": "@uv0", "scale": 4 } },
+    { "id": "edge", "expr": "saturate(mask * $_Amount)" }
+)json";
+    std::string surface = R"("baseColor": "= $_Tint.rgb * edge", "roughness": 0.5)";
+    std::string more;  // after the surface
+
+    std::string text() const {
+        return "{\n  \"patina\": 1,\n  \"workflow\": \"metallic-roughness\",\n  \"properties\": [\n" + properties +
+               "  ],\n  \"nodes\": [\n" + nodes + "  ],\n  \"surface\": { " + surface + " }" + more + "\n}\n";
+    }
+};
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+    for (std::size_t at = text.find(from); at != text.npos; at = text.find(from, at + to.size()))
+        text.replace(at, from.size(), to);
+    return text;
+}
+
+class Merges : public testing::Test {
+protected:
+    static MergeResult merge(const std::string& base, const std::string& ours, const std::string& theirs) {
+        static const Compiler compiler;
+        return merge_graphs(compiler, {"base.json", base}, {"ours.json", ours}, {"theirs.json", theirs},
+                            {.path = "merged.graph.json"});
+    }
+
+    static void expect_clean(const std::string& base, const std::string& ours, const std::string& theirs,
+                             const std::string& wanted) {
+        const MergeResult merged = merge(base, ours, theirs);
+        for (const Diagnostic& each : merged.diagnostics) ADD_FAILURE() << to_text(each);
+        EXPECT_EQ(merged.state, MergeState::Clean);
+        EXPECT_EQ(merged.text, wanted);
+    }
+
+    // The sides of the conflict's text, as someone gets them who takes one side everywhere.
+    static std::string side_of(const std::string& text, bool ours) {
+        std::string made;
+        char in = ' ';
+        for (std::size_t at = 0; at < text.size();) {
+            const std::size_t end = text.find('\n', at) + 1;
+            const std::string line = text.substr(at, end - at);
+            at = end;
+            if (line.starts_with("<<<<<<<") || line.starts_with("=======") || line.starts_with(">>>>>>>")) {
+                in = line[0];
+                continue;
+            }
+            if (in != (ours ? '=' : '<')) made += line;
+        }
+        return made;
+    }
+
+    // `wanted`: parts of the messages and of their notes.
+    static MergeResult expect_conflict(const std::string& base, const std::string& ours, const std::string& theirs,
+                                       const std::vector<std::string>& wanted) {
+        MergeResult merged = merge(base, ours, theirs);
+        EXPECT_EQ(merged.state, MergeState::Conflicts);
+        EXPECT_FALSE(merged.diagnostics.empty());
+        std::string said;
+        for (const Diagnostic& each : merged.diagnostics) said += to_text(each) + "\n";
+        for (const std::string& part : wanted) EXPECT_NE(said.find(part), said.npos) << part << "\nin\n" << said;
+        const Compiler compiler;
+        for (const bool side : {true, false}) {
+            const Result compiled = compiler.compile_text("side.graph.json", side_of(merged.text, side));
+            EXPECT_TRUE(compiled.ok) << merged.text << to_text(compiled.diagnostics.front());
+        }
+        return merged;
+    }
+};
+
+TEST_F(Merges, TwoValuesOfOneLine) {
+    const Lines base;
+    Lines ours = base, theirs = base, both = base;
+    ours.nodes = replaced(base.nodes, "\"scale\": 4", "\"scale\": 8");
+    theirs.nodes = replaced(base.nodes, "@uv0", "= @uv0 * 2");
+    both.nodes = replaced(ours.nodes, "@uv0", "= @uv0 * 2");
+    expect_clean(base.text(), ours.text(), theirs.text(), both.text());
+    expect_clean(base.text(), theirs.text(), ours.text(), both.text());
+}
+
+TEST_F(Merges, NodesThatBothAddInOnePlace) {
+    const Lines base;
+    Lines ours = base, theirs = base, both = base;
+    const std::string a = "    { \"id\": \"a\", \"expr\": \"mask * 2\" }\n";
+    const std::string b = "    // b\n    { \"id\": \"b\", \"expr\": \"edge * 3\" }\n";
+    const std::string with_comma = replaced(base.nodes, "$_Amount)\" }\n", "$_Amount)\" },\n");
+    ours.nodes = with_comma + a;
+    theirs.nodes = with_comma + b;
+    both.nodes = with_comma + replaced(a, " }\n", " },\n") + b;
+    expect_clean(base.text(), ours.text(), theirs.text(), both.text());
+}
+
+TEST_F(Merges, CommentsAndOrderOfOursStay) {
+    const Lines base;
+    Lines ours = base, theirs = base;
+    ours.nodes = R"json(    // The edge comes first here.
+    { "id": "edge", "expr": "saturate(mask * $_Amount)" }, // it is soft
+    { "id": "mask", "node": "GradientNoise", "in": { "uv": "@uv0", "scale": 4 } }
+)json";
+    theirs.nodes = replaced(base.nodes, "\"scale\": 4", "\"scale\": 8");
+    theirs.surface = replaced(base.surface, "0.5", "0.7");
+    Lines both = ours;
+    both.nodes = replaced(ours.nodes, "\"scale\": 4", "\"scale\": 8");
+    both.surface = theirs.surface;
+    expect_clean(base.text(), ours.text(), theirs.text(), both.text());
+}
+
+TEST_F(Merges, AFileThatIsNotInCanonicalFormKeepsItsLayout) {
+    const std::string base = R"({"patina":1,"workflow":"unlit",
+     "surface":{"color":[1, 0, 0],   "alpha":0.5} })";
+    expect_clean(base, replaced(base, "0.5", "0.25"), replaced(base, "[1, 0, 0]", "[0, 1, 0]"),
+                 replaced(replaced(base, "0.5", "0.25"), "[1, 0, 0]", "[0, 1, 0]"));
+}
+
+TEST_F(Merges, ARenameGoesToWhatTheOtherSideWrote) {
+    const Lines base;
+    Lines ours = base, theirs = base;
+    ours.nodes = replaced(base.nodes, "mask", "rust");
+    theirs.nodes = replaced(base.nodes, "\"scale\": 4", "\"scale\": 8");
+    theirs.surface += R"(, "occlusion": "= 1 - mask * 0.5")";
+    Lines both = ours;
+    both.nodes = replaced(ours.nodes, "\"scale\": 4", "\"scale\": 8");
+    both.surface = replaced(theirs.surface, "mask", "rust");
+    expect_clean(base.text(), ours.text(), theirs.text(), both.text());
+    // And into the text of OURS, if THEIRS renamed.
+    expect_clean(base.text(), theirs.text(), ours.text(), both.text());
+}
+
+TEST_F(Merges, ARenamedPropertyIsReadByItsNewName) {
+    const Lines base;
+    const std::string ours = replaced(base.text(), "_Amount", "_Rust");
+    Lines theirs = base;
+    theirs.surface = replaced(base.surface, "0.5", "\"$_Amount\"");
+    expect_clean(base.text(), ours, theirs.text(), replaced(theirs.text(), "_Amount", "_Rust"));
+    expect_clean(base.text(), theirs.text(), ours, replaced(theirs.text(), "_Amount", "_Rust"));
+}
+
+TEST_F(Merges, TheOrderOfPropertiesIsAChange) {
+    const Lines base;
+    Lines ours = base, theirs = base;
+    theirs.properties = R"(    { "name": "_Tint", "type": "color", "default": "#c9a27e" },
+    { "name": "_Amount", "type": "float", "default": 0.5 }
+)";
+    ours.surface = replaced(base.surface, "0.5", "0.7");
+    Lines both = ours;
+    both.properties = theirs.properties;
+    expect_clean(base.text(), ours.text(), theirs.text(), both.text());
+}
+
+TEST_F(Merges, WaysOfWritingOneValueAreNoChange) {
+    const Lines base;
+    Lines ours = base, theirs = base;
+    ours.nodes = replaced(base.nodes, "saturate(mask * $_Amount)", "saturate( mask*$_Amount )");
+    theirs.nodes = replaced(base.nodes, "saturate(mask * $_Amount)", "saturate(mask * 2)");
+    expect_clean(base.text(), ours.text(), theirs.text(), theirs.text());
+}
+
+TEST_F(Merges, EndsOfLinesAndOfTheFileStay) {
+    const Lines base;
+    Lines theirs = base;
+    theirs.surface = replaced(base.surface, "0.5", "0.7");
+    const std::string ours = replaced(base.text(), "\n", "\r\n");
+    expect_clean(base.text(), ours, theirs.text(), replaced(theirs.text(), "\n", "\r\n"));
+    const auto cut = [](std::string text) { return text.substr(0, text.size() - 1); };
+    expect_clean(base.text(), cut(base.text()), theirs.text(), cut(theirs.text()));
+}
+
+TEST_F(Merges, WhatEditorsKeepIsNoConflict) {
+    Lines base, ours, theirs;
+    base.more = ",\n  \"ui\": { \"mask\": [0, 0], \"edge\": [1, 0] }";
+    ours.more = ",\n  \"ui\": { \"mask\": [5, 0], \"edge\": [1, 0] }";
+    theirs.more = ",\n  \"ui\": { \"mask\": [7, 0], \"edge\": [9, 9] }";
+    Lines both;
+    both.more = ",\n  \"ui\": { \"mask\": [5, 0], \"edge\": [9, 9] }";
+    expect_clean(base.text(), ours.text(), theirs.text(), both.text());
+}
+
+TEST_F(Merges, BothAddTheFile) {
+    Lines ours, theirs;
+    theirs.surface += R"(, "metallic": 1)";
+    expect_clean("", ours.text(), theirs.text(), theirs.text());
+    theirs.surface = replaced(theirs.surface, "0.5", "0.7");
+    expect_conflict("", ours.text(), theirs.text(), {"both sides add 'surface.roughness'", "0.5", "0.7"});
+}
+
+// --- conflicts
+
+TEST_F(Merges, BothChangeOneValue) {
+    const Lines base;
+    Lines ours = base, theirs = base;
+    ours.nodes = replaced(base.nodes, "\"scale\": 4", "\"scale\": 8");
+    theirs.nodes = replaced(base.nodes, "\"scale\": 4", "\"scale\": 2");
+    theirs.surface = replaced(base.surface, "0.5", "0.7");
+    const MergeResult merged =
+        expect_conflict(base.text(), ours.text(), theirs.text(),
+                        {"ours.json:10:", "both sides change 'nodes.mask.in.scale'", "ours: changes", "from 4 to 8",
+                         "theirs.json:10:", "theirs: changes", "from 4 to 2"});
+    const std::string line = R"(    { "id": "mask", "node": "GradientNoise", "in": { "uv": "@uv0", "scale": 2 } },)";
+    EXPECT_EQ(merged.text,
+              replaced(theirs.text(), line + "\n",
+                       "<<<<<<< ours\n" + replaced(line, "2 }", "8 }") + "\n=======\n" + line + "\n>>>>>>> theirs\n"));
+}
+
+TEST_F(Merges, OneRemovesWhatTheOtherChanges) {
+    const Lines base;
+    Lines removed = base, changed = base;
+    removed.nodes = R"json(    { "id": "edge", "expr": "saturate($_Amount)" }
+)json";
+    changed.nodes = replaced(base.nodes, "\"scale\": 4", "\"scale\": 8");
+    expect_conflict(base.text(), removed.text(), changed.text(),
+                    {"ours removes 'nodes.mask', which theirs changes", "ours: removes", "theirs: changes"});
+    expect_conflict(base.text(), changed.text(), removed.text(),
+                    {"theirs removes 'nodes.mask', which ours changes", "theirs: removes", "ours: changes"});
+}
+
+TEST_F(Merges, OneRemovesWhatTheOtherUses) {
+    const Lines base;
+    Lines removed = base, uses = base;
+    removed.nodes = R"json(    { "id": "edge", "expr": "saturate($_Amount)" }
+)json";
+    uses.surface += R"(, "metallic": "mask")";
+    expect_conflict(base.text(), removed.text(), uses.text(),
+                    {"'mask'", "ours: removes 'nodes.mask'", "theirs: adds 'surface.metallic'"});
+    expect_conflict(base.text(), uses.text(), removed.text(),
+                    {"'mask'", "theirs: removes 'nodes.mask'", "ours: adds 'surface.metallic'"});
+}
+
+TEST_F(Merges, BothAddOneIdWithOtherContents) {
+    const Lines base;
+    Lines ours = base, theirs = base;
+    ours.nodes =
+        replaced(base.nodes, "$_Amount)\" }\n", "$_Amount)\" },\n    { \"id\": \"x\", \"expr\": \"mask * 2\" }\n");
+    ours.surface += R"(, "metallic": "x")";
+    theirs.nodes =
+        replaced(base.nodes, "$_Amount)\" }\n", "$_Amount)\" },\n    { \"id\": \"x\", \"expr\": \"$_Tint.rgb\" }\n");
+    theirs.surface += R"(, "emission": "x")";
+    expect_conflict(base.text(), ours.text(), theirs.text(), {"both sides add 'nodes.x'", "mask * 2", "$_Tint.rgb"});
+}
+
+TEST_F(Merges, BothRenameOneNode) {
+    const Lines base;
+    Lines ours = base, theirs = base;
+    ours.nodes = replaced(base.nodes, "mask", "rust");
+    theirs.nodes = replaced(base.nodes, "mask", "dirt");
+    theirs.surface += R"(, "metallic": "dirt")";
+    const MergeResult merged =
+        expect_conflict(base.text(), ours.text(), theirs.text(),
+                        {"both sides rename 'nodes.mask'", "calls it 'rust'", "calls it 'dirt'"});
+    EXPECT_NE(side_of(merged.text, true).find(R"("metallic": "rust")"), std::string::npos);
+    EXPECT_EQ(side_of(merged.text, false), theirs.text());
+}
+
+TEST_F(Merges, ARenameToANameThatTheOtherSideTakes) {
+    const Lines base;
+    Lines ours = base, theirs = base;
+    ours.nodes = replaced(base.nodes, "mask", "rust");
+    theirs.nodes =
+        replaced(base.nodes, "$_Amount)\" }\n", "$_Amount)\" },\n    { \"id\": \"rust\", \"expr\": \"$_Tint.r\" }\n");
+    theirs.surface += R"(, "metallic": "rust")";
+    expect_conflict(base.text(), ours.text(), theirs.text(), {"both sides add 'nodes.rust'"});
+}
+
+TEST_F(Merges, ACycleThatBothMake) {
+    const Lines base;
+    Lines ours = base, theirs = base;
+    ours.nodes = replaced(base.nodes, "\"scale\": 4", "\"scale\": \"= 4 + other\"");
+    const std::string other = "    { \"id\": \"other\", \"expr\": \"$_Amount * 2\" }\n";
+    Lines with_other = base;
+    with_other.nodes = replaced(base.nodes, "$_Amount)\" }\n", "$_Amount)\" },\n" + other);
+    ours.nodes = replaced(ours.nodes, "$_Amount)\" }\n", "$_Amount)\" },\n" + other);
+    theirs.nodes = replaced(with_other.nodes, "$_Amount * 2", "mask * 2");
+    expect_conflict(with_other.text(), ours.text(), theirs.text(),
+                    {"cycle", "ours: changes 'nodes.mask.in.scale'", "theirs: changes 'nodes.other.expr'"});
+}
+
+TEST_F(Merges, ATypeThatTheOtherSideReliesOn) {
+    const Lines base;
+    Lines ours = base, theirs = base;
+    ours.properties = replaced(base.properties, R"("type": "float", "default": 0.5)",
+                               R"("type": "float3", "default": [0.5, 0.5, 0.5])");
+    ours.nodes = replaced(base.nodes, "$_Amount", "$_Amount.x");
+    theirs.surface = replaced(base.surface, "0.5", "\"$_Amount\"");
+    expect_conflict(base.text(), ours.text(), theirs.text(),
+                    {"float3", "ours: changes 'properties._Amount", "theirs: changes 'surface.roughness'"});
+}
+
+TEST_F(Merges, AnotherNodeWithOtherPorts) {
+    const Lines base;
+    Lines ours = base, theirs = base;
+    ours.nodes =
+        replaced(base.nodes, R"("node": "GradientNoise", "in": { "uv": "@uv0", "scale": 4 })", R"("expr": "@uv0.x")");
+    theirs.nodes = replaced(base.nodes, "\"scale\": 4", "\"scale\": 8");
+    expect_conflict(base.text(), ours.text(), theirs.text(), {"ours removes 'nodes.mask.in', which theirs changes"});
+}
+
+TEST_F(Merges, BothPutPropertiesIntoAnotherOrder) {
+    Lines base;
+    const std::string a = R"(    { "name": "_A", "type": "float" })", b = R"(    { "name": "_B", "type": "float" })",
+                      c = R"(    { "name": "_C", "type": "float" })", d = R"(    { "name": "_Amount", "type": "float" },
+    { "name": "_Tint", "type": "color" })";
+    const auto with = [&](const std::string& x, const std::string& y, const std::string& z) {
+        Lines lines;
+        lines.properties = x + ",\n" + y + ",\n" + z + ",\n" + d + "\n";
+        return lines.text();
+    };
+    const MergeResult merged = expect_conflict(with(a, b, c), with(b, a, c), with(c, b, a),
+                                               {"both sides put 'properties' into another order"});
+    EXPECT_EQ(side_of(merged.text, true), with(b, a, c));
+    EXPECT_EQ(side_of(merged.text, false), with(c, b, a));
+    expect_clean(with(a, b, c), with(c, a, b), with(c, a, b), with(c, a, b));
+}
+
+TEST_F(Merges, ASideThatDoesNotCompileIsMergedAndLeftToRepair) {
+    const Lines base;
+    Lines ours = base, theirs = base;
+    ours.surface += R"(, "metallic": "nothing")";
+    theirs.surface = replaced(base.surface, "0.5", "0.7");
+    const MergeResult merged = merge(base.text(), ours.text(), theirs.text());
+    EXPECT_EQ(merged.state, MergeState::Conflicts);
+    EXPECT_EQ(merged.text, replaced(ours.text(), "0.5,", "0.7,"));
+    ASSERT_EQ(merged.diagnostics.size(), 1u);
+    EXPECT_EQ(merged.diagnostics[0].code, "dangling-link");
+}
+
+TEST_F(Merges, AFileThatIsNotThereYetIsAWarning) {
+    const Lines base;
+    Lines ours = base, theirs = base;
+    ours.surface = replaced(base.surface, "0.5", "0.7");
+    theirs.nodes = replaced(base.nodes, "$_Amount)\" }\n",
+                            "$_Amount)\" },\n    { \"id\": \"s\", \"node\": \"./new.subgraph.json\" }\n");
+    const MergeResult merged = merge(base.text(), ours.text(), theirs.text());
+    EXPECT_EQ(merged.state, MergeState::Clean);
+    ASSERT_FALSE(merged.diagnostics.empty());
+    EXPECT_EQ(merged.diagnostics[0].code, "missing-file");
+    EXPECT_EQ(merged.diagnostics[0].severity, Severity::Warning);
+}
+
+TEST_F(Merges, WhatIsNoGraphIsNotTouched) {
+    const Lines base;
+    for (const std::string bad : {"", "{", "[]", "{ \"patina\": 1, \"kind\": \"engine\" }", "{ \"patina\": 2 }"}) {
+        const MergeResult theirs = merge(base.text(), base.text(), bad);
+        EXPECT_EQ(theirs.state, MergeState::Unreadable) << bad;
+        EXPECT_EQ(theirs.text, base.text());
+        ASSERT_FALSE(theirs.diagnostics.empty());
+        EXPECT_EQ(theirs.diagnostics[0].file, "theirs.json");
+        EXPECT_EQ(merge(base.text(), bad, base.text()).text, bad);
+        if (!bad.empty()) {
+            EXPECT_EQ(merge(bad, base.text(), base.text()).state, MergeState::Unreadable) << bad;
+        }
+    }
+}
+
+// --- other kinds of files
+
+TEST_F(Merges, ScenesByTheirObjects) {
+    const std::string base = R"({
+  "patina": 1,
+  "kind": "scene",
+  "camera": { "position": [0, 1, 5] },
+  "lights": [
+    { "type": "directional", "direction": [0, 1, 0] },
+    { "type": "point", "position": [1, 1, 1], "intensity": 2 }
+  ],
+  "materials": [
+    { "name": "red", "graph": "red.graph.json" }
+  ],
+  "objects": [
+    { "id": "ball", "mesh": "sphere", "material": "red" }
+  ]
+}
+)";
+    const std::string ours = replaced(base, R"("intensity": 2)", R"("intensity": 3)");
+    const std::string theirs =
+        replaced(replaced(base, "[0, 1, 0]", "[1, 1, 0]"), R"("mesh": "sphere")", R"("mesh": "torus")");
+    expect_clean(base, ours, theirs, replaced(theirs, R"("intensity": 2)", R"("intensity": 3)"));
+    // An object with a material that the other side removes.
+    const std::string without = replaced(replaced(base, "    { \"name\": \"red\", \"graph\": \"red.graph.json\" }\n",
+                                                  "    { \"name\": \"blue\", \"graph\": \"blue.graph.json\" }\n"),
+                                         "\"material\": \"red\"", "\"material\": \"blue\"");
+    const std::string uses =
+        replaced(base, "\"material\": \"red\" }\n",
+                 "\"material\": \"red\" },\n    { \"id\": \"ring\", \"mesh\": \"torus\", \"material\": \"red\" }\n");
+    const MergeResult merged = merge(base, without, uses);
+    EXPECT_EQ(merged.state, MergeState::Conflicts);
+    ASSERT_FALSE(merged.diagnostics.empty());
+    const std::string said = to_text(merged.diagnostics[0]);
+    EXPECT_NE(said.find("objects.ring"), said.npos) << said;
+    EXPECT_NE(said.find("materials.red"), said.npos) << said;
+}
+
+TEST_F(Merges, SubgraphsAndLightingGraphs) {
+    const std::string sub = R"({
+  "patina": 1,
+  "kind": "subgraph",
+  "inputs": [
+    { "name": "height", "type": "float", "default": 0.5 },
+    { "name": "level", "type": "float", "default": 0.5 }
+  ],
+  "outputs": { "amount": "= $height * $level" }
+}
+)";
+    expect_clean(sub, replaced(sub, "level", "rust"), replaced(sub, "$height * $level", "$height + $level"),
+                 replaced(replaced(sub, "$height * $level", "$height + $level"), "level", "rust"));
+    const std::string lighting = R"({
+  "patina": 1,
+  "kind": "lighting",
+  "surface": [
+    { "name": "rim", "type": "float", "default": 0.3 }
+  ],
+  "nodes": [
+    { "id": "ndotl", "node": "NdotL" }
+  ],
+  "direct": "= ndotl * @light.radiance * @surface.rim"
+}
+)";
+    expect_clean(lighting, replaced(lighting, "0.3", "0.4"), replaced(lighting, "@light.radiance", "@light.color"),
+                 replaced(replaced(lighting, "0.3", "0.4"), "@light.radiance", "@light.color"));
+}
+
+}  // namespace
+}  // namespace patina
