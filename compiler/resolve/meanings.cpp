@@ -75,6 +75,10 @@ const Attribute* attribute_of(std::span<const Attribute> attributes, std::string
     return found == attributes.end() ? nullptr : &*found;
 }
 
+// In how many ways a sub-graph is walked. Levels of sub-graphs that each give the next one another texture could have
+// thousands.
+constexpr std::size_t kMostWalks = 64;
+
 // A graph while it is walked: the material's, its lighting graph, or a sub-graph at one of its places.
 struct Walk {
     const CheckedGraph& graph;
@@ -259,6 +263,23 @@ private:
         }
     }
 
+    // What is not known of outputs: anything may have been done to these textures.
+    Values unknown_outputs(const Values& given, const std::vector<std::pair<Values, Values>>& known) {
+        Value any;
+        const auto add = [&](const Values& values) {
+            for (const auto& [name, value] : values) {
+                any.textures.insert(value.textures.begin(), value.textures.end());
+                if (value.texture) any.textures.insert(value.texture);
+            }
+        };
+        add(given);
+        add(known.front().second);
+        used_as_color(any);  // so that no texture seems to be used as data alone
+        Values made = known.front().second;
+        for (auto& [name, value] : made) value = any;
+        return made;
+    }
+
     // A sub-graph is walked with what it gets here. The same inputs give the same outputs.
     void sub_graph(std::uint32_t index) {
         const Node& node = walk_->graph.graph->nodes[index];
@@ -271,7 +292,10 @@ private:
         }
         auto& known = known_[&inside];
         auto found = std::find_if(known.begin(), known.end(), [&](const auto& each) { return each.first == given; });
-        if (found == known.end()) {
+        if (found == known.end() && known.size() >= kMostWalks) {
+            known.emplace_back(given, unknown_outputs(given, known));
+            found = known.end() - 1;
+        } else if (found == known.end()) {
             Walk walk{.graph = inside, .inputs = given};
             Walk* const outside = std::exchange(walk_, &walk);
             const std::string_view id = std::exchange(node_, {});
