@@ -206,10 +206,63 @@ private:
     std::vector<Value> raw_;  // by old value: what it is in the engine; null: it is no such value
 };
 
+// Finds parameters that functions may take as the engine has them: textures are read at them, and all callers have
+// them from the engine. The turns of caller and function would cancel, but neither sees the other.
+class Takers {
+public:
+    explicit Takers(Module& module) : module_(module), is_place_(module.functions.size()) {}
+
+    void run() {
+        for (std::uint32_t f = 0; f < module_.functions.size(); ++f) find_places(f);
+        // From the last function to the first, so that all callers of a function are done before it.
+        for (std::uint32_t f = static_cast<std::uint32_t>(module_.functions.size()); f-- > 0;) {
+            Function& function = module_.functions[f];
+            for (std::size_t i = 0; i < function.params.size(); ++i)
+                function.params[i].from_bottom = function.params[i].from_bottom || is_place_[f][i];
+            for (const Inst& inst : function.insts) {
+                if (inst.op != Op::Call) continue;
+                const std::span<const Value> args = function.args(inst);
+                for (std::size_t i = 0; i < args.size(); ++i) {
+                    if (!is_of_engine(function, args[i])) is_place_[inst.data][i] = false;
+                }
+            }
+        }
+    }
+
+private:
+    void find_places(std::uint32_t f) {
+        const Function& function = module_.functions[f];
+        is_place_[f].resize(function.params.size());
+        if (is_elsewhere(function) || !module_.stage.entry || module_.stage.entry.index == f) return;
+        const auto note = [&](Value value) {
+            const Inst& inst = function[value];
+            if (inst.op == Op::Param && inst.type.width() == 2) is_place_[f][inst.data] = true;
+        };
+        for (const Inst& inst : function.insts) {
+            const std::span<const Value> args = function.args(inst);
+            const TextureKind* texture = samples(inst.op) ? texture_kind(function[args[0]].type.kind) : nullptr;
+            if (texture && texture->has_rows) note(args[2]);
+            for (std::size_t i = 0; inst.op == Op::Call && i < args.size(); ++i) {
+                if (is_place_[inst.data][i]) note(args[i]);
+            }
+        }
+    }
+
+    bool is_of_engine(const Function& function, Value value) const {
+        const Inst& inst = function[value];
+        if (inst.op == Op::Param) return function.params[inst.data].from_bottom;
+        return inst.op == Op::Global && module_.globals[inst.data].from_bottom;
+    }
+
+    Module& module_;
+    std::vector<std::vector<bool>> is_place_;  // by function and parameter
+};
+
 }  // namespace
 
 Module turn_textures(Module module) {
     if (!module.has_values_from_bottom) return module;
+    Takers(module).run();
     std::vector<Function> old = std::move(module.functions);
     module.functions = old;  // calls look up signatures here
     for (std::uint32_t i = 0; i < old.size(); ++i) {
