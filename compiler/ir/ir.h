@@ -115,7 +115,8 @@ struct Function {
     // What each member of the result is, for a function that loses members. The comment describes the member whose text
     // is the comment itself. May be empty.
     std::vector<std::string> result_docs{};
-    bool always_inline = false;  // recipes and pass bodies: their instructions are copied to where they are called
+    bool always_inline = false;      // recipes and pass bodies: their instructions are copied to where they are called
+    bool inline_if_shorter = false;  // a sub-graph: it is a function only where that makes the text shorter
     Linkage linkage = Linkage::Internal;
     // Foreign: how a call is written, "MACRO({0}, {1})". If it contains {result}, it is one or more statements that
     // declare the result. Empty: a call is written as usual.
@@ -237,8 +238,13 @@ struct Semantic {
 struct Origin {
     std::string label{};   // "SampleTexture2D"; empty: no comment is printed
     bool is_note = false;  // the label is the author's note
-    std::string id{};      // "albedo"
-    Span span{};           // where it stands in the graph's JSON
+    std::string id{};      // "albedo"; in a sub-graph, a path: "rust/edge"
+    // How much of the path leads to the function that the node is in, if a sub-graph is one: then the path is that of
+    // the first use. inline_calls() gives what it copies to another use the path of that.
+    std::uint32_t function_path = 0;
+    Span span{};  // where it stands in the graph's JSON
+
+    std::string_view path_in_function() const { return std::string_view(id).substr(function_path); }
 };
 
 // Stage inputs are the entry function's params; stage outputs are the members of the struct that it returns.

@@ -80,10 +80,11 @@ void Body::enter(OriginId origin) {
     if (is_labelled(origin) && !commented_[origin.index]) {
         commented_[origin.index] = true;
         const Origin& o = writer_.module.origins[origin.index];
+        const std::string_view path = o.path_in_function();
         writer_.comment(indent_,
-                        o.id.empty() ? o.label
-                        : o.is_note  ? fmt::format("{}: {}", o.id, o.label)
-                                     : fmt::format("{} \"{}\"", o.label, o.id),
+                        path.empty() ? o.label
+                        : o.is_note  ? fmt::format("{}: {}", path, o.label)
+                                     : fmt::format("{} \"{}\"", o.label, path),
                         origin);
     }
     origin_ = origin;

@@ -78,9 +78,9 @@ void Body::find_member_names() {
     }
 }
 
-// The id path of the node that an instruction comes from; empty if there is none.
+// The id path, within the function, of the node that an instruction comes from; empty if there is none.
 std::string_view Body::path_of(OriginId origin) const {
-    return origin ? std::string_view(writer_.module.origins[origin.index].id) : "";
+    return origin ? writer_.module.origins[origin.index].path_in_function() : "";
 }
 
 // The id of the node.

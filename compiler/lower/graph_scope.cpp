@@ -53,7 +53,7 @@ std::string_view GraphScope::outermost_kind() const {
 }
 
 void GraphScope::watch(ir::Probe::Kind kind, std::string id, std::string_view port, const Typed& value, Span span) {
-    if (lowering_.emitter.options.fold || !value.ok()) return;
+    if (lowering_.emitter.options.fold || function_path_ > 0 || !value.ok()) return;
     ir::Probe probe{
         .kind = kind, .graph = outermost_kind(), .id = std::move(id), .ports = {}, .value = value.value, .span = span};
     if (value.outputs) {
@@ -127,6 +127,7 @@ void GraphScope::emit_node(std::uint32_t index) {
                                                            : node.type,
                               .is_note = node.is_expression,
                               .id = path,
+                              .function_path = static_cast<std::uint32_t>(function_path_),
                               .span = node.span});
     b.set_origin({static_cast<std::uint32_t>(module.origins.size() - 1)});
     lowering_.session.diagnostics.set_context(path, {});

@@ -1,11 +1,14 @@
 // Emits a graph into one IR function: holds the values of its nodes so far, and resolves $, @ and names in it. A
-// sub-graph is a scope inside the scope of the graph that uses it.
+// sub-graph is a scope inside the scope of the graph that uses it; if several nodes use it, it has a function of its
+// own.
 #pragma once
 
 #include <deque>
 #include <set>
+#include <tuple>
 
 #include "compiler/lower/lower.h"
+#include "compiler/lower/subgraph_uses.h"
 
 namespace patina::graph {
 
@@ -16,6 +19,26 @@ struct DerivedSlot {
     ir::Origin where{};          // the node that prevents it
     bool is_zero = false;        // always zero: the slot does not read what the part is linear in
     bool is_of_missing = false;  // it depends on another derived slot that cannot be made, and has that one's reason
+};
+
+// What tells the functions of sub-graphs apart. Inputs that a function cannot take (textures), or that decide what it
+// computes (bools), are part of it where their values are known.
+struct SubgraphKey {
+    const CheckedGraph* graph = nullptr;
+    bool in_vertex_stage = false;
+    std::vector<bool> outputs{};         // those that are emitted
+    std::vector<std::uint64_t> known{};  // the values of these inputs, as what they are computed from
+    friend bool operator<(const SubgraphKey& a, const SubgraphKey& b) {
+        const auto key = [](const SubgraphKey& k) { return std::tie(k.graph, k.in_vertex_stage, k.outputs, k.known); };
+        return key(a) < key(b);
+    }
+};
+struct SubgraphFunction {
+    ir::FunctionId id{};     // null: it has an error, or must stay where it is used
+    bool has_error = false;  // which has been reported
+    bool needs_quad = false;
+    ir::Type type{};                         // of all outputs together
+    const emit::Outputs* outputs = nullptr;  // if there is just one, the function returns its value
 };
 
 // Shared by all scopes of one lowering.
@@ -31,6 +54,9 @@ struct Lowering {
         const emit::Outputs* outputs = nullptr;
     };
     std::map<std::string, Interpolator> interpolators;
+    AllSubgraphUses subgraph_uses;
+    std::map<SubgraphKey, SubgraphFunction> subgraph_functions;
+    std::size_t subgraphs_in_place = 0;  // uses whose nodes have been emitted where they are
     // A reader of what the vertex stage computes: a node whose interpolator is being made, or an output of "vertex".
     struct VertexReader {
         std::string name;  // id path, or the output's
@@ -50,6 +76,9 @@ struct Lowering {
     std::string_view slot_name(ir::FunctionId function) const;
     bool is_packing(std::string_view slot) const;  // true if it stores or restores members of the surface
 };
+
+// What a node that uses a sub-graph gives to its function (graph_scope_subgraph.cpp).
+struct SubgraphArguments;
 
 class GraphScope : public emit::Environment {
 public:
@@ -98,8 +127,18 @@ private:
     Typed call_node(const Node& node, const ResolvedNode& resolved);
     Typed subgraph_node(std::uint32_t index);
     std::vector<bool> read_of_outputs(std::uint32_t index) const;
-    // Fills a sub-graph scope's inputs from the node that uses it.
+    // Fills inputs of a sub-graph's scope from the node that uses it.
     void fill_inputs(GraphScope& inner, const Node& node, const Graph& subgraph);
+    void fill_input(GraphScope& inner, const Node& node, const Input& input);
+    // The outputs of this sub-graph, of which the marked ones are emitted.
+    Typed subgraph_outputs(const std::vector<bool>& read);
+    // The same by a call of a function that all nodes share which use the sub-graph; nothing if they cannot.
+    std::optional<Typed> subgraph_call(GraphScope& inner, const std::vector<bool>& read);
+    SubgraphArguments arguments_of(const GraphScope& inner) const;
+    SubgraphFunction subgraph_function(const GraphScope& inner, const SubgraphArguments& arguments,
+                                       const std::vector<bool>& read);
+    ir::OriginId origin_of_use(Span span);
+    std::unique_ptr<GraphScope> subgraph_scope(std::uint32_t index, ir::Builder& builder);
     Typed interpolated(std::uint32_t index);
     // The same graph in another function of the vertex stage, with only what `node` needs emitted.
     std::unique_ptr<GraphScope> vertex_twin(ir::Builder& builder, std::deque<std::unique_ptr<GraphScope>>& keep);
@@ -128,6 +167,7 @@ private:
     GraphScope* property_scope_ = nullptr;
     GraphScope* outer_ = nullptr;
     std::uint32_t outer_node_ = 0;
+    std::size_t function_path_ = 0;  // how much of an id path leads to the function that this is emitted into
 };
 
 }  // namespace patina::graph

@@ -344,6 +344,8 @@ Lowered lower(Session& session, const Material& material, ir::BuildOptions optio
                       .emitter = {.module = out.module, .diagnostics = session.diagnostics, .options = options},
                       .enumerators = {},
                       .interpolators = {},
+                      .subgraph_uses = subgraph_uses(material),
+                      .subgraph_functions = {},
                       .vertex_readers = {},
                       .derived_slots = {},
                       .per_object = {},

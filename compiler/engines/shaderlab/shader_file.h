@@ -25,7 +25,7 @@ struct ShaderFile {
 };
 
 languages::Printed shader_file(const ShaderFile& file);
-// The origins that the file's lines refer to: those of each pass, one pass after the other.
+// The origins that the file's lines refer to: those of each pass, one pass after the other, its fragment stage first.
 std::vector<ir::Origin> origins_of(std::span<const LinkedPass> passes);
 
 // --- shader_properties.cpp
@@ -97,7 +97,7 @@ struct PassText {
     struct Declaration {
         languages::Piece::Kind kind{};
         std::string name, text;
-        std::vector<languages::PrintedLine> lines{};  // counted from 0
+        std::vector<languages::PrintedLine> lines{};  // counted from 0, with origins as origins_of() has them
         bool is_own = false;        // no other pass has it, so it is declared in the pass (shader_shared.cpp)
         bool is_of_vertex = false;  // the vertex function, or the struct that it returns
     };

@@ -157,6 +157,11 @@ PassText pass_text(const LinkedPass& pass, const engines::Engine& engine, const 
             differ = true;
         }
     }
+    for (Declaration& each : vertex) {
+        for (languages::PrintedLine& line : each.lines) {
+            if (line.origin) line.origin.index += static_cast<std::uint32_t>(pass.fragment.origins.size());
+        }
+    }
     for (const Kind kind : {Kind::Uniform, Kind::Struct, Kind::Function}) {
         for (const auto* stage : std::array{&fragment, &std::as_const(vertex)}) {
             for (const Declaration& each : *stage) {

@@ -128,8 +128,8 @@ void mark_own(std::vector<PassText>& passes) {
 std::vector<ir::Origin> origins_of(std::span<const LinkedPass> passes) {
     std::vector<ir::Origin> all;
     for (const LinkedPass& pass : passes) {
-        const std::vector<ir::Origin>& own = pass.lowered->module.origins;
-        all.insert(all.end(), own.begin(), own.end());
+        for (const ir::Module* stage : {&pass.fragment, &pass.vertex})
+            all.insert(all.end(), stage->origins.begin(), stage->origins.end());
     }
     return all;
 }
@@ -161,7 +161,7 @@ std::vector<PassText> pass_texts(std::span<const LinkedPass> linked, const engin
                 if (line.origin) line.origin.index += first;
             }
         }
-        first += static_cast<std::uint32_t>(linked[i].lowered->module.origins.size());
+        first += static_cast<std::uint32_t>(linked[i].fragment.origins.size() + linked[i].vertex.origins.size());
     }
     return passes;
 }

@@ -1,4 +1,7 @@
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <map>
 #include <unordered_map>
 #include <utility>
 
@@ -14,6 +17,10 @@ namespace {
 constexpr std::uint32_t kSmall = 3;
 // A struct of so few numbers, such as the coverage that a shadow reads of a surface, says no more than the numbers.
 constexpr std::size_t kFewNumbers = 2;
+// The lines of a function besides its body: a comment, the signature, braces and an empty line.
+constexpr std::size_t kLinesAround = 5;
+// How long a function may be that is inlined because its calls would repeat what costs much.
+constexpr std::size_t kMostRepeated = 256;
 // How many instructions may be copied in one module; then calls stay calls. Functions that are always inlined and call
 // others twice would double the text at each level.
 constexpr std::size_t kBudget = 1u << 18;
@@ -59,6 +66,37 @@ bool is_few_numbers(const Module& module, Type type) {
            std::all_of(members.begin(), members.end(), [](const Member& m) { return m.type.is_scalar(); });
 }
 
+// What is the same at each call of a function: what it computes from globals and semantics alone.
+std::vector<std::uint8_t> same_at_all_calls(const Function& function) {
+    std::uint64_t semantics = 0;
+    for (std::size_t i = 0; i < function.params.size() && i < kMaxSettledParams; i++) {
+        if (function.params[i].is_semantic) semantics |= std::uint64_t{1} << i;
+    }
+    return settled(function, semantics, Globals::Settled);
+}
+
+// True if calls make the text of such a function longer than copies of its body would, which share what is the same in
+// all of them. Compilers find equal arithmetic in several calls, but they repeat samples and loops.
+bool is_shorter_inlined(const Module& module, const Function& function, std::size_t calls) {
+    if (calls <= 1) return true;
+    const std::vector<std::uint8_t> same = same_at_all_calls(function);
+    std::size_t own = 0;
+    bool repeats_much = false;
+    for (std::size_t i = 0; i < function.insts.size(); i++) {
+        const Op op = function.insts[i].op;
+        if (same[i] == 0)
+            own += is_work(op) ? 1 : 0;
+        else
+            repeats_much = repeats_much || op == Op::Call || has(op, Derivative) || info(op).rule == TypeRule::Texel;
+    }
+    if (repeats_much && function.insts.size() <= kMostRepeated) return true;
+    // A struct has a line for each member where it is declared, and one where it is put together.
+    const std::size_t members =
+        function.result.kind == Kind::Struct ? module.structs[function.result.ref].members.size() : 0;
+    const std::size_t around = kLinesAround + (members > 0 ? 2 * members + 3 : 0);
+    return (calls - 1) * own <= around + calls;
+}
+
 Callee describe(const Module& module, const Function& function, std::size_t calls) {
     const bool takes_opaque = std::any_of(function.params.begin(), function.params.end(),
                                           [&](const Param& p) { return holds_opaque(module, p.type); });
@@ -67,7 +105,8 @@ Callee describe(const Module& module, const Function& function, std::size_t call
     // To make a struct takes a line for each member. Stages that share the function should not repeat these.
     const bool is_shared = function.linkage == Linkage::Exported && function.result.kind == Kind::Struct;
     const bool is_little = (work <= kSmall && !is_shared) || (calls == 1 && is_few_numbers(module, function.result));
-    const bool is_wanted = function.always_inline || takes_opaque || is_little;
+    const bool is_wanted = function.always_inline || takes_opaque || is_little ||
+                           (function.inline_if_shorter && is_shorter_inlined(module, function, calls));
     return {.always = is_wanted && !ir::is_elsewhere(function),
             .nesting = nesting_of(function),
             .verdicts = {},
@@ -204,9 +243,34 @@ private:
                       return rewrite(c, v, depth + 1);
                   }};
         copy_body(copy);
-        name_locals(outer.to, call, before);
-        name_result(outer.to, result, call, before);
+        if (callee.inline_if_shorter) {
+            move_nodes(outer.to, copy.origin, before);
+        } else {
+            name_locals(outer.to, call, before);
+            name_result(outer.to, result, call, before);
+        }
         return result;
+    }
+
+    // The nodes of a sub-graph get the path of the node that uses it here; it tells their names apart.
+    void move_nodes(Builder& to, OriginId user, std::size_t before) {
+        for (std::size_t i = before; i < to.function().insts.size(); i++) {
+            OriginId& origin = to.function().insts[i].origin;
+            if (origin) origin = moved(origin, user);
+        }
+    }
+
+    OriginId moved(OriginId node, OriginId user) {
+        Origin origin = module_.origins[node.index];
+        if (!user || origin.function_path == 0) return node;
+        if (origin.path_in_function().empty()) return user;
+        OriginId& made = moved_[{node, user}];
+        if (made) return made;
+        const Origin& at = module_.origins[user.index];
+        origin.id = fmt::format("{}/{}", at.id, origin.path_in_function());
+        origin.function_path = at.function_path;
+        module_.origins.push_back(std::move(origin));
+        return made = {static_cast<std::uint32_t>(module_.origins.size() - 1)};
     }
 
     void name_locals(Builder& to, const Inst& call, std::size_t before) {
@@ -242,6 +306,7 @@ private:
     std::vector<Function> old_;
     std::vector<std::size_t> calls_;  // of each function
     std::vector<Callee> callees_;
+    std::map<std::pair<OriginId, OriginId>, OriginId> moved_;  // by node, and by the node that uses its sub-graph
     LightRate light_;
     std::size_t budget_ = kBudget;
 };

@@ -351,6 +351,77 @@ TEST(Inline, SpellsOutWhatTakesTextures) {
     EXPECT_EQ(count(module.functions[0], Op::Sample), 1u);
 }
 
+// main(x) calls f `calls` times; f is a sub-graph whose body `body` makes of its parameter.
+Module calls_of_subgraph(int calls, const Body& body) {
+    Module module;
+    module.origins = {{.id = "first/wave", .function_path = 6}};
+    const FunctionId f = add(module, "f", {kX}, kFloat, body);
+    module[f].inline_if_shorter = true;
+    for (int i = 0; i < calls; ++i) module.origins.push_back({.id = "use" + std::to_string(i)});
+    const FunctionId main = add(module, "main", {kX}, kFloat, [&](Builder& b) {
+        Value sum = b.param(0);
+        for (int i = 0; i < calls; ++i) {
+            b.set_origin({static_cast<std::uint32_t>(i + 1)});
+            sum = b.call(f, std::vector{sum});
+        }
+        return sum;
+    });
+    set_entry(module, main);
+    return checked(prune(inline_calls(std::move(module))));
+}
+
+Value chain_of(Builder& b, Value v, int operations) {
+    b.set_origin({0});
+    for (int i = 0; i < operations; ++i) v = b.emit(i % 2 == 0 ? Op::Sin : Op::Exp, {v});
+    return v;
+}
+
+TEST(Inline, KeepsACallOfASubgraphIfThatIsShorter) {
+    const auto functions = [](int calls, int operations) {
+        return calls_of_subgraph(calls, [&](Builder& b) { return chain_of(b, b.param(0), operations); })
+            .functions.size();
+    };
+    // Five lines around the body, and one for each call, against the body again.
+    EXPECT_EQ(functions(2, 7), 1u);
+    EXPECT_EQ(functions(2, 8), 2u);
+    EXPECT_EQ(functions(3, 4), 1u);
+    EXPECT_EQ(functions(3, 5), 2u);
+    EXPECT_EQ(functions(1, 100), 1u);
+}
+
+TEST(Inline, NamesTheNodesOfASubgraphAfterItsUse) {
+    const Module module = calls_of_subgraph(2, [](Builder& b) { return chain_of(b, b.param(0), 4); });
+    const Function& main = module.functions[0];
+    std::vector<std::string> ids;
+    for (const Value value : main.blocks[0].insts) {
+        if (main[value].op == Op::Sin) ids.push_back(module.origins[main[value].origin.index].id);
+    }
+    EXPECT_EQ(ids, (std::vector<std::string>{"use0/wave", "use0/wave", "use1/wave", "use1/wave"}));
+}
+
+// Other compilers find equal sums in two calls, but not equal samples.
+TEST(Inline, SharesWhatTheCallsOfASubgraphWouldRepeat) {
+    Module module;
+    module.globals = {{.name = "t", .type = Type::of(Kind::Texture2D)}, {.name = "s", .type = Type::of(Kind::Sampler)}};
+    const Param uv{"uv", kFloat2, Rate::Pixel, true};
+    const FunctionId f = add(module, "f", {kX, uv}, kFloat, [&](Builder& b) {
+        const Value texture = b.emit(Op::Global, b.module().globals[0].type, {}, 0);
+        const Value sampler = b.emit(Op::Global, b.module().globals[1].type, {}, 1);
+        const Value texel = b.emit(Op::Sample, {texture, sampler, b.param(1)});
+        return b.emit(Op::Mul, {chain_of(b, b.param(0), 40), b.extract(texel, 0)});
+    });
+    module[f].inline_if_shorter = true;
+    module.origins.push_back({});
+    const FunctionId main = add(module, "main", {kX, uv}, kFloat, [&](Builder& b) {
+        const Value once = b.call(f, std::vector{b.param(0), b.param(1)});
+        return b.call(f, std::vector{once, b.param(1)});
+    });
+    set_entry(module, main);
+    module = checked(prune(inline_calls(std::move(module))));
+    EXPECT_EQ(names(module), std::vector<std::string>{"main"});
+    EXPECT_EQ(count(module.functions[0], Op::Sample), 1u);
+}
+
 // A loop over lights that calls f(light index, roughness); f has work that only the roughness decides.
 Module light_loop() {
     Module module;
@@ -379,6 +450,34 @@ TEST(Inline, SpellsOutWhatHidesWorkFromALightLoop) {
     EXPECT_EQ(count_in(main, 0, Op::Log), 1u);
     EXPECT_EQ(count_in(main, body, Op::Log), 0u);
     EXPECT_EQ(count_in(main, body, Op::Tan), 1u);
+}
+
+// --- turn_textures
+
+// main(uv) calls f twice: with the engine's coordinates, and with those that `other` makes of them.
+Module sampled_twice(const std::function<Value(Builder&, Value)>& other) {
+    Module module;
+    module.has_values_from_bottom = true;
+    module.globals = {{.name = "t", .type = Type::of(Kind::Texture2D)}, {.name = "s", .type = Type::of(Kind::Sampler)}};
+    const FunctionId f = add(module, "f", {{"at", kFloat2, Rate::Pixel}}, kFloat, [](Builder& b) {
+        const Value texture = b.emit(Op::Global, b.module().globals[0].type, {}, 0);
+        const Value sampler = b.emit(Op::Global, b.module().globals[1].type, {}, 1);
+        return b.extract(b.emit(Op::Sample, {texture, sampler, b.param(0)}), 0);
+    });
+    const FunctionId main = add(module, "main", {{"uv", kFloat2, Rate::Pixel, true, true}}, kFloat, [&](Builder& b) {
+        const Value uv = b.param(0), once = b.call(f, std::vector{uv});
+        return b.emit(Op::Add, {once, b.call(f, std::vector{other(b, uv)})});
+    });
+    set_entry(module, main);
+    return checked(prune(turn_textures(std::move(module))));
+}
+
+TEST(TurnTextures, PassesOnWhatAllCallersHaveFromTheEngine) {
+    const Module same = sampled_twice([](Builder&, Value uv) { return uv; });
+    EXPECT_EQ(count(same.functions[0], Op::Sub) + count(same.functions[1], Op::Sub), 0u);
+    const Module other = sampled_twice([](Builder& b, Value uv) { return b.emit(Op::Sin, {uv}); });
+    EXPECT_EQ(count(other.functions[0], Op::Sub), 1u);
+    EXPECT_EQ(count(other.functions[1], Op::Sub), 1u);
 }
 
 // --- schedule
