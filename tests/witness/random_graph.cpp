@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <utility>
 
 #include "witness/bench.h"
 #include "witness/random_expressions.h"
@@ -228,7 +229,7 @@ constexpr Guard kGuards[] = {
 
 class Generator {
 public:
-    Generator(const Compiler& compiler, unsigned seed) : dice_(seed) {
+    Generator(const Compiler& compiler, unsigned seed) : dice_(seed), has_parts_(seed % 4 == 3) {
         half_graph_ = dice_.chance(8);
         half_nodes_ = half_graph_ || dice_.chance(12);
         for (const NodeInfo& node : compiler.nodes())
@@ -251,6 +252,7 @@ public:
         }
         values_.insert(values_.end(), {{"$_Amount", 1, 1}, {"$_Axis", 3, 2}, {"@time", 1, 1}});
         values_.push_back({"(@fragCoord.xy * 0.125)", 2, 1});
+        if (has_parts_) parts();
         const int count = 5 + dice_.below(26);
         for (int i = 0; i < count; ++i) {
             const int kind = dice_.below(100);
@@ -401,6 +403,71 @@ private:
         values_.push_back({id + ".extra", 1, 4});
     }
 
+    // Sub-graphs, each of which uses the one before it twice, and nodes that use them.
+    void parts() {
+        const int levels = 1 + dice_.below(3);
+        for (int level = 0; level < levels; ++level) part(level);
+        const int uses = 2 + dice_.below(3);
+        for (int i = 0; i < uses; ++i) {
+            const int level = dice_.chance(70) ? levels - 1 : dice_.below(levels);
+            use_part("u" + std::to_string(i), level, "$_Data");
+            json_ += ",\n";
+        }
+    }
+
+    static std::string part_file(int level) { return "part" + std::to_string(level) + ".subgraph.json"; }
+
+    // Its nodes are written as those of a graph, over its own inputs, and always in floats.
+    void part(int level) {
+        const bool half_graph = std::exchange(half_graph_, false), half_nodes = std::exchange(half_nodes_, false);
+        std::vector<Value> outside = std::exchange(values_, {{"$p", 3, 4}, {"$q", 1, 4}, {"$flag", 0, 1}});
+        std::string graph = std::exchange(json_, {});
+        json_ = R"({ "patina": 1, "kind": "subgraph", "inputs": [
+{ "name": "p", "type": "float3" }, { "name": "q", "type": "float", "default": 0.5 },
+{ "name": "flag", "type": "bool", "default": true }, { "name": "map", "type": "texture2d" } ],
+"nodes": [
+)";
+        // A texel that is the same in all uses keeps a sub-graph from being a function.
+        json_ +=
+            dice_.chance(30)
+                ? R"({ "id": "t", "node": "LoadTexture2D", "in": { "texture": "$map", "texel": "= @fragCoord.xy" } })"
+                : R"json({ "id": "t", "expr": "float4($p, $q)" })json";
+        values_.push_back({"t", 4, 4});
+        for (int i = 0; level > 0 && i < 2; ++i) {
+            json_ += ",\n";
+            use_part("a" + std::to_string(i), level - 1, "$map");
+        }
+        const int count = 1 + dice_.below(4);
+        for (int i = 0; i < count; ++i) {
+            json_ += ",\n";
+            const std::string id = "e" + std::to_string(i);
+            if (dice_.chance(30))
+                library_node(id);
+            else
+                expression_node(id);
+        }
+        Expressions in = over_values(false);
+        const Value color = in.limited(in.expression(3, 2)), amount = in.limited(in.expression(1, 2));
+        json_ +=
+            "\n],\n\"outputs\": { \"color\": \"= " + color.text + "\", \"amount\": \"= " + amount.text + "\" }\n}\n";
+        files_[part_file(level)] = std::exchange(json_, std::move(graph));
+        values_ = std::move(outside);
+        half_graph_ = half_graph;
+        half_nodes_ = half_nodes;
+    }
+
+    void use_part(const std::string& id, int level, const std::string& map) {
+        Expressions in = over_values(false);
+        std::string inputs = "\"p\": \"= " + in.limited(in.expression(3, 1)).text + "\", \"map\": \"" + map + "\"";
+        if (dice_.chance(60)) inputs += ", \"q\": \"= " + in.limited(in.expression(1, 1)).text + "\"";
+        const int flag = dice_.below(4);
+        if (flag < 2) inputs += std::string(", \"flag\": ") + (flag == 0 ? "false" : "true");
+        if (flag == 2) inputs += ", \"flag\": \"= " + in.expression(0, 1).text + "\"";
+        json_ += R"({ "id": ")" + id + R"(", "node": "./)" + part_file(level) + R"(", "in": { )" + inputs + " } }";
+        values_.push_back({id + ".color", 3, 4, id});
+        values_.push_back({id + ".amount", 1, 4, id});
+    }
+
     bool is_read(const std::string& id) const {
         std::size_t count = 0;
         for (std::size_t at = json_.find(id); at != std::string::npos; at = json_.find(id, at + 1)) {
@@ -429,6 +496,7 @@ private:
     }
 
     Dice dice_;
+    const bool has_parts_;
     bool half_graph_ = false;
     std::vector<const NodeInfo*> library_;
     std::vector<Value> values_;

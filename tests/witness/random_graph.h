@@ -1,6 +1,7 @@
-// Graphs that nobody would write: 5 to 30 nodes of the library, expressions and functions in node files, from a seed
-// (the same for one compiler: the order in which a C++ expression throws the dice is its own). Values stay small and
-// away from what has no answer (division by zero, roots of negative numbers), so that most pixels can be compared.
+// Graphs that nobody would write: 5 to 30 nodes of the library, expressions, functions in node files and sub-graphs
+// that several nodes use, from a seed (the same for one compiler: the order in which a C++ expression throws the dice
+// is its own). Values stay small and away from what has no answer (division by zero, roots of negative numbers), so
+// that most pixels can be compared.
 //
 // Each graph has noisy twins: the same but for every intermediate value, which is off by about as much as a GPU may be.
 // How far a twin's result is from the graph's own says how exact a GPU's result can be expected to be.
@@ -19,7 +20,7 @@ namespace patina::witness {
 
 struct GraphText {
     std::string json;
-    std::map<std::string, std::string> files;  // node files that it names, by name
+    std::map<std::string, std::string> files;  // node files and sub-graphs that it names, by name
 };
 
 struct RandomGraph {
