@@ -288,26 +288,33 @@ float MipFromRoughness(
 
 /// Parallax-corrects a reflected direction: the direction from the centre of a cube map to the walls of its box.
 ///
-/// A direction parallel to a wall never meets it; that wall is ignored.
+/// A direction parallel to a wall never meets it; that wall is ignored. At a wall, the direction to it changes with a jump
+/// where the reflected ray turns from the room to the wall. So that an object may reach through a wall that is not
+/// there, as between two probes that are blended, no wall is nearer than `nearest`, and a point outside of the box is as
+/// far from the wall behind it as one inside.
 ///
-/// formula: position - center + t d, t = the smallest (wall - position) / d over the axes
+/// formula: position - center + t d, t = the smallest max(|wall - position|, nearest) / |d| over the axes
 /// source: Lagarde and Zanuttini, "Local Image-based Lighting With Parallax-corrected Cubemaps", SIGGRAPH 2012
 /// test: BoxProjectedDirection(float3(0, 0, 1), float3(0, 0, 0), float3(0.1, 0.2, 0.3), -2, float3(2, 3, 4)) == float3(-0.1, -0.2, 3.7)
 /// test: BoxProjectedDirection(float3(1, 1, 0), float3(1, 0, 0), float3(0.1, 0.2, 0.3), -2, float3(2, 3, 4)) == float3(1.9, 0.8, -0.3)
 /// test: BoxProjectedDirection(float3(-0.3, 0.2, -0.9), float3(0.5, -0.5, 1), float3(0.1, 0.2, 0.3), -2, float3(2, 3, 4)) == float3(-0.6, -0.033333333333333326, -2.3)
+/// test: BoxProjectedDirection(float3(1, 0, 0), float3(2.5, 0, 0), 0, -2, 2) == float3(3, 0, 0)
+/// test: BoxProjectedDirection(float3(-1, 0, 0), float3(2.5, 0, 0), 0, -2, 2) == float3(-2, 0, 0)
+/// test: BoxProjectedDirection(float3(0.8, 0, 0.6), float3(2, 0, 0), 0, -2, 2, 0.5) == float3(2.5, 0, 0.375)
+/// test: BoxProjectedDirection(float3(0.8, 0, 0.6), float3(1, 0, 0), 0, -2, 2, 0.5) == float3(2, 0, 0.75)
 [node("Lighting/Ambient/Box Projected Direction")]
 float3 BoxProjectedDirection(
     float3 direction,                           ///< reflected direction; its length does not matter
-    [unit("m")] float3 position = positionWS,  ///< the reflecting point, inside the box
+    [unit("m")] float3 position = positionWS,  ///< the reflecting point
     [unit("m")] float3 center = 0,              ///< where the cube map was taken
     [unit("m")] float3 boxMin = -1,            ///< smallest corner of the box
-    [unit("m")] float3 boxMax = 1              ///< largest corner of the box
+    [unit("m")] float3 boxMax = 1,             ///< largest corner of the box
+    [unit("m")] float nearest = 0              ///< no wall counts as nearer
 ) {
     float3 wall = direction > 0 ? boxMax : boxMin;
     float3 isAlong = step(abs(direction), 1e-6);
-    float3 times = (wall - position) / (direction + isAlong) + isAlong * 60000;
-    float nearest = min(min(times.x, times.y), times.z);
-    return position - center + direction * nearest;
+    float3 times = max(abs(wall - position), nearest) / (abs(direction) + isAlong) + isAlong * 60000;
+    return position - center + direction * min(min(times.x, times.y), times.z);
 }
 
 /// Decodes the radiance of a high-dynamic-range texel by Unity's decode instructions.

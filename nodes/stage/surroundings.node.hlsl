@@ -32,7 +32,7 @@ const float ENVIRONMENT_STEPS = 5;  // level of the map for a roughness of 1
 /// unit: m (xyz)
 /// space: world
 [extern("Ambient")] [with("reflectionProbes")] float4 probeCenter[2];
-/// The lowest corner of each probe's box, in xyz.
+/// The lowest corner of each probe's box, in xyz; w: the distance outside of it over which the probe fades.
 /// unit: m
 /// space: world
 [extern("Ambient")] [with("reflectionProbes")] float4 probeBoxMin[2];
@@ -89,11 +89,10 @@ void SplitSumTable(
     offset = share.y;
 }
 
-/// Where to look in the map of a probe. A point outside of its box counts as on the nearest wall.
+/// Where to look in the map of a probe. Where it fades, there need be no wall.
 float3 directionInProbe(int probe, float3 direction, float3 position) {
-    float3 low = probeBoxMin[probe].xyz;
-    float3 high = probeBoxMax[probe].xyz;
-    float3 corrected = BoxProjectedDirection(direction, clamp(position, low, high), probeCenter[probe].xyz, low, high);
+    float3 corrected = BoxProjectedDirection(direction, position, probeCenter[probe].xyz, probeBoxMin[probe].xyz,
+                                             probeBoxMax[probe].xyz, probeBoxMin[probe].w);
     return probeCenter[probe].w > 0 ? corrected : direction;
 }
 

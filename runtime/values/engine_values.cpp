@@ -152,7 +152,7 @@ void add_probes(Values& values, const ProbeChoice& probes) {
     for (const Probe* chosen : {probes.first, probes.second}) {
         const Probe probe = chosen ? *chosen : Probe{.box_min = {}, .box_max = {}, .is_box_projected = false};
         append(center, glm::vec4(probe.position, probe.is_box_projected ? 1 : 0));
-        append(low, glm::vec4(probe.box_min, 0));
+        append(low, glm::vec4(probe.box_min, probe.blend));
         append(high, glm::vec4(probe.box_max, 0));
     }
     values["probeCenter"] = center;

@@ -29,6 +29,7 @@ const std::vector<Row>& rows() {
         {"BoxProjectedDirection.center", {{0, 0, 0}, {0, 0.5, -1}}, {-1, 1}},
         {"BoxProjectedDirection.boxMin", numbers({-1}), {-2, -1}},
         {"BoxProjectedDirection.boxMax", numbers({1}), {1, 2}},
+        {"BoxProjectedDirection.nearest", numbers({0, 0.5}), {0, 1}},
         {"BoxProjectedDirection.direction", {{0, 0, 1}, {-1, 0, 0}, {1, 1e-7, 0}, {3, -2, 1}}, {-2, 2}},
         {"DecodeHDR.encoded", {{0, 0, 0, 0}, {1, 1, 1, 0}, {1, 1, 1, 1}, {64, 1, 0, 1}}, {0, 1}},
         // Gamma space, RGBM and plain half floats: factor, exponent of alpha, whether alpha counts.

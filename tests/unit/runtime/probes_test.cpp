@@ -101,10 +101,10 @@ struct Folder {
     fs::path path;
 };
 
-Image drawn(const std::string& scene, const std::string& via, const std::string& path = "forward") {
+Image drawn(const std::string& scene, const std::string& via, const std::string& path = "forward", int size = 32) {
     static const Compiler compiler;
     static RenderMachine machine;
-    RenderRequest request{.graph = scene, .size = 32, .samples = 1};
+    RenderRequest request{.graph = scene, .size = size, .samples = 1};
     request.options.path = path;
     request.options.via = via;
     request.options.validation = true;
@@ -228,6 +228,31 @@ TEST_P(Probes, AreBlendedByTheirWeights) {
     expect_ball(0, narrow, narrow, around);
     expect_ball(1.5, narrow, narrow, (second + around) / 2.0);  // half a metre of one
     expect_ball(-1, wide, R"(, "blend": 4, "importance": 2)", 0.25 * second + 0.75 * first);
+}
+
+// A ball across the border of two rooms, where there is no wall: neighbouring pixels show neighbouring places of the
+// rooms. On half of the ball, reflected rays leave the one room through the border, on the other half the other one.
+TEST_P(Probes, FadeWithoutASeamAcrossTheirBorder) {
+    const Folder folder;
+    folder.write("room.exr", picture_of_room());
+    const auto probe = [](double left, double right) {
+        return R"({ "environment": "room.exr", "box": { "min": [)" + std::to_string(left) + R"(, -1, -2], "max": [)" +
+               std::to_string(right) + R"(, 4, 6] }, "blend": 0.5 })";
+    };
+    constexpr int kSize = 128;
+    const Image image = drawn(folder.write("own.scene.json", R"({ "patina": 1, "kind": "scene", "ambient": "none",
+        "camera": { "fov": 30, "position": [1, 1, 5], "target": [1, 1, 0] }, "probes": [)" +
+                                                                 probe(-3, 1) + ", " + probe(1, 5) + R"(],
+        "materials": [{ "name": "mirror", "graph": "mirror.graph.json" }],
+        "objects": [{ "id": "ball", "mesh": "sphere", "material": "mirror", "position": [1, 1, 0] }] })"),
+                              GetParam(), "forward", kSize);
+    for (int y = 34; y < 94; y += 6) {
+        for (int x = kSize / 2 - 4; x < kSize / 2 + 4; ++x) {
+            const auto left = image.at(x, y), right = image.at(x + 1, y);
+            for (std::size_t c = 0; c < 3; ++c)
+                EXPECT_NEAR(left[c], right[c], 0.06) << x << ", " << y << ", channel " << c;
+        }
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(Ways, Probes, testing::Values("glsl", "hlsl", "cpu"));
