@@ -1,12 +1,15 @@
-// view_graph(): the boxes and lines of a checked graph.
+// view_graph(): the boxes and lines of a checked graph. The types of its values come from the graph's own program.
 #include <algorithm>
+#include <map>
 #include <set>
 #include <tuple>
+#include <utility>
 
 #include "compiler/api/compiler_impl.h"
 #include "compiler/api/report.h"
 #include "compiler/format/read_graph.h"
 #include "compiler/json/json.h"
+#include "compiler/link/program.h"
 #include "compiler/resolve/check_graph.h"
 #include "patina/graph_view.h"
 
@@ -25,10 +28,49 @@ std::string_view kind_of(graph::GraphKind kind) {
     return {};
 }
 
+// By the node's id and the name of the output.
+using Types = std::map<std::pair<std::string, std::string>, std::string>;
+
+// `before`: what the graph's nodes have before their ids.
+void add_types(const ir::Module& module, const ir::Function& function, std::string_view graph, std::string_view before,
+               Types& types) {
+    for (const ir::Probe& probe : function.probes) {
+        if (probe.kind != ir::Probe::Kind::Node || probe.graph != graph || !probe.id.starts_with(before)) continue;
+        const ir::Type type = function[probe.value].type;
+        const bool has_members = probe.ports.size() > 1 && type.kind == ir::Kind::Struct;
+        for (std::size_t i = 0; i < probe.ports.size(); ++i) {
+            const ir::Type own = has_members ? module.structs[type.ref].members[i].type : type;
+            types[{probe.id.substr(before.size()), probe.ports[i]}] = module.type_name(own);
+        }
+    }
+}
+
+// What the values of nodes are. Of a part of a material: in the smallest one. Nothing if it does not compile.
+Types types_of(const Compiler& compiler, const std::string& path, const CompileOptions& given, graph::GraphKind kind) {
+    CompileOptions options = given;
+    options.targets.clear();
+    options.keep_programs = options.accept_parts = true;
+    const Result result = compiler.compile_file(path, options);
+    Types types;
+    if (!result.program) return types;
+    const std::string_view graph = kind == graph::GraphKind::Lighting ? "lighting" : "material";
+    const std::string_view before = kind == graph::GraphKind::Subgraph ? "part/" : "";
+    for (const ProgramStage& stage : result.program->stages)
+        for (const ir::Function& function : stage.module.functions)
+            add_types(stage.module, function, graph, before, types);
+    return types;
+}
+
 class View {
 public:
-    View(graph::Session& session, const graph::CheckedGraph& checked, GraphView& view)
-        : session_(session), checked_(checked), graph_(*checked.graph), view_(view) {}
+    View(graph::Session& session, const graph::Library& library, const graph::CheckedGraph& checked, Types types,
+         GraphView& view)
+        : session_(session),
+          library_(library),
+          checked_(checked),
+          graph_(*checked.graph),
+          types_(std::move(types)),
+          view_(view) {}
 
     void make() {
         for (std::size_t i = 0; i < graph_.nodes.size(); ++i) add_node(graph_.nodes[i], checked_.nodes[i]);
@@ -62,17 +104,42 @@ private:
             declare_ports(resolved, box);
             for (const graph::PortValue& port : node.inputs) set_input(port, index, box);
         }
+        deduce_types(node.id, box);
         view_.boxes.push_back(std::move(box));
     }
 
-    static void declare_ports(const graph::ResolvedNode& resolved, GraphBox& box) {
+    // An input of the same type as an output, such as floatN, has what that has.
+    void deduce_types(const std::string& id, GraphBox& box) const {
+        for (GraphPort& output : box.outputs) {
+            const auto found = types_.find({id, output.name});
+            if (found == types_.end()) continue;
+            const std::string declared = std::exchange(output.type, found->second);
+            if (!declared.ends_with('N')) continue;
+            for (GraphPort& input : box.inputs)
+                if (input.type == declared) input.type = found->second;
+        }
+    }
+
+    // Empty, or the semantic that an open port reads.
+    std::string default_of(const nodelang::ParamDecl& param) const {
+        const Expr* root = param.initial;
+        while (root && root->kind == Expr::Kind::Member) root = root->args[0];
+        const bool is_semantic =
+            root && root->kind == Expr::Kind::Name && library_.paths.semantic_index.contains(root->text);
+        return is_semantic ? "@" + text_of(param.initial, {}) : std::string();
+    }
+
+    void declare_ports(const graph::ResolvedNode& resolved, GraphBox& box) const {
         const auto port = [](std::string_view name, std::string_view type) {
             return GraphPort{.name = std::string(name), .type = std::string(type), .value = {}};
         };
         if (const nodelang::FunctionDecl* function = resolved.function) {
             if (function->result.name != "void") box.outputs.push_back(port("out", function->result.name));
-            for (const nodelang::ParamDecl& param : function->params)
-                (param.is_out ? box.outputs : box.inputs).push_back(port(param.name, param.type.name));
+            for (const nodelang::ParamDecl& param : function->params) {
+                GraphPort& made = (param.is_out ? box.outputs : box.inputs).emplace_back();
+                made = {.name = std::string(param.name), .type = std::string(param.type.name), .value = {}};
+                if (!param.is_out) made.value = default_of(param);
+            }
         } else if (resolved.subgraph) {
             for (const graph::Input& input : resolved.subgraph->graph->inputs)
                 box.inputs.push_back(port(input.name, input.type));
@@ -85,6 +152,7 @@ private:
         auto found = std::find_if(box.inputs.begin(), box.inputs.end(),
                                   [&](const GraphPort& port) { return port.name == value.name; });
         if (found == box.inputs.end()) found = box.inputs.insert(found, {.name = value.name, .type = {}, .value = {}});
+        found->value.clear();
         if (!value.value) return;
         const bool is_link = value.value->kind == Expr::Kind::Name && checked_.by_id.contains(value.value->text);
         if (!is_link) found->value = text_of(value.value, value.value_span);
@@ -129,8 +197,10 @@ private:
     }
 
     graph::Session& session_;
+    const graph::Library& library_;
     const graph::CheckedGraph& checked_;
     const graph::Graph& graph_;
+    const Types types_;
     GraphView& view_;
     std::vector<std::tuple<const Expr*, std::size_t, std::size_t>> reads_{};
     std::set<std::tuple<std::size_t, std::size_t, std::size_t, std::size_t>> known_{};
@@ -142,7 +212,8 @@ GraphView view_graph(const Compiler& compiler, const std::string& path, const Co
     CompileOptions own;
     own.include_dirs = options.include_dirs;
     own.loader = options.loader;
-    graph::Session session(CompilerAccess::library(compiler), own);
+    const graph::Library& library = CompilerAccess::library(compiler);
+    graph::Session session(library, own);
     GraphView view;
     if (const std::optional<std::uint32_t> base = graph::load_source(session, path, {})) {
         const std::unique_ptr<graph::Json> json = graph::parse_json(session.sources, *base, session.diagnostics);
@@ -153,7 +224,8 @@ GraphView view_graph(const Compiler& compiler, const std::string& path, const Co
             view.name = graph->name;
             view.kind = kind_of(graph->kind);
             const graph::CheckedGraph* checked = graph::check_graph(session, graph);
-            if (checked && !session.diagnostics.has_errors()) View(session, *checked, view).make();
+            if (checked && !session.diagnostics.has_errors())
+                View(session, library, *checked, types_of(compiler, path, own, graph->kind), view).make();
         }
     }
     view.diagnostics = to_public(session.diagnostics, session.sources);

@@ -30,9 +30,11 @@ void add_size_options(CLI::App& command, runtime::RenderRequest& request) {
 
 void add_background_option(CLI::App& command, runtime::RenderRequest& request) {
     command
-        .add_option("--background", request.background,
-                    "What is behind everything: the surroundings, the same out of focus, a colour, or none, which is "
-                    "transparent; default: dark grey")
+        .add_option(
+            "--background", request.background,
+            "What is behind everything: the surroundings, the same out of focus, a colour, or none, which is "
+            "transparent; default: dark grey, or with a picture as --env and a material that reads what is behind "
+            "it, as glass does, env")
         ->type_name("env|blur|COLOR|none");
 }
 
@@ -65,7 +67,8 @@ void add_light_options(CLI::App& command, runtime::RenderRequest& request) {
     command
         .add_option(
             "--light", request.lights,
-            "Light it with this instead of the default lights: 'point position=1,2,0 color=#f80', or none; repeatable")
+            "Light it with this instead of the default lights: 'point position=1,2,0 color=#f80', or none; repeatable. "
+            "A picture as --env leaves out the default lights by itself")
         ->type_name("LIGHT")
         ->allow_extra_args(false);
     CLI::Option* environment =

@@ -8,6 +8,7 @@
 
 #include "compiler/cli/eval/sweep.h"
 #include "compiler/cli/files.h"
+#include "compiler/cli/unread_inputs.h"
 #include "patina/name_value.h"
 #include "runtime/picture/contact_sheet.h"
 
@@ -55,6 +56,18 @@ std::string label_of(const SweepAxis& axis, const std::string& value) {
     const std::string stem = std::filesystem::path(value).filename().string();
     const std::size_t ending = stem.rfind(".lighting.json");
     return ending == stem.npos ? stem : stem.substr(0, ending);
+}
+
+// At spaces, with further lines indented.
+std::string folded(std::string text) {
+    constexpr std::size_t kColumns = 100;
+    for (std::size_t line = 0; text.size() - line > kColumns;) {
+        const std::size_t space = text.rfind(' ', line + kColumns);
+        if (space == text.npos || space <= line + 2) break;
+        text.replace(space, 1, "\n  ");
+        line = space + 1;
+    }
+    return text;
 }
 
 void choose(const SweepAxis& axis, const std::string& value, runtime::RenderRequest& request) {
@@ -143,7 +156,22 @@ private:
             return false;
         }
         if (has_all_models_) axes_[0].values = fitting;
+        mark_partial();
         return true;
+    }
+
+    // The labels of models that do not read all that the graph sets get a star.
+    void mark_partial() {
+        if (!axes_[0].is_lighting || is_scene(request_.graph)) return;
+        CompileOptions options;
+        options.include_dirs = request_.options.include_dirs;
+        for (std::string& model : axes_[0].values) {
+            std::vector<std::string> unread =
+                unread_inputs(compiler_, request_.graph, options, made_.drawn.reflection.workflow, model);
+            if (unread.empty()) continue;
+            made_.partial.push_back({model, std::move(unread)});
+            model += " *";
+        }
     }
 
     // False: nothing more can be drawn.
@@ -168,18 +196,24 @@ private:
         return made_.drawn.ok;
     }
 
-    // Without the model's name, so that equal reasons are equal.
+    // All reasons, without the model's name, so that equal reasons are equal.
     static std::string why(const runtime::RenderOutcome& drawn, const std::string& model) {
-        std::string reason = drawn.error;
+        std::string reasons = drawn.error, last;
+        const std::string name = "the lighting model '" + model + "'";
         for (const Diagnostic& each : drawn.diagnostics) {
             if (each.severity != Severity::Error) continue;
-            reason = each.message;
-            break;
+            std::string reason = each.message;
+            if (const std::size_t at = reason.find(name); at != reason.npos)
+                reason.replace(at, name.size(), "the lighting model");
+            // Those that differ in their last word alone are one: "have no surface input 'a', 'b'".
+            const std::string start = reason.substr(0, reason.rfind(" '"));
+            if (start != reason && start == last)
+                reasons += "," + reason.substr(start.size());
+            else
+                reasons += (reasons.empty() ? "" : "; ") + reason;
+            last = start;
         }
-        const std::string name = "the lighting model '" + model + "'";
-        if (const std::size_t at = reason.find(name); at != reason.npos)
-            reason.replace(at, name.size(), "the lighting model");
-        return reason;
+        return reasons;
     }
 
     void take(runtime::RenderOutcome drawn) {
@@ -200,7 +234,9 @@ private:
             values.low = std::min(values.low, before.low);
             values.high = std::max(values.high, before.high);
         }
-        if (drawn.ok) cells_.push_back(runtime::toned(std::move(drawn.image), tone_));
+        if (drawn.ok)
+            cells_.push_back(runtime::toned(
+                std::move(drawn.image), {.exposure = tone_.exposure.value_or(drawn.exposure), .curve = tone_.curve}));
         made_.drawn = std::move(drawn);
         made_.drawn.diagnostics = std::move(diagnostics);
         made_.drawn.dependencies = std::move(dependencies);
@@ -272,17 +308,20 @@ void read_sweep(Sweep& sweep, runtime::RenderRequest& request) {
                                    "with several models counts as one");
 }
 
-std::vector<std::string> lines_of(const std::vector<LeftOut>& left_out) {
-    std::vector<std::pair<std::string, std::vector<std::string>>> groups;  // by reason
-    for (const LeftOut& each : left_out) {
-        auto group = std::ranges::find_if(groups, [&](const auto& g) { return g.first == each.why; });
-        if (group == groups.end()) group = groups.insert(groups.end(), {each.why, {}});
-        group->second.push_back(each.model);
-    }
+std::vector<std::string> lines_of(const std::vector<LeftOut>& left_out, const std::vector<Partial>& partial) {
+    std::vector<std::pair<std::string, std::vector<std::string>>> groups;  // models by what is said of them
+    const auto add = [&](std::string said, const std::string& model) {
+        auto group = std::ranges::find_if(groups, [&](const auto& g) { return g.first == said; });
+        if (group == groups.end()) group = groups.insert(groups.end(), {std::move(said), {}});
+        group->second.push_back(model);
+    };
+    for (const Partial& each : partial)
+        add(fmt::format("not read '{}', which the graph sets", fmt::join(each.inputs, "', '")), each.model + " *");
+    for (const LeftOut& each : left_out) add("not fit: " + each.why, each.model);
     std::vector<std::string> lines;
-    for (const auto& [why, models] : groups)
+    for (const auto& [said, models] : groups)
         lines.push_back(
-            fmt::format("{} {} not fit: {}", fmt::join(models, ", "), models.size() == 1 ? "does" : "do", why));
+            folded(fmt::format("{} {} {}", fmt::join(models, ", "), models.size() == 1 ? "does" : "do", said)));
     return lines;
 }
 

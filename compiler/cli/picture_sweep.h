@@ -36,14 +36,21 @@ void read_sweep(Sweep& sweep, runtime::RenderRequest& request);
 struct LeftOut {
     std::string model, why;
 };
-// A line for each reason: "lambert and phong do not fit: ...".
-std::vector<std::string> lines_of(const std::vector<LeftOut>& left_out);
+// One that makes nothing of some inputs that the graph sets.
+struct Partial {
+    std::string model;
+    std::vector<std::string> inputs;
+};
 
 // All pictures on one sheet, with their tone. The outcome's `values` are of all of them.
 struct SheetOutcome {
     runtime::RenderOutcome drawn{};
     std::vector<LeftOut> left_out{};  // of all lighting models
+    std::vector<Partial> partial{};   // of the models on the sheet, where they have a star
 };
+// What is to be said of the models: a line for each reason, folded so that a terminal shows it.
+std::vector<std::string> lines_of(const std::vector<LeftOut>& left_out, const std::vector<Partial>& partial);
+
 SheetOutcome render_sheet(const Compiler& compiler, const runtime::RenderRequest& request, const Sweep& sweep,
                           const runtime::Tone& tone, runtime::RenderMachine& machine);
 

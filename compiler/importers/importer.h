@@ -32,6 +32,7 @@ struct Options {
     std::string folder{};   // that the files will be written to, for references to others; empty: the source's own
     std::string camera{};   // of a source with a scene: the camera that it is seen through; empty: the first
     std::string variant{};  // the one of its variants that the scene shows; empty: each has a scene of its own
+    bool is_lit = false;    // what the scene is drawn in has light: without lights of its own, it needs no others
 };
 
 // What became of one part of the source.

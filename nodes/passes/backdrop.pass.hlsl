@@ -4,6 +4,8 @@
 /// The surroundings are out of focus.
 [switch] bool blurredBackground;
 
+[extern] TextureCube backdropMap;  // radiance, as sharp as it is known
+
 const float BACKGROUND_ROUGHNESS = 0.45;  // the surroundings are blurred as a surface of this roughness reflects them
 // All rays of an orthographic camera are parallel, so it would show a single colour. It shows what a perspective camera
 // with a vertical field of view of 30 degrees would see: the tangent of half of it.
@@ -31,6 +33,7 @@ float4 backgroundVertex(float3 position = positionOS) {
 [pass("backdrop")] [fragment] [draws("fullscreen")] [lights("none")] [cull("off")] [depth("always", "keep")]
 [blend("one", "zero")]
 float4 backgroundFragment(float2 uv = screenUV) {
-    float roughness = blurredBackground ? BACKGROUND_ROUGHNESS : 0;
-    return float4(EnvironmentRadiance(directionBehind(uv), roughness), 1);
+    float3 direction = directionBehind(uv);
+    if (blurredBackground) { return float4(EnvironmentRadiance(direction, BACKGROUND_ROUGHNESS), 1); }
+    return float4(backdropMap.SampleLevel(direction, 0).rgb, 1);
 }

@@ -19,8 +19,9 @@ TextureLevel unpacked(std::span<const float>& numbers, int size) {
 
 }  // namespace
 
-Environment::Environment(const SphericalHarmonics& ambient, std::function<TextureData()> make_map)
-    : ambient_(ambient), make_map_(std::move(make_map)) {}
+Environment::Environment(const SphericalHarmonics& ambient, std::function<TextureData()> make_map,
+                         MakePicture make_picture)
+    : ambient_(ambient), make_map_(std::move(make_map)), make_picture_(std::move(make_picture)) {}
 
 Environment::Environment(const Radiance& radiance, int face_size)
     : Environment(project(radiance), [radiance, face_size] { return prefiltered(Pyramid(radiance, face_size), {}); }) {}
@@ -33,6 +34,17 @@ Environment::Environment(const SphericalHarmonics& ambient)
 std::shared_ptr<const TextureData> Environment::map() const {
     std::call_once(made_, [this] { map_ = std::make_shared<const TextureData>(make_map_()); });
     return map_;
+}
+
+std::shared_ptr<const TextureData> Environment::picture(int size) const {
+    if (!make_picture_) return map();
+    const std::lock_guard lock(picture_mutex_);
+    if (size != picture_size_) {
+        TextureData made = make_picture_(size);
+        picture_ = made.levels.empty() ? map() : std::make_shared<const TextureData>(std::move(made));
+        picture_size_ = size;
+    }
+    return picture_;
 }
 
 TextureData map_with_levels(const Radiance& radiance, int face_size, std::span<const float> blurred_levels) {

@@ -22,7 +22,10 @@ namespace patina::runtime {
 class Environment {
 public:
     // A map is a cube of kEnvironmentLevels levels (prefilter.h); it is made when first asked for, by one thread.
-    Environment(const SphericalHarmonics& ambient, std::function<TextureData()> make_map);
+    // A picture behind everything is a cube of one level; it is made whenever another size is asked for.
+    using MakePicture = std::function<TextureData(int)>;
+    Environment(const SphericalHarmonics& ambient, std::function<TextureData()> make_map,
+                MakePicture make_picture = {});
     // `face_size`: texels along a face of the cube, a power of two, 256 or more: the last level has 8 or more, fewer of
     // which would show as facets.
     Environment(const Radiance& radiance, int face_size);
@@ -31,12 +34,19 @@ public:
 
     const SphericalHarmonics& ambient() const { return ambient_; }
     std::shared_ptr<const TextureData> map() const;
+    // The light itself, for what is seen of it: as fine as it is known, but with at most `size` texels along a face. The
+    // map if there is nothing finer.
+    std::shared_ptr<const TextureData> picture(int size) const;
 
 private:
     SphericalHarmonics ambient_;
     std::function<TextureData()> make_map_;
     mutable std::once_flag made_;
     mutable std::shared_ptr<const TextureData> map_;
+    MakePicture make_picture_;
+    mutable std::mutex picture_mutex_;
+    mutable std::shared_ptr<const TextureData> picture_;
+    mutable int picture_size_ = 0;  // that was asked for
 };
 
 // A map whose levels from the second on are known, texel by texel, red, green and blue.

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <fstream>
 #include <mutex>
+#include <numbers>
 #include <sstream>
 
 #include "runtime/lighting/map_cache.h"
@@ -51,27 +52,40 @@ PrefilterProgress after_a_second(const EnvironmentProgress& progress, const std:
     };
 }
 
+// The picture as it is. Its texels are the smallest in the middle of a face, where a quarter of a turn has 4 / pi times as
+// many as the face is wide. Nothing if it can no longer be read.
+TextureData picture_of(const EnvironmentChoice& choice, int size) {
+    const Outcome<Panorama> around = load_panorama(choice.path);
+    if (!around) return {};
+    const double own = around.value.quarter * 4 / std::numbers::pi;
+    const int made = std::min(size, std::max(int(std::ceil(own)), 1));
+    const int samples = std::max(int(std::lround(own / made)), 1);
+    return scaled(sampled(turned(around.value.radiance, rotation_of(choice)), made, samples), float(choice.intensity));
+}
+
 using Made = Outcome<std::shared_ptr<const Environment>>;
 
 Made make_environment(const EnvironmentChoice& choice, const std::string& name, EnvironmentProgress progress) {
     const float intensity = float(choice.intensity);
     const double rotation = rotation_of(choice);
+    const auto picture = [choice](int size) { return picture_of(choice, size); };
     const MapCache cache;
     if (std::optional<KeptEnvironment> kept = cache.read(name)) {
         const auto map = std::make_shared<TextureData>(std::move(kept->map));
-        return std::make_shared<const Environment>(scaled(kept->ambient, intensity),
-                                                   [=] { return scaled(std::move(*map), intensity); });
+        return std::make_shared<const Environment>(
+            scaled(kept->ambient, intensity), [=] { return scaled(std::move(*map), intensity); }, picture);
     }
     Outcome<Panorama> around = load_panorama(choice.path);
     if (!around) return Failure{around.error};
     around.value.radiance = turned(std::move(around.value.radiance), rotation);
     const auto pyramid = std::make_shared<const Pyramid>(pyramid_of(around.value));
     const SphericalHarmonics ambient = ambient_of(*pyramid);
-    return std::make_shared<const Environment>(scaled(ambient, intensity), [=, progress = std::move(progress)] {
+    const auto make_map = [=, progress = std::move(progress)] {
         KeptEnvironment made{ambient, prefiltered(*pyramid, after_a_second(progress, choice.path))};
         cache.write(name, made);
         return scaled(std::move(made.map), intensity);
-    });
+    };
+    return std::make_shared<const Environment>(scaled(ambient, intensity), make_map, picture);
 }
 
 }  // namespace

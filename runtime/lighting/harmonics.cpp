@@ -1,5 +1,6 @@
 #include "runtime/lighting/harmonics.h"
 
+#include <algorithm>
 #include <numbers>
 
 #include "runtime/lighting/cube.h"
@@ -89,6 +90,25 @@ SphericalHarmonics scaled(SphericalHarmonics light, float factor) {
 SphericalHarmonics with_z_reversed(SphericalHarmonics light) {
     for (const std::size_t odd : {2, 5, 7}) light.coefficients[odd] = -light.coefficients[odd];
     return light;
+}
+
+float largest_irradiance(const SphericalHarmonics& light) {
+    constexpr std::array<float, 9> kBands = {1,        2.0f / 3, 2.0f / 3, 2.0f / 3, 1.0f / 4,
+                                             1.0f / 4, 1.0f / 4, 1.0f / 4, 1.0f / 4};
+    SphericalHarmonics irradiance = light;
+    for (std::size_t i = 0; i < kBands.size(); i++) irradiance.coefficients[i] *= kBands[i];
+    // So smooth a function is less than a thousandth larger between directions that are 3 degrees apart.
+    constexpr int kFaceSize = 32;
+    float largest = 0;
+    for (int face = 0; face < 6; face++) {
+        for (int y = 0; y < kFaceSize; y++) {
+            for (int x = 0; x < kFaceSize; x++) {
+                const glm::vec3 color = evaluate(irradiance, cube_direction(face, x, y, kFaceSize));
+                largest = std::max({largest, color.r, color.g, color.b});
+            }
+        }
+    }
+    return largest;
 }
 
 PackedIrradiance packed_irradiance(const SphericalHarmonics& light) {

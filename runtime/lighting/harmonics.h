@@ -33,6 +33,9 @@ glm::vec3 evaluate(const SphericalHarmonics& sh, glm::vec3 direction);
 // The integral of the radiance times each function of the basis, over the texels of a cube with faces of this size.
 SphericalHarmonics project(const Radiance& radiance, int face_size = 48);
 SphericalHarmonics scaled(SphericalHarmonics light, float factor);
+// The brightest that a white matt surface becomes, whichever way it faces: irradiance over pi, the largest of the
+// channels.
+float largest_irradiance(const SphericalHarmonics& light);
 // The same light for a world whose z points the other way: right-handed to left-handed and back.
 SphericalHarmonics with_z_reversed(SphericalHarmonics light);
 

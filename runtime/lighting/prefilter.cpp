@@ -34,6 +34,23 @@ std::size_t at(int size, int face, int x, int y) {
     return (std::size_t(face) * size + std::size_t(y)) * size + std::size_t(x);
 }
 
+// Runs `work` for each texel of a cube, each face on a thread.
+template <class Work>
+void each_texel(int size, const Work& work) {
+    on_each_face([&](int face) {
+        for (int y = 0; y < size; y++)
+            for (int x = 0; x < size; x++) work(face, x, y);
+    });
+}
+
+glm::vec3 mean_in_texel(const Radiance& radiance, int face, int x, int y, int size, int samples) {
+    glm::vec3 sum(0);
+    for (int j = 0; j < samples; j++)
+        for (int i = 0; i < samples; i++)
+            sum += radiance(cube_direction(face, x * samples + i, y * samples + j, size * samples));
+    return sum / float(samples * samples);
+}
+
 // A direction around +z in which a surface reflects a view along its normal.
 struct Mirrored {
     glm::vec3 direction;
@@ -73,18 +90,21 @@ float roughness_of_level(int level) {
     return (1.7f - std::sqrt(1.7f * 1.7f - 4 * 0.7f * share)) / 1.4f;
 }
 
+TextureData sampled(const Radiance& radiance, int size, int samples) {
+    TextureData data{.levels = {}, .sampler = {.wrap = Wrap::Clamp}, .layers = 6};
+    TextureLevel& level = data.levels.emplace_back(TextureLevel{.width = size, .height = size, .texels = {}});
+    level.texels.resize(std::size_t(24) * size * size);
+    each_texel(size, [&](int face, int x, int y) {
+        const glm::vec4 texel(mean_in_texel(radiance, face, x, y, size, samples), 1);
+        for (int c = 0; c < 4; c++) level.texels[4 * at(size, face, x, y) + std::size_t(c)] = texel[c];
+    });
+    return data;
+}
+
 Pyramid::Pyramid(const Radiance& radiance, int size, int samples) : size_(size) {
     std::vector<glm::vec3>& base = levels_.emplace_back(std::size_t(6) * size * size);
-    on_each_face([&](int face) {
-        for (int y = 0; y < size; y++) {
-            for (int x = 0; x < size; x++) {
-                glm::vec3 sum(0);
-                for (int j = 0; j < samples; j++)
-                    for (int i = 0; i < samples; i++)
-                        sum += radiance(cube_direction(face, x * samples + i, y * samples + j, size * samples));
-                base[at(size, face, x, y)] = sum / float(samples * samples);
-            }
-        }
+    each_texel(size, [&](int face, int x, int y) {
+        base[at(size, face, x, y)] = mean_in_texel(radiance, face, x, y, size, samples);
     });
     for (int half = size / 2; half > 0; half /= 2) {
         std::vector<glm::vec3> next(std::size_t(6) * half * half);

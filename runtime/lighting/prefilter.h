@@ -36,6 +36,9 @@ private:
     std::vector<std::vector<glm::vec3>> levels_;
 };
 
+// The radiance as a cube of one level: the mean of `samples` x `samples` directions in each texel.
+TextureData sampled(const Radiance& radiance, int size, int samples);
+
 // Given the share that is done, 0 to 1, on the calling thread.
 using PrefilterProgress = std::function<void(double)>;
 

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <cstdint>
+#include <filesystem>
+#include <system_error>
 #include <utility>
 
 #include "runtime/page/escaped.h"
@@ -52,6 +54,14 @@ std::string make_page(const Page& page) {
         rest.remove_prefix(at + next->first.size());
     }
     return made;
+}
+
+std::string folder_name(const std::string& folder) {
+    std::error_code ignored;
+    const std::filesystem::path whole = std::filesystem::weakly_canonical(folder, ignored);
+    return whole.has_filename()                 ? whole.filename().string()
+           : whole.parent_path().has_filename() ? whole.parent_path().filename().string()
+                                                : folder;
 }
 
 }  // namespace patina::runtime

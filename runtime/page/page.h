@@ -19,6 +19,9 @@ struct Page {
 };
 std::string make_page(const Page& page);
 
+// A folder's own name for a title: "." and "art/" have one, too.
+std::string folder_name(const std::string& folder);
+
 // RFC 4648.
 std::string base64(std::string_view bytes);
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <vector>
 
 namespace patina::runtime {
 namespace {
@@ -78,7 +80,7 @@ Color tone_mapped(Tonemap curve, Color color) {
 }
 
 Image toned(Image linear, const Tone& tone) {
-    const float factor = float(std::exp2(tone.exposure));
+    const float factor = float(std::exp2(tone.exposure.value_or(0)));
     for (std::size_t i = 0; i < linear.pixels.size(); i += 4) {
         float* pixel = linear.pixels.data() + i;
         const Color made = tone_mapped(tone.curve, {pixel[0] * factor, pixel[1] * factor, pixel[2] * factor});
@@ -88,18 +90,21 @@ Image toned(Image linear, const Tone& tone) {
 }
 
 std::optional<Clipping> clipping(const Image& linear) {
-    std::size_t count = 0;
-    float brightest = 0;
+    std::vector<float> peaks;
     for (std::size_t i = 0; i < linear.pixels.size(); i += 4) {
         const float* pixel = linear.pixels.data() + i;
         const float peak = std::max({pixel[0], pixel[1], pixel[2]});
         if (!(peak > kWhite) || !std::isfinite(peak) || !(pixel[3] > 0)) continue;
-        count++;
-        brightest = std::max(brightest, peak);
+        peaks.push_back(peak);
     }
-    if (count * 4000 < linear.pixels.size() || count == 0) return std::nullopt;
-    return Clipping{.share = double(count) / double(linear.pixels.size() / 4),
-                    .exposure = std::floor(-std::log2(double(brightest)) * 100) / 100};
+    const std::size_t count = linear.pixels.size() / 4;
+    if (peaks.size() * 1000 < count || peaks.empty()) return std::nullopt;
+    Clipping clipped{.share = double(peaks.size()) / double(count)};
+    const std::size_t highlights = std::size_t(kHighlights * double(count));
+    if (highlights >= peaks.size()) return clipped;
+    std::ranges::nth_element(peaks, peaks.begin() + std::ptrdiff_t(highlights), std::greater());
+    clipped.exposure = std::floor(-std::log2(double(peaks[highlights])) * 100) / 100;
+    return clipped;
 }
 
 }  // namespace patina::runtime

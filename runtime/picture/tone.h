@@ -1,7 +1,7 @@
 // From linear light to what a screen shows: exposure, and a curve that brings bright light below 1.
 //
 //   Image shown = toned(image, {.exposure = -1, .curve = Tonemap::KhronosNeutral});   // still linear
-//   if (auto clipped = clipping(shown)) ...   // "--exposure -0.85 would not clip"
+//   if (auto clipped = clipping(shown)) ...   // "with --exposure -0.85 only highlights would clip"
 #pragma once
 
 #include <array>
@@ -27,7 +27,7 @@ inline constexpr std::array<TonemapWord, 4> kTonemaps = {{{"none", Tonemap::None
                                                           {"aces", Tonemap::Aces}}};
 
 struct Tone {
-    double exposure = 0;  // stops: 1 doubles the light. It comes before the curve
+    std::optional<double> exposure{};  // stops: 1 doubles the light. It comes before the curve. Nothing: 0
     Tonemap curve = Tonemap::None;
 };
 
@@ -39,8 +39,9 @@ Image toned(Image linear, const Tone& tone);
 // Pixels brighter than white, of those that are not transparent.
 struct Clipping {
     double share = 0;     // of all pixels
-    double exposure = 0;  // stops to add, a negative number, so that none is left; two decimals
+    double exposure = 0;  // stops to add, a negative number, so that only kHighlights is left; two decimals
 };
+inline constexpr double kHighlights = 0.05;  // of the pixels: as many as highlights may cover
 // Nothing if less than a thousandth of the pixels clips.
 std::optional<Clipping> clipping(const Image& linear);
 

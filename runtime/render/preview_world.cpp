@@ -17,13 +17,6 @@ namespace {
 // What hides things, and what shows a value whatever the path of the picture is.
 constexpr const char *kHidingPath = "depth-only", *kShowingPath = "forward";
 
-std::string quoted(const std::vector<std::string>& names) {
-    std::string list;
-    for (std::size_t i = 0; i < names.size(); ++i)
-        list += (i == 0 ? "'" : i + 1 == names.size() ? " and '" : ", '") + names[i] + "'";
-    return list;
-}
-
 bool has_error(const Result& result, std::string_view code) {
     return std::any_of(result.diagnostics.begin(), result.diagnostics.end(),
                        [&](const Diagnostic& each) { return each.code == code; });
@@ -76,8 +69,10 @@ public:
 
     ScenePreview make() {
         if (!choose()) return std::move(made_);
-        const Result& shown = probe(material_);
-        made_.reads_picture = reads_picture(shown.reflection);
+        for (const std::size_t material : materials_) {
+            made_.materials.push_back(world_.materials[material].name);
+            made_.reads_picture |= reads_picture(probe(material).reflection);
+        }
         made_.options = options_;
         made_.options.path = kHidingPath;
         made_.world = world_before();
@@ -130,8 +125,7 @@ private:
             const Outcome<std::size_t> found = find_object(world_, wish_.object);
             if (!found) return refuse(unknown_object(world_, wish_.object, wish_.scene));
             object_ = found.value;
-            material_ = world_.objects[found.value].material;
-            return has_port();
+            return has_port(world_.objects[found.value].material);
         }
         if (!wish_.material.empty()) {
             std::vector<std::string> names;
@@ -142,42 +136,38 @@ private:
                 unknown.notes.push_back(note(suggestion(wish_.material, names)));
                 return refuse(std::move(unknown));
             }
-            material_ = std::size_t(found - names.begin());
-            if (!is_used(material_)) return refuse(error(Complaint::UnusedMaterial, {wish_.material}));
-            return has_port();
+            const std::size_t material = std::size_t(found - names.begin());
+            if (!is_used(material)) return refuse(error(Complaint::UnusedMaterial, {wish_.material}));
+            return has_port(material);
         }
-        return choose_material();
+        return choose_materials();
     }
 
     // The compiler says why not, at the port.
-    bool has_port() {
-        const Result& result = probe(material_);
-        made_.diagnostics.insert(made_.diagnostics.end(), result.diagnostics.begin(), result.diagnostics.end());
+    bool has_port(std::size_t material) {
+        materials_.push_back(material);
+        const Result& result = probe(material);
+        for (const Diagnostic& each : result.diagnostics) {
+            const auto is_same = [&](const Diagnostic& known) { return to_text(known) == to_text(each); };
+            if (std::ranges::none_of(made_.diagnostics, is_same)) made_.diagnostics.push_back(each);
+        }
         if (!result.ok) advise_on_path(made_.diagnostics);
         return result.ok;
     }
 
-    // The only material that has the port.
-    bool choose_material() {
+    // All materials that have the port.
+    bool choose_materials() {
         std::vector<std::size_t> with_port, with_node, without;
         for (std::size_t i = 0; i < world_.materials.size(); ++i) {
             if (!is_used(i)) continue;
             const Result& result = probe(i);
-            if (!is_sound(result)) {
-                material_ = i;
-                return has_port();
-            }
+            if (!is_sound(result)) return has_port(i);
             (result.ok ? with_port : has_error(result, "dangling-link") ? without : with_node).push_back(i);
         }
-        if (with_port.size() > 1) {
-            std::vector<std::string> names;
-            for (std::size_t i : with_port) names.push_back(world_.materials[i].name);
-            return refuse(error(Complaint::AmbiguousPreview, {quoted(names), wish_.port}));
-        }
-        const std::vector<std::size_t>& found = !with_port.empty() ? with_port : with_node;
-        if (found.empty() && without.size() != 1) return refuse(nowhere(without));
-        material_ = found.empty() ? without.front() : found.front();
-        return has_port();
+        for (const std::size_t i : with_port) has_port(i);
+        if (!with_port.empty()) return true;
+        if (with_node.empty() && without.size() != 1) return refuse(nowhere(without));
+        return has_port(with_node.empty() ? without.front() : with_node.front());
     }
 
     // No material has the node. Says where one like it is, or which ones there are.
@@ -214,25 +204,29 @@ private:
     }
 
     bool is_chosen(std::size_t object) const {
-        return object_ ? object == *object_ : world_.objects[object].material == material_;
+        return object_ ? object == *object_ : std::ranges::count(materials_, world_.objects[object].material) > 0;
     }
 
     // --- the worlds
 
-    WorldMaterial shown_material() {
-        WorldMaterial shown = world_.materials[material_];
-        shown.preview = wish_.port;
-        shown.path = kShowingPath;
-        keep_known(known_properties(probe(material_).reflection), shown);
-        return shown;
+    // Those that show the port, added in their order.
+    void add_shown(World& world) {
+        for (const std::size_t material : materials_) {
+            WorldMaterial& shown = world.materials.emplace_back(world_.materials[material]);
+            shown.preview = wish_.port;
+            shown.path = kShowingPath;
+            keep_known(known_properties(probe(material).reflection), shown);
+        }
     }
 
-    WorldObject shown_object(std::size_t index, std::size_t material) {
+    // `first`: of the materials that add_shown() added.
+    WorldObject shown_object(std::size_t index, std::size_t first) {
         WorldObject object = world_.objects[index];
-        object.material = material;
+        const Result& own = probe(object.material);
+        object.material = first + std::size_t(std::ranges::find(materials_, object.material) - materials_.begin());
         object.lightmap.clear();
         object.shadow_mask.clear();
-        const std::set<std::string> known = instance_properties(probe(material_).reflection);
+        const std::set<std::string> known = instance_properties(own.reflection);
         for (WorldInstance& instance : object.instances) keep_known(known, instance);
         return object;
     }
@@ -241,9 +235,11 @@ private:
         World world = world_;
         world.view.background.a = 0;
         world.view.backdrop = SceneBackdrop::Color;
+        world.view.is_default_background = false;
         for (Light& light : world.view.lights) light.shadow.casts = false;  // nothing here is lit
-        world.materials = {shown_material()};
+        world.materials.clear();
         world.objects.clear();
+        add_shown(world);
         std::map<std::size_t, std::optional<std::size_t>> hiding;  // by material; nothing: it is blended
         for (std::size_t i = 0; i < world_.objects.size(); ++i) {
             if (is_chosen(i)) {
@@ -285,11 +281,12 @@ private:
 
     World world_with_picture() {
         World world = world_;
-        world.materials.push_back(shown_material());
+        const std::size_t first = world.materials.size();
+        add_shown(world);
         world.objects.clear();
         for (std::size_t i = 0; i < world_.objects.size(); ++i) {
             if (is_chosen(i))
-                world.objects.push_back(shown_object(i, world.materials.size() - 1));
+                world.objects.push_back(shown_object(i, first));
             else if (hiding_objects_.contains(i))
                 world.objects.push_back(world_.objects[i]);
         }
@@ -302,7 +299,7 @@ private:
     const RenderOptions& options_;
     ScenePreview made_{};
     bool has_failed_ = false;
-    std::size_t material_ = 0;
+    std::vector<std::size_t> materials_{};  // that show the port
     std::optional<std::size_t> object_{};  // nothing: all objects of the material
     std::map<std::size_t, Result> probes_{};
     std::map<std::size_t, Reflection> hiding_{};  // of materials of `made_.world`

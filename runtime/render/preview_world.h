@@ -19,13 +19,14 @@ namespace patina::runtime {
 struct PreviewWish {
     std::string port{};      // as CompileOptions::preview
     std::string object{};    // that shows it; empty: all objects of the material
-    std::string material{};  // empty: the only one that has the node
+    std::string material{};  // empty: all that have the port
     std::string scene{};     // the file, for messages
 };
 
 struct ScenePreview {
     bool ok = false;
     World world{};  // transparent where the objects are not seen
+    std::vector<std::string> materials{};  // that show it
     RenderOptions options{};
     // The node reads the picture behind its object, or shadows, which `world` lacks. This one has them, and every
     // opaque object as it is.

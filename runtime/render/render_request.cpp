@@ -51,12 +51,14 @@ std::string take_words(const RenderRequest& request, Scene& scene) {
         if (!ambient) return ambient.error;
         scene.ambient = ambient.value;
         scene.environment = nullptr;
+        scene.picture_intensity.reset();
     }
     if (!request.background.empty()) {
         const Outcome<Background> background = parse_background(request.background);
         if (!background) return background.error;
         scene.background = background.value.color;
         scene.backdrop = background.value.backdrop;
+        scene.is_default_background = false;
     }
     if (!request.camera.empty()) {
         Outcome<Camera> camera = parse_camera(request.camera, scene.camera);
@@ -75,13 +77,14 @@ Outcome<Scene> read_scene(const RenderRequest& request) {
     const Camera camera = camera_for(request.mesh, mesh.value);
     Scene scene{.mesh = std::move(mesh.value),
                 .camera = camera,
-                .lights = default_lights(),
+                .lights = is_picture(request.environment) ? std::vector<Light>() : default_lights(),
                 .ambient = studio_environment()->ambient(),
                 .environment = studio_environment(),
                 .time = float(request.time.value_or(0)),
                 .width = request.size,
                 .height = request.height ? request.height : request.size,
-                .samples = request.samples};
+                .samples = request.samples,
+                .is_default_background = true};
     if (std::string error = take_words(request, scene); !error.empty()) return Failure{error};
     return scene;
 }
@@ -254,6 +257,7 @@ RenderOutcome render_preview(const Compiler& compiler, const RenderRequest& requ
     const SceneBackdrop backdrop = std::exchange(world.view.backdrop, SceneBackdrop::Color);
     const glm::vec4 background = world.view.background;
     world.view.background.a = 0;
+    world.view.is_default_background = false;
     RenderOutcome drawn = draw(compiler, request, world, request.options, machine);
     if (!drawn.ok) return drawn;
     show_values(request, drawn.image);
@@ -325,7 +329,7 @@ RenderOutcome render_scene_preview(const Compiler& compiler, const RenderRequest
     if (drawn.values.is_empty && drawn.values.not_finite == 0)
         drawn.diagnostics.push_back(
             complaint(request.graph, Severity::Warning, Complaint::NoPreviewSeen,
-                      {request.object.empty() ? fmt::format("all objects of '{}' are", preview.world.materials[0].name)
+                      {request.object.empty() ? fmt::format("all objects of '{}' are", fmt::join(preview.materials, "' and '"))
                                               : fmt::format("the object '{}' is", request.object)}));
     show_values(request, drawn.image);
     if (request.background == "none") return drawn;
@@ -368,6 +372,7 @@ RenderOutcome render(const Compiler& compiler, const RenderRequest& request, Ren
     RenderOutcome drawn = !is_preview         ? draw(compiler, request, world, request.options, machine)
                           : is_scene(request) ? render_scene_preview(compiler, request, world, machine)
                                               : render_preview(compiler, request, world, machine);
+    if (!is_preview) drawn.exposure = exposure_for(world.view);
     put_first(outcome.diagnostics, drawn);
     drawn.dependencies.insert(drawn.dependencies.end(), outcome.dependencies.begin(), outcome.dependencies.end());
     if (!is_scene(request) && drawn.ok && is_empty(drawn.image, world.view))

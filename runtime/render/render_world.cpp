@@ -48,6 +48,15 @@ std::size_t bytes_without_names(const Spirv& module) {
     return words * sizeof(std::uint32_t);
 }
 
+// A pass of the material reads this target.
+bool reads(const Reflection& reflection, std::string_view target) {
+    for (const Pass& pass : reflection.passes)
+        for (const Texture& texture : reflection.textures)
+            if (texture.reads == target && std::ranges::find(pass.textures, texture.name) != pass.textures.end())
+                return true;
+    return false;
+}
+
 class Drawing {
 public:
     Drawing(const Compiler& compiler, const World& world, const RenderOptions& options, RenderMachine& machine)
@@ -139,6 +148,7 @@ private:
     // Checks each material, the textures of the objects, and the shaders; reports as many problems as possible.
     void prepare() {
         for (std::size_t i = 0; i < variants_.size(); ++i) compile(i);
+        choose_backdrop();
         compile_background();
         ObjectTextures loaded = load_object_textures(world_);
         report(loaded.diagnostics);
@@ -342,16 +352,24 @@ private:
         compiled_.push_back(std::move(made));
     }
 
+    // A picture of what is around is seen through glass.
+    void choose_backdrop() {
+        const Scene& view = world_.view;
+        if (!view.is_default_background || !view.picture_intensity) return;
+        const auto reads_picture = [](const auto& material) { return reads(material->compiled.reflection, kPicture); };
+        if (std::ranges::any_of(compiled_, reads_picture)) spread_.view.backdrop = SceneBackdrop::Environment;
+    }
+
     // A material of no object, after the others, whose path draws what is around.
     void compile_background() {
         spread_.materials.resize(variants_.size());
-        if (world_.view.backdrop == SceneBackdrop::Color) return;
+        if (spread_.view.backdrop == SceneBackdrop::Color) return;
         const WorldMaterial material{.name = "the background", .graph = "background"};
         CompileOptions options;
         options.path = kBackgroundPath;
         options.targets = is_drawing_ && !is_tracing_ ? std::vector{target()} : std::vector<Target>();
         options.keep_programs = on_cpu();
-        const bool is_blurred = world_.view.backdrop == SceneBackdrop::Blurred;
+        const bool is_blurred = spread_.view.backdrop == SceneBackdrop::Blurred;
         options.switches = {{"blurredBackground", is_blurred ? "true" : "false"},
                             {"tiles", is_in_tiles_ ? "true" : "false"}};
         Result compiled = compiler_.compile_text(material.graph, R"({ "patina": 1, "workflow": "unlit" })", options);

@@ -50,6 +50,15 @@ Scene fullscreen_scene(int width, int height) {
             .background = glm::vec4(0)};
 }
 
+double exposure_for(const Scene& scene) {
+    constexpr double kBrightest = 0.96;  // as in the studio
+    const float intensity = scene.picture_intensity.value_or(0);
+    if (intensity <= 0 || !scene.lights.empty()) return 0;
+    if (scene.ambient.coefficients != scene.environment->ambient().coefficients) return 0;
+    const double largest = largest_irradiance(scene.ambient) / intensity;
+    return largest > 0 ? std::floor(std::log2(kBrightest / largest) * 100) / 100 : 0;
+}
+
 glm::mat4 world_to_view(const Camera& camera) {
     if (camera.clip_space) return glm::mat4(1);
     glm::vec3 forward = camera.target - camera.position;

@@ -89,6 +89,7 @@ struct Scene {
     std::vector<Light> lights{};                       // at most kMostLights
     SphericalHarmonics ambient{};                      // what is around, for diffuse light
     std::shared_ptr<const Environment> environment{};  // the same for mirrors; null: what `ambient` says
+    std::optional<float> picture_intensity{};          // if `environment` is a picture: how much brighter than it
     std::vector<Probe> probes{};
     Fog fog{};
     MixedLighting mixed_lighting{};
@@ -97,6 +98,8 @@ struct Scene {
     int samples = 1;                                // per pixel along each axis: 4 averages 16
     glm::vec4 background{0.03f, 0.03f, 0.032f, 1};  // linear
     SceneBackdrop backdrop = SceneBackdrop::Color;  // else it hides the colour
+    // Nobody asked for this background. If a picture is around, materials that read what is behind them show the picture.
+    bool is_default_background = false;
 };
 
 // The studio that `patina render` uses: a key light from the upper left front, a weak cool fill, a rim, the studio
@@ -108,6 +111,10 @@ Camera default_camera(std::string_view mesh);
 
 // Width by height pixels of one quad, straight from clip space, unlit, one sample a pixel, on transparent black.
 Scene fullscreen_scene(int width, int height);
+
+// The exposure, in stops, that suits surroundings from a picture if they are all the light there is: a white matt surface
+// stays below white, whichever way it faces. The picture's intensity still makes it brighter. 0 for other light.
+double exposure_for(const Scene& scene);
 
 glm::mat4 world_to_view(const Camera& camera);
 // Right-handed view space, clip space with y up and depth 0 (near) to 1 (far).

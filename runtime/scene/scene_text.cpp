@@ -269,7 +269,13 @@ Outcome<EnvironmentChoice> parse_environment(std::string_view text) {
     return choice;
 }
 
+bool is_picture(std::string_view environment) {
+    const Outcome<EnvironmentChoice> choice = parse_environment(environment);
+    return choice && !from_word<SceneEnvironment>(choice.value.path);
+}
+
 std::string set_environment(Scene& scene, const EnvironmentChoice& choice, const EnvironmentProgress& progress) {
+    scene.picture_intensity.reset();
     const std::optional<SceneEnvironment> word = from_word<SceneEnvironment>(choice.path);
     if (word == SceneEnvironment::None) {
         scene.environment = nullptr;
@@ -280,6 +286,7 @@ std::string set_environment(Scene& scene, const EnvironmentChoice& choice, const
         Outcome<std::shared_ptr<const Environment>> loaded = load_environment(choice, progress);
         if (!loaded) return loaded.error;
         scene.environment = std::move(loaded.value);
+        scene.picture_intensity = float(choice.intensity);
     }
     scene.ambient = scene.environment->ambient();
     return "";

@@ -26,6 +26,8 @@ Outcome<Light> parse_light(std::string_view text);
 Outcome<SphericalHarmonics> parse_ambient(std::string_view text);
 // A file, or one of the words of a scene's "environment"; then settings. A file's name may contain spaces.
 Outcome<EnvironmentChoice> parse_environment(std::string_view text);
+// Such a text names a picture.
+bool is_picture(std::string_view environment);
 // Lights the scene by it: "studio", "none" (mirrors reflect the ambient light, which stays), or a file. Returns
 // nothing, or what is wrong with the file.
 std::string set_environment(Scene& scene, const EnvironmentChoice& choice, const EnvironmentProgress& progress);

@@ -134,6 +134,7 @@ void set_surroundings(Scene& view, const SceneFile& scene) {
                            .shadow_distance = number(scene.mixed_lighting.shadow_distance),
                            .shadow_fade = number(scene.mixed_lighting.shadow_fade)};
     view.backdrop = scene.backdrop;
+    view.is_default_background = !scene.background && scene.backdrop == SceneBackdrop::Color;
     if (scene.background) {
         const std::array<double, 4>& color = *scene.background;
         view.background = {float(color[0]), float(color[1]), float(color[2]), float(color[3])};
@@ -238,7 +239,10 @@ WorldFile make_world(const SceneFile& scene, const EnvironmentProgress& progress
     World& world = file.world;
     world.view.camera = make_camera(scene.camera);
     for (const SceneLight& light : scene.lights) world.view.lights.push_back(make_light(light, file));
-    if (scene.picture) world.view.environment = load_picture(*scene.picture, progress, file);
+    if (scene.picture) {
+        world.view.environment = load_picture(*scene.picture, progress, file);
+        world.view.picture_intensity = float(scene.picture->intensity);
+    }
     load_probes(scene, progress, file);
     set_surroundings(world.view, scene);
     world.view.time = float(scene.time);

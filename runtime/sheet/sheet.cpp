@@ -10,6 +10,7 @@
 #include "runtime/files/find_files.h"
 #include "runtime/page/drawing.h"
 #include "runtime/picture/image.h"
+#include "runtime/picture/tone.h"
 #include "runtime/render/render_jobs.h"
 
 namespace patina::runtime {
@@ -33,6 +34,22 @@ constexpr Kind kKinds[] = {
 const Kind* kind_of(const std::string& path) {
     const auto found = std::ranges::find_if(kKinds, [&](const Kind& kind) { return path.ends_with(kind.ending); });
     return found == std::end(kKinds) ? nullptr : found;
+}
+
+bool is_number(const std::string& type) {
+    return !type.empty() && std::ranges::none_of(type, [](char c) { return c >= '2' && c <= '4'; });
+}
+
+// What a picture of 0 to 1 would not show. A vector may be a colour, whose light is above 1; one that goes below 0 is
+// none, and is shown as a normal map shows normals.
+std::optional<DataRange> range_of(const DataSummary& values, bool is_number) {
+    constexpr double kVisible = 0.5 / 255;
+    if (values.low < -kVisible && !is_number) {
+        const double most = std::max(-values.low, values.high);
+        return DataRange{.low = -most, .high = most};
+    }
+    if (values.low > -kVisible && (values.high < 1 + kVisible || !is_number)) return std::nullopt;
+    return DataRange{.low = std::min(values.low, 0.0), .high = std::max(values.high, 0.0)};
 }
 
 // The work on one file.
@@ -60,12 +77,13 @@ public:
     }
 
 private:
-    RenderOutcome picture(std::string preview, int size, int samples) const {
+    RenderOutcome picture(std::string preview, int size, int samples, std::optional<DataRange> range = {}) const {
         RenderRequest request = request_;
         request.options.preview = std::move(preview);
         request.size = size;
         request.height = 0;
         request.samples = samples;
+        request.range = range;
         return render(compiler_, request, machine_);
     }
 
@@ -81,6 +99,7 @@ private:
         entry_.error = std::move(drawn.error);
         entry_.missing_machine = drawn.missing_machine;
         if (!drawn.ok) return false;
+        drawn.image = toned(std::move(drawn.image), {.exposure = drawn.exposure});
         entry_.picture = png_of(drawn.image);
         entry_.thumbnail = options_.size % 2 == 0 ? png_of(box_filtered(drawn.image, 2)) : entry_.picture;
         return true;
@@ -109,7 +128,13 @@ private:
         for (std::size_t i = 0; i < view.boxes.size(); ++i) {
             const GraphBox& box = view.boxes[i];
             if (!box.is_node || box.outputs.empty()) continue;
-            const RenderOutcome drawn = picture(std::string(kind_.node) + box.id, kNodeSize, kNodeSamples);
+            const std::string node = std::string(kind_.node) + box.id;
+            RenderOutcome drawn = picture(node, kNodeSize, kNodeSamples);
+            if (const auto range = range_of(drawn.values, is_number(box.outputs[0].type)); drawn.ok && range) {
+                drawn = picture(node, kNodeSize, kNodeSamples, range);
+                entry_.ranges += fmt::format("{}{} {:.3g} to {:.3g}", entry_.ranges.empty() ? "" : ", ", box.id,
+                                             range->low, range->high);
+            }
             if (drawn.ok)
                 pictures[i] = png_of(drawn.image);
             else

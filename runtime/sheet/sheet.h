@@ -32,6 +32,7 @@ struct SheetEntry {
     std::string picture{}, thumbnail{};
     std::string drawing{};        // SVG; empty: there is none
     std::string without_nodes{};  // why there is no drawing, or no picture in some of its nodes
+    std::string ranges{};         // of the values that the pictures of nodes show if not 0 to 1: "phase -1 to 3"
     std::vector<std::string> nodes{};
     Reflection reflection{};  // of what was compiled: of scenes nothing
     std::vector<PassCost> passes{};

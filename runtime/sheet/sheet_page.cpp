@@ -112,6 +112,9 @@ std::string drawing(const SheetEntry& entry, std::size_t index) {
     std::string made;
     if (!entry.drawing.empty()) made = fmt::format("<div class=\"drawing\">{}</div>\n", inlined(entry.drawing, index));
     if (!entry.without_nodes.empty()) made += fmt::format("<p class=\"note\">{}</p>\n", escaped(entry.without_nodes));
+    if (!entry.ranges.empty())
+        made += fmt::format("<p class=\"note\">Not 0 to 1, so numbers are in false colours: {}</p>\n",
+                            escaped(entry.ranges));
     if (made.empty()) return made;
     return fmt::format("<details open><summary>Nodes: {}</summary>\n{}</details>\n", entry.nodes.size(), made);
 }
@@ -196,7 +199,8 @@ std::string sheet_page(const Sheet& sheet, const std::string& folder) {
     }
     if (!thumbnails.empty())
         thumbnails = "<section class=\"card\">\n<div class=\"grid\">\n" + thumbnails + "</div>\n</section>\n";
-    return make_page({.title = "Graphs of " + folder, .tools = tools(sheet), .content = thumbnails + cards});
+    return make_page(
+        {.title = "Graphs of " + folder_name(folder), .tools = tools(sheet), .content = thumbnails + cards});
 }
 
 }  // namespace patina::runtime

@@ -42,21 +42,27 @@ std::string number(const Gate& gate, double value) {
     return gate.name == "share" ? fmt::format("{:.3g} %", 100 * value) : fmt::format("{:.3g}", value);
 }
 
-// The meter is full at twice the limit.
+// From a hundredth of the limit to a hundred times it, so that the limit is in the middle.
+double length(const Gate& gate) {
+    if (!(gate.value > 0)) return 0;
+    if (!(gate.limit > 0)) return 1;
+    return std::clamp(0.5 + std::log10(gate.value / gate.limit) / 4, 0.0, 1.0);
+}
+
 std::string row(const Gate& gate) {
-    const double full = gate.limit > 0 ? std::min(gate.value / (2 * gate.limit), 1.0) : gate.value > 0 ? 1 : 0;
     return fmt::format(
-        "<tr{}><td>{}</td><td class=\"number\">{}</td><td class=\"number\">{}</td><td><div class=\"meter\">"
-        "<i style=\"width: {:.0f}%\"></i></div></td><td class=\"note\">{}</td></tr>\n",
+        "<tr{}><td>{}</td><td class=\"number\">{}</td><td class=\"number\">{}</td><td class=\"number\">{}</td><td><div "
+        "class=\"meter\"><i style=\"width: {:.0f}%\"></i></div></td><td class=\"note\">{}</td></tr>\n",
         gate.passes() ? "" : " class=\"over\"", gate.name, number(gate, gate.value), number(gate, gate.limit),
-        100 * full, meaning(gate.name));
+        gate.limit > 0 ? fmt::format("{:.2g}", gate.value / gate.limit) : "", 100 * length(gate), meaning(gate.name));
 }
 
 std::string table(const std::vector<Gate>& gates) {
     if (gates.empty()) return {};
     std::string rows;
     for (const Gate& gate : gates) rows += row(gate);
-    return "<h3>Figures</h3>\n<table><thead><tr><th></th><th>value</th><th>limit</th><th></th><th></th></tr></thead>"
+    return "<h3>Figures</h3>\n<table><thead><tr><th></th><th>value</th><th>limit</th><th>value / limit</th>"
+           "<th>1/100 to 100</th><th></th></tr></thead>"
            "<tbody>\n" +
            rows + "</tbody></table>\n";
 }
@@ -171,7 +177,8 @@ std::string all_cases(const SnapshotReport& report) {
 }  // namespace
 
 std::string report_page(const SnapshotReport& report, const std::string& folder) {
-    return make_page({.title = "Snapshots of " + folder, .tools = summary(report), .content = all_cases(report)});
+    return make_page(
+        {.title = "Snapshots of " + folder_name(folder), .tools = summary(report), .content = all_cases(report)});
 }
 
 }  // namespace patina::runtime

@@ -11,6 +11,7 @@
 
 #include "runtime/files/files.h"
 #include "runtime/picture/flip.h"
+#include "runtime/picture/tone.h"
 
 namespace patina::runtime {
 namespace {
@@ -249,6 +250,7 @@ void draw_and_judge(const Compiler& compiler, const PlannedCase& planned, const 
     if (!outcome.ok) return explain(outcome.error, planned, result);
     result.now = {.device = outcome.device, .driver = outcome.driver};
     for (const DrawnShader& shader : outcome.shaders) result.now.spirv_bytes += shader.spirv_bytes;
+    outcome.image = toned(std::move(outcome.image), {.exposure = outcome.exposure});
     encode_srgb(outcome.image);
     const Image received = quantized(outcome.image);
     Judgement(planned, options, result).run(received, all_texts(outcome.shaders));

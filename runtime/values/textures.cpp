@@ -103,9 +103,17 @@ std::shared_ptr<const TextureData> map_of(const SphericalHarmonics& ambient) {
     return kept.map;
 }
 
+// Texels along a face of a cube, so that in the middle of a picture each pixel sees one.
+int picture_size(const Scene& scene) {
+    constexpr float kSmallest = 256, kLargest = 1280;  // a picture of 4096 x 2048 pixels at its own resolution
+    const float tangent = std::tan(glm::radians(scene.camera.fov) / 2);
+    return int(std::clamp(float(scene.height) / tangent, kSmallest, kLargest));
+}
+
 std::shared_ptr<const TextureData> engine_texture(const std::string& name, const Scene& scene) {
     if (name == "splitSumTable") return split_sum_table();
-    if (name != "environmentMap" && name != "probeMap") return nullptr;
+    if (name == "backdropMap" && scene.environment) return scene.environment->picture(picture_size(scene));
+    if (name != "backdropMap" && name != "environmentMap" && name != "probeMap") return nullptr;
     return scene.environment ? scene.environment->map() : map_of(scene.ambient);
 }
 

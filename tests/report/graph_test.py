@@ -48,7 +48,7 @@ class Test(unittest.TestCase):
             boxes[box.find(SVG + "title").text] = (texts[0][0], texts)
         self.assertEqual(sorted(name for name, _ in boxes.values()), ["less", "parts", "surface", "worn"])
         words = {text for _, texts in boxes.values() for text, _ in texts}
-        for word in ("Split", "Lerp", "float4", "floatN", "= $_Wear", "roughness",
+        for word in ("Split", "Lerp", "float4", "= $_Wear", "roughness",
                      "= worn < 0.5 && parts.r > 0 ? 0.1 : 0.2"):
             self.assertIn(word, words)
 
@@ -69,6 +69,38 @@ class Test(unittest.TestCase):
         self.assertEqual(links, {("parts", "r", "worn", "from"), ("parts", "b", "worn", "to"), ("worn", "out", "less", "expr"),
                                  ("parts", "r", "less", "expr"), ("worn", "out", "surface", "baseColor"),
                                  ("less", "out", "surface", "roughness")})
+
+    def test_types_and_defaults(self):
+        def label(path, box):
+            """The words of a box of a .dot file."""
+            self.assertEqual(graph(path, "-o", "own.dot").returncode, 0)
+            with open("own.dot", encoding="utf-8") as file:
+                line = next(each for each in file if "<B>%s</B>" % box in each)
+            return re.sub(r"\s*<[^>]*>\s*", " ", line).split()
+
+        def types(words):
+            return [each for each in words if re.fullmatch(r"(float|bool|int)[N1-4]?", each)]
+
+        nodes = """{ "id": "cap", "node": "MatcapUV" },
+            { "id": "mixed", "node": "Lerp", "in": { "from": [1, 0], "to": "cap", "t": 0.5 } },
+            { "id": "sum", "expr": "mixed.x + mixed.y" }, { "id": "unread", "node": "Lerp" }"""
+        write("typed.graph.json", '{ "patina": 1, "workflow": "unlit", "nodes": [ %s ], "surface": { "color": "sum" } }' %
+              nodes.replace('"unread", "node": "Lerp"', '"unread", "node": "Lerp", "in": { "from": 0, "to": 1, "t": 0 }'))
+        self.assertIn("@normalVS", label("typed.graph.json", "cap"))
+        self.assertEqual(types(label("typed.graph.json", "mixed")), ["float2"] * 4)
+        self.assertEqual(types(label("typed.graph.json", "sum")), ["float"])
+        # Of a node that nothing reads, too.
+        self.assertEqual(types(label("typed.graph.json", "unread")), ["float"] * 4)
+        write("typed.subgraph.json", """{ "patina": 1, "kind": "subgraph", "inputs": [ { "name": "amount", "type": "float" } ],
+          "nodes": [ { "id": "twice", "expr": "2 * amount * @normalWS" } ], "outputs": { "out": "twice" } }""")
+        self.assertEqual(types(label("typed.subgraph.json", "twice")), ["float3"])
+        write("typed.lighting.json", """{ "patina": 1, "kind": "lighting", "nodes": [
+          { "id": "lit", "expr": "@light.radiance * 0.5" } ], "direct": "= lit * @surface.diffuseColor" }""")
+        self.assertEqual(types(label("typed.lighting.json", "lit")), ["float3"])
+        # A drawing of a graph whose types do not fit shows what the file says.
+        write("wrong.graph.json", """{ "patina": 1, "workflow": "unlit", "nodes": [
+          { "id": "sum", "expr": "float2(1, 2) + float3(1, 2, 3)" } ], "surface": { "color": "sum" } }""")
+        self.assertEqual(types(label("wrong.graph.json", "sum")), [])
 
     def test_other_kinds_and_files(self):
         write("own.lighting.json", """{ "patina": 1, "kind": "lighting", "nodes": [ { "id": "ndotl", "node": "NdotL" } ],

@@ -111,23 +111,54 @@ class Test(unittest.TestCase):
         write("own.graph.json", LIT.replace('"roughness": 0.4', '"exponent": 20') % '"lighting": "blinn-phong",')
         result = render("own.graph.json", "--lighting", "all", "-o", "few.png")
         self.assertEqual(result.returncode, 0, result.stderr)
-        lines = [each for each in result.stderr.splitlines() if " not fit: " in each]
-        # One reason, one line.
+        # One reason, one remark, which is folded.
+        self.assertLessEqual(max(len(each) for each in result.stderr.splitlines()), 100, result.stderr)
+        remarks = result.stderr.replace("\n  ", " ").splitlines()
+        lines = [each for each in remarks if " not fit: " in each]
         self.assertEqual(len(lines), 1, result.stderr)
         self.assertTrue(lines[0].startswith("cl-pbr-specular, "), lines)
         self.assertTrue(lines[0].endswith(" do not fit: the workflow 'metallic-roughness' and the lighting model have no "
                                           "surface input 'exponent'"), lines)
+        # All that is missing is said.
+        write("two.graph.json", LIT.replace('"roughness": 0.4', '"exponent": 20, "shine": 1') %
+              '"lighting": "blinn-phong",')
+        two = render("two.graph.json", "--lighting", "all", "-o", "two.png")
+        self.assertIn("have no surface input 'exponent', 'shine'", two.stderr.replace("\n  ", " "))
+        # These draw the metal, but without what makes it one.
+        write("metal.graph.json", LIT.replace('"roughness"', '"metallic": 1, "roughness"') % "")
+        metal = render("metal.graph.json", "--lighting", "all", "-o", "metal.png").stderr.replace("\n  ", " ")
+        self.assertIn("half-lambert *, lambert * do not read 'roughness', which the graph sets", metal)
+        self.assertIn("merl *, unlit * do not read 'baseColor', 'metallic', 'roughness', which the graph sets", metal)
+        for model in ("gltf *", "phong *", "unity-brdf1 *", "disney-principled *"):
+            self.assertNotIn(model, metal)
         few, every = picture("few.png"), picture("all.png")
         self.assertLess(few.width * few.height, every.width * every.height)
 
     def test_light_that_clips(self):
         # Everything is at 4: two stops less shows all. A bright dot of one in a thousand and more is a highlight.
-        self.expect(0, "100.0 % of the pixels are brighter than white and clip: --exposure -2.00 shows all light",
+        self.expect(0, "100.0 % of the pixels are brighter than white and clip: --exposure -2.00 shows all but "
+                    "highlights, and --tonemap khronos-neutral shows these, too",
                     "flat.graph.json", "--set", "_C=4", "--mesh", "plane", "--camera", "position=0,0,1 target=0,0,0",
                     "-o", "bright.png")
         write("dot.graph.json", DOT)
         self.expect(0, "clip: --tonemap khronos-neutral shows such highlights", "dot.graph.json", "--mesh", "plane",
                     "--camera", "position=0,0,1 target=0,0,0", "-o", "dot.png")
+        # A curve that clips is not advised to take a curve.
+        result = render("flat.graph.json", "--set", "_C=60", "--mesh", "plane", "--camera",
+                        "position=0,0,1 target=0,0,0", "--tonemap", "agx", "-o", "agx.png")
+        self.assertNotIn("--tonemap", result.stderr)
+
+    def test_light_of_a_picture(self):
+        write("white.graph.json", LIT.replace('"roughness": 0.4', '"baseColor": [1, 1, 1]') % '"lighting": "lambert",')
+        with open("even.hdr", "wb") as file:  # 8 everywhere: 128 / 256 times 2 to the power of 132 - 128
+            file.write(b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 8 +X 16\n" + b"\x80\x80\x80\x84" * 128)
+        lit = ("white.graph.json", "--env", "even.hdr")
+        self.expect(0, "all light comes from a picture, whose exposure is -3.06, so that white surfaces stay below "
+                    "white: --exposure 0 shows the light as it is", *lit, "-o", "white.png")
+        self.assertNotIn("clip", render(*lit, "-o", "white.png").stderr)
+        self.expect(0, "clip: --exposure -3.00", *lit, "--exposure", "0", "-o", "raw.png")
+        # An EXR file has the light as it is.
+        self.assertNotIn("exposure", render(*lit, "-o", "white.exr").stderr)
 
     def test_layers(self):
         self.expect(0, "flat.exr", "flat.graph.json", "--aov", "color", "-o", "flat.exr")

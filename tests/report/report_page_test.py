@@ -1,5 +1,6 @@
 """Opens the page of `patina snapshot --report` in a browser: its pictures are seen, the slider moves, both themes can be
 read, and it asks for no other file. Usage: report_page_test.py PATINA"""
+import math
 import os
 import subprocess
 import sys
@@ -106,6 +107,24 @@ class ReportPage(unittest.TestCase):
         self.assertIn("vec4(1.0, 0.0, 0.0, 1.0)", added)
         self.assertIn("0.5", removed)
         self.assertEqual(self.browser.run("return document.querySelectorAll('tr.over').length"), 4)
+
+    def test_bars_are_as_long_as_their_figures(self):
+        rows = self.browser.run("""
+            return [...document.querySelectorAll("[id=changed] tbody tr")].map(row =>
+                [row.cells[3].innerText, row.querySelector(".meter i").style.width])""")
+        self.assertEqual(len(rows), 4)
+        for figure, width in rows:
+            wanted = min(max(50 + 25 * math.log10(float(figure)), 0), 100)
+            self.assertAlmostEqual(float(width.rstrip("%")), wanted, delta=1.5, msg=figure)
+        self.assertGreater(len({width for _, width in rows}), 1, rows)
+
+    def test_the_title_names_the_folder(self):
+        self.assertEqual(self.browser.run("return document.title"), "Snapshots of art")
+        result = subprocess.run([PATINA, "snapshot", ".", "--report", "../here.html"], cwd="art", capture_output=True,
+                                text=True, check=False)
+        self.assertEqual(result.returncode, 1, result.stderr)
+        self.browser.open("file://" + os.path.abspath("here.html"))
+        self.assertEqual(self.browser.run("return document.querySelector('h1').innerText"), "Snapshots of art")
 
     def test_names_and_messages_are_text(self):
         self.assertEqual(self.browser.run("return document.querySelectorAll('main script, h2 b').length"), 0)

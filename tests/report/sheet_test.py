@@ -21,7 +21,9 @@ GREY = """{ "patina": 1, "workflow": "unlit",
                   { "name": "_Mask", "type": "texture2d", "usage": "data" } ],
   "nodes": [ { "id": "tint", "expr": "$_Tint.rgb" },
              { "id": "mask", "node": "SampleTexture2D", "in": { "texture": "$_Mask" } },
-             { "id": "mixed", "node": "Lerp", "in": { "from": 0.5, "to": "tint", "t": "= 0 * ($_Amount + mask.r) + ($_Kind == Dry ? 0 : 1)" } } ],
+             { "id": "high", "expr": "3 + 9 * @uv0.x" }, { "id": "facing", "expr": "0 - @normalWS" },
+             { "id": "bright", "expr": "float3(2, 0.5, 0)" },
+             { "id": "mixed", "node": "Lerp", "in": { "from": 0.5, "to": "tint", "t": "= 0 * ($_Amount + mask.r + high + facing.x + bright.x) + ($_Kind == Dry ? 0 : 1)" } } ],
   "surface": { "color": "mixed" } }"""
 SUBGRAPH = """{ "patina": 1, "kind": "subgraph", "inputs": [ { "name": "a", "type": "float" } ],
   "nodes": [ { "id": "half", "expr": "$a * 0 + 0.5" } ], "outputs": { "out": "half" } }"""
@@ -81,6 +83,10 @@ class SheetPage(unittest.TestCase):
         wrong = self.browser.run("return document.getElementById('<b>wrong').innerText")
         self.assertIn("there is no node '<i>Lrp'", wrong)
         self.assertEqual(self.browser.run("return document.querySelectorAll('main b, main i').length"), 0)
+
+    def test_values_above_1_and_below_0_have_a_range(self):
+        card = self.browser.run("return document.getElementById('grey (material)').innerText")
+        self.assertRegex(card, r"Not 0 to 1, so numbers are in false colours: high 0 to 1[12](\.\d)?, facing -1 to 1\n")
 
     def picture(self, card, selector):
         return self.browser.picture(self.browser.run(

@@ -20,6 +20,7 @@
 #include "patina/output_name.h"
 #include "runtime/picture/tone.h"
 #include "runtime/render/render_layers.h"
+#include "runtime/scene/scene_text.h"
 
 namespace patina::cli {
 namespace {
@@ -42,11 +43,12 @@ struct Arguments {
 struct Drawn {
     runtime::RenderOutcome outcome{};
     std::vector<runtime::Layer> layers{};  // of --aov
-    std::vector<LeftOut> left_out{};       // of --lighting all
+    std::vector<std::string> remarks{};    // on the models of --lighting
 };
 
 constexpr std::size_t kMostFrames = 10000;
-constexpr double kHighlights = 0.05;  // of the pixels: as many as highlights may cover
+constexpr double kDarkest = -3;  // stops: below, what does not clip becomes black
+constexpr double kMostOfIt = 0.5;
 
 bool is_picture(std::string_view path) {
     return path.ends_with(".png") || path.ends_with(".exr");
@@ -104,18 +106,30 @@ void say_range(const Console& console, const Arguments& arguments, const runtime
 
 // Light above 1 is lost in a PNG.
 void say_clipping(const Console& console, const Arguments& arguments, const std::string& path,
-                  const runtime::Image& image) {
+                  const runtime::RenderOutcome& outcome) {
     if (!arguments.request.options.preview.empty() || path.ends_with(".exr")) return;
-    const std::optional<runtime::Clipping> clipped = runtime::clipping(image);
+    const std::optional<runtime::Clipping> clipped = runtime::clipping(outcome.image);
     if (!clipped) return;
-    // A dark picture is no answer to a few highlights.
-    const std::string advice =
-        clipped->share < kHighlights
-            ? "--tonemap khronos-neutral shows such highlights"
-            : fmt::format("--exposure {:.2f} shows all light, and --tonemap khronos-neutral compresses it",
-                          arguments.tone.exposure + clipped->exposure);
-    remark(console,
-           fmt::format("{:.1f} % of the pixels are brighter than white and clip: {}", 100 * clipped->share, advice));
+    const bool has_curve = arguments.tone.curve != runtime::Tonemap::None;
+    const double exposure = arguments.tone.exposure.value_or(outcome.exposure) + clipped->exposure;
+    // A dark picture is no answer to highlights.
+    const bool is_too_bright =
+        clipped->share >= runtime::kHighlights && (clipped->exposure >= kDarkest || clipped->share >= kMostOfIt);
+    std::string advice;
+    if (is_too_bright)
+        advice = fmt::format("--exposure {:.2f} shows all but highlights{}", exposure, has_curve ? "" : ", and ");
+    if (!has_curve)
+        advice += fmt::format("--tonemap khronos-neutral shows {}", is_too_bright ? "these, too" : "such highlights");
+    remark(console, fmt::format("{:.1f} % of the pixels are brighter than white and clip{}{}", 100 * clipped->share,
+                                advice.empty() ? "" : ": ", advice));
+}
+
+// How bright it is because nobody said so.
+void say_exposure(const Console& console, const Arguments& arguments, const runtime::RenderOutcome& outcome) {
+    if (arguments.tone.exposure || outcome.exposure == 0) return;
+    remark(console, fmt::format("all light comes from a picture, whose exposure is {:.2f}, so that white surfaces stay "
+                                "below white: --exposure 0 shows the light as it is",
+                                outcome.exposure));
 }
 
 // A picture, a sheet of pictures, or a picture with layers, with its tone.
@@ -123,7 +137,7 @@ Drawn draw(const Arguments& arguments, const Compiler& compiler, const runtime::
            runtime::RenderMachine& machine) {
     if (!arguments.sweep.axes.empty()) {
         SheetOutcome sheet = render_sheet(compiler, request, arguments.sweep, arguments.tone, machine);
-        return {.outcome = std::move(sheet.drawn), .left_out = std::move(sheet.left_out)};
+        return {.outcome = std::move(sheet.drawn), .remarks = lines_of(sheet.left_out, sheet.partial)};
     }
     Drawn made;
     if (arguments.aov.empty()) {
@@ -132,7 +146,10 @@ Drawn draw(const Arguments& arguments, const Compiler& compiler, const runtime::
         runtime::LayersOutcome layers = runtime::render_layers(compiler, request, arguments.aov, machine);
         made = {.outcome = std::move(layers.drawn), .layers = std::move(layers.layers)};
     }
-    if (made.outcome.ok) made.outcome.image = runtime::toned(std::move(made.outcome.image), arguments.tone);
+    if (made.outcome.ok)
+        made.outcome.image = runtime::toned(
+            std::move(made.outcome.image),
+            {.exposure = arguments.tone.exposure.value_or(made.outcome.exposure), .curve = arguments.tone.curve});
     return made;
 }
 
@@ -146,7 +163,7 @@ std::optional<runtime::RenderRequest> request_for(const Console& console, const 
     runtime::RenderRequest request = arguments.request;
     request.graph = graph;
     if (!is_model(graph)) return request;
-    importers::Options options{.variant = arguments.variant};
+    importers::Options options{.variant = arguments.variant, .is_lit = runtime::is_picture(request.environment)};
     // Of a model, a camera can be named; words that state one have an '='.
     if (request.camera.find('=') == std::string::npos) options.camera = std::exchange(request.camera, {});
     runtime::Outcome<ModelFile> model = import_model(graph, options);
@@ -186,10 +203,11 @@ Exit render_graph(Outputs& outputs, const Console& console, const Arguments& arg
     if (!outcome.error.empty()) complain(console, Complaint::CannotRender, {outcome.error});
     if (outcome.missing_machine) return Exit::Machine;
     if (outcome.ok && frame == 0)
-        for (const std::string& line : lines_of(drawn.left_out)) remark(console, line);
+        for (const std::string& line : drawn.remarks) remark(console, line);
     if (outcome.ok && frame == 0) {
         say_range(console, arguments, outcome);
-        say_clipping(console, arguments, output_of(arguments, graph, frame), outcome.image);
+        say_exposure(console, arguments, outcome);
+        say_clipping(console, arguments, output_of(arguments, graph, frame), outcome);
     }
     return outcome.ok ? write(outputs, console, arguments, graph, frame, drawn) : Exit::Wrong;
 }
@@ -221,7 +239,8 @@ void take_tone(Arguments& arguments) {
     if (has_curve && arguments.output.ends_with(".exr"))
         throw CLI::ValidationError("--tonemap",
                                    "an EXR file holds the light as it is: leave out --tonemap, or write a PNG");
-    if ((has_curve || arguments.tone.exposure != 0) && !arguments.request.options.preview.empty())
+    if (arguments.output.ends_with(".exr") && !arguments.tone.exposure) arguments.tone.exposure = 0;
+    if ((has_curve || arguments.tone.exposure.value_or(0) != 0) && !arguments.request.options.preview.empty())
         throw CLI::ValidationError(has_curve ? "--tonemap" : "--exposure",
                                    "--node shows values, not light: leave one of them out");
 }
@@ -330,8 +349,8 @@ void add_render(Program& program) {
         ->check(is_not_empty);
     CLI::Option* object = command
                               .add_option("--object", request.object,
-                                          "Of a scene: show --node in the object with this id. Without it, the only "
-                                          "material that has the node shows it")
+                                          "Of a scene: show --node in the object with this id. Without it, all objects "
+                                          "whose material has the node show it")
                               ->type_name("ID")
                               ->check(is_not_empty);
     command
@@ -364,7 +383,8 @@ void add_render(Program& program) {
         ->check(is_not_empty);
     command
         .add_option("--exposure", arguments->tone.exposure,
-                    "Make the picture brighter by so many stops: 1 doubles its light; default: 0")
+                    "Make the picture brighter by so many stops: 1 doubles its light; default: 0, or in the light of "
+                    "a picture alone what keeps a white surface below white")
         ->type_name("EV")
         ->check(within(-64, 64));
     std::vector<std::string> curves;

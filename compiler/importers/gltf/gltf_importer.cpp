@@ -146,7 +146,8 @@ Imported import_model(const Context& context, const runtime::GltfModel& model, c
     std::set<std::string> scenes;
     for (const Variant& variant : wanted) {
         SceneWish wish{.name = variant.index && options.variant.empty() ? stem + ", " + variant.name : stem,
-                       .camera = camera};
+                       .camera = camera,
+                       .is_lit = options.is_lit};
         for (const MaterialUse& use : uses) wish.graphs.push_back(use.name);
         for (const runtime::ModelPart& part : model.parts)
             wish.materials.push_back(material_of(context, part, variant.index));

@@ -166,9 +166,10 @@ std::vector<std::string> node_names(const GltfModel& model) {
 std::string scene_text(const Context& context, const GltfModel& model, const SceneWish& wish) {
     const Extent extent = extent_of(model);
     std::vector<Member> members = {{"name", text(wish.name)}, {"camera", camera_value(extent, wish.camera)}};
-    if (model.lights.empty()) {
-        members.push_back({"lights", default_lights(), "The file has no lights: the default ones."});
-    } else {
+    if (model.lights.empty() && !wish.is_lit) {
+        members.push_back({"lights", default_lights(),
+                           "The file has no lights: the default ones. In the light of a picture, leave them out."});
+    } else if (!model.lights.empty()) {
         std::vector<Value> lights;
         for (const ModelLight& light : model.lights) {
             if (lights.size() < kMostSceneLights) lights.push_back(light_value(light, extent));

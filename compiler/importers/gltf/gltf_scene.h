@@ -14,6 +14,7 @@ struct SceneWish {
     std::vector<std::string> graphs{};     // names of the materials' graphs, without ".graph.json"
     std::vector<std::size_t> materials{};  // of each part of the model: index into `graphs`
     const runtime::ModelCamera* camera{};  // null: one that sees the whole model
+    bool is_lit = false;                   // as Options::is_lit
 };
 
 std::string scene_text(const Context& context, const runtime::GltfModel& model, const SceneWish& wish);

@@ -1,4 +1,4 @@
-// A graph as boxes and lines, for drawings: what its file says, before anything is lowered.
+// A graph as boxes and lines, for drawings: what its file says, with the types that its values have.
 //
 //   patina::GraphView view = patina::view_graph(compiler, "rust.graph.json");
 //   for (const patina::GraphEdge& edge : view.edges) draw(view.boxes[edge.from], view.boxes[edge.to]);
@@ -10,8 +10,10 @@ namespace patina {
 
 struct GraphPort {
     std::string name;
-    std::string type;   // as it is declared: "float3", "floatN"; empty: it follows from the expression
-    std::string value;  // of an input that is set to something else than a node: "0.5", "@uv0", "mask.r"
+    std::string type;  // "float3"; if the graph does not compile: as it is declared, "floatN", or empty
+    // Of an input that is set to something else than a node: "0.5", "@uv0", "mask.r". Of one that is not set: the
+    // semantic that it reads by default.
+    std::string value;
 };
 // A node; or a list of values that the graph gives to something: "surface", "vertex", "outputs".
 struct GraphBox {

@@ -167,6 +167,32 @@ TEST_P(Background, EachPixelShowsTheDirectionOfItsRay) {
     expect_rays(30, 0, 1);
 }
 
+// Lines of four pixels of the picture stay lines, with sharp edges.
+TEST_P(Background, IsAsSharpAsThePicture) {
+    const Folder folder;
+    constexpr int kWidth = 2048;
+    Image image = make_image(kWidth, kWidth / 2);
+    for (int y = 0; y < image.height; ++y)
+        for (int x = 0; x < kWidth; ++x)
+            for (int c = 0; c < 3; ++c) image.at(x, y)[std::size_t(c)] = float(x % 8 < 4);
+    RenderRequest request{
+        .graph = folder.write("grey.graph.json", std::string(kUnlit)),
+        .size = 64,
+        .environment = folder.write("lines.exr", image),
+        .camera = camera({0, 0, -5}, {0, 0, -6}, "fov=5.625"),  // 32 pixels of the picture, four lines of each
+        .background = "env"};
+    const Image seen = drawn(request, GetParam());
+    int dark = 0, bright = 0;
+    for (int x = 0; x < 64; ++x) {
+        const double value = pixel(seen, x, 32)[0];
+        dark += value < 0.05;
+        bright += value > 0.95;
+    }
+    // Half of each line at least is as it is in the picture.
+    EXPECT_GE(dark, 16);
+    EXPECT_GE(bright, 16);
+}
+
 // A point of the ball mirrors what a camera that looks in the direction of the reflection has behind everything.
 TEST_P(Background, AMirrorShowsTheBackgroundOfItsDirection) {
     const Folder folder;
@@ -207,6 +233,30 @@ TEST_P(Background, WhatIsBehindReadsIt) {
     request.mesh = "cube";
     request.camera = camera({0, 0, 0}, {0, 0, 4}, "fov=40");  // inside the cube
     EXPECT_EQ(drawn(request, GetParam()).pixels, empty.pixels);
+}
+
+// Nobody asked for a background: glass shows the picture that lights it, and all else stands before the plain colour.
+TEST_P(Background, GlassShowsAPictureByItself) {
+    const Folder folder;
+    RenderRequest request {.graph = folder.write("glass.graph.json", std::string(R"({ "patina": 1, "workflow": "unlit",
+        "surface": { "color": "= @sceneColor * float3(0.5, 1, 1)"
+    }
+})")),
+                          .environment = folder.write("directions.exr", directions()),
+                          .camera = camera({0, 0, 5}, {0, 0, 0}, "fov=30")
+};
+const auto with = [&](const std::string& background) {
+    RenderRequest one = request;
+    one.background = background;
+    return drawn(one, GetParam());
+};
+EXPECT_EQ(with("").pixels, with("env").pixels);
+expect_near(pixel(with("0.25"), 16, 16), {0.125, 0.25, 0.25}, 1e-4, "a background that is asked for");
+request.environment = "studio";
+expect_near(pixel(with(""), 16, 16), {0.015, 0.03, 0.032}, 1e-4, "no picture is around");
+request.environment = folder.write("directions.exr", directions());
+request.graph = folder.write("grey.graph.json", std::string(kUnlit));
+expect_near(pixel(with(""), 0, 0), {0.03, 0.03, 0.032}, 1e-4, "behind an opaque ball");
 }
 
 // The mean of each pixel's neighbourhood: half way between two faces, both have the same share, by symmetry.

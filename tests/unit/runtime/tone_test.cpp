@@ -59,7 +59,7 @@ TEST(Tone, StopsAreFactorsOfTwo) {
     EXPECT_EQ(image.pixels, (std::vector<float>{0.125f, 0.5f, 1.5f, 0.5f}));
 }
 
-TEST(Clipping, SaysTheExposureThatDoesNot) {
+TEST(Clipping, SaysTheExposureInWhichOnlyHighlightsClip) {
     EXPECT_FALSE(clipping(make_image(4, 4, 1, 1, 1)));
     Image image = make_image(4, 4, 0.5f, 0.5f, 0.5f);
     image.at(1, 2)[1] = 5;
@@ -68,6 +68,13 @@ TEST(Clipping, SaysTheExposureThatDoesNot) {
     EXPECT_EQ(clipped->share, 1.0 / 16);
     EXPECT_NEAR(clipped->exposure, -std::log2(5), 0.01);
     EXPECT_FALSE(clipping(toned(image, {.exposure = clipped->exposure})));
+    // 5 of 100 pixels are highlights, however bright. With a sixth one, it is the darkest of them that must not clip.
+    Image sparkling = make_image(10, 10, 0.5f, 0.5f, 0.5f);
+    for (int x = 0; x < 5; ++x) sparkling.at(x, 0)[0] = 1000;
+    EXPECT_EQ(clipping(sparkling)->exposure, 0);
+    sparkling.at(5, 0)[0] = 4;
+    EXPECT_NEAR(clipping(sparkling)->exposure, -2, 0.01);
+    EXPECT_NEAR(clipping(toned(sparkling, {.exposure = -2}))->share, 0.05, 1e-9);
     image.at(1, 2)[3] = 0;  // which nobody sees
     EXPECT_FALSE(clipping(image));
     Image large = make_image(100, 100, 0, 0, 0);

@@ -1,0 +1,19 @@
+// Which inputs of the surface a lighting model makes nothing of: a sheet of all models says so, for their pictures lack
+// what these inputs mean. Only workflows and models of the library are known; of others nothing is said.
+//
+//   unread_inputs(compiler, "metal.graph.json", options, "metallic-roughness", "lambert");   // {"roughness"}
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "patina/patina.h"
+
+namespace patina::cli {
+
+// Of those that the graph sets.
+std::vector<std::string> unread_inputs(const Compiler& compiler, const std::string& graph,
+                                       const CompileOptions& options, const std::string& workflow,
+                                       const std::string& lighting);
+
+}  // namespace patina::cli
