@@ -108,7 +108,7 @@ Exit compare(const Console& console, Arguments& arguments) {
     const runtime::SnapshotReport result = runtime::run_snapshots(compiler, arguments.folder, arguments.options);
     end_progress(console);
     if (!result.error.empty()) {
-        complain(console, Complaint::Snapshot, {arguments.folder + ": " + result.error});
+        complain(console, Complaint::Snapshot, {result.error});
         return Exit::Wrong;
     }
     warn_of_orphans(console, result);

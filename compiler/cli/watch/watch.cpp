@@ -155,9 +155,9 @@ void Watch::write_page(bool ok) {
 
 Exit Watch::draw() {
     const Graph& graph = graphs_.at(subject_);
-    if (!graph.task.ok) {
-        picture_.is_new = true;
-        write_page(false);
+    if (!graph.task.ok) {  // what is wrong stays on the page until the graph changes
+        if (picture_.is_new) write_page(false);
+        picture_.is_new = false;
         return Exit::Ok;
     }
     runtime::RenderRequest request = arguments_.request;

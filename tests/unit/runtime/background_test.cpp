@@ -238,25 +238,22 @@ TEST_P(Background, WhatIsBehindReadsIt) {
 // Nobody asked for a background: glass shows the picture that lights it, and all else stands before the plain colour.
 TEST_P(Background, GlassShowsAPictureByItself) {
     const Folder folder;
-    RenderRequest request {.graph = folder.write("glass.graph.json", std::string(R"({ "patina": 1, "workflow": "unlit",
-        "surface": { "color": "= @sceneColor * float3(0.5, 1, 1)"
-    }
-})")),
+    RenderRequest request{.graph = folder.write("glass.graph.json", std::string(R"json({ "patina": 1, "workflow": "unlit",
+        "surface": { "color": "= @sceneColor * float3(0.5, 1, 1)" } })json")),
                           .environment = folder.write("directions.exr", directions()),
-                          .camera = camera({0, 0, 5}, {0, 0, 0}, "fov=30")
-};
-const auto with = [&](const std::string& background) {
-    RenderRequest one = request;
-    one.background = background;
-    return drawn(one, GetParam());
-};
-EXPECT_EQ(with("").pixels, with("env").pixels);
-expect_near(pixel(with("0.25"), 16, 16), {0.125, 0.25, 0.25}, 1e-4, "a background that is asked for");
-request.environment = "studio";
-expect_near(pixel(with(""), 16, 16), {0.015, 0.03, 0.032}, 1e-4, "no picture is around");
-request.environment = folder.write("directions.exr", directions());
-request.graph = folder.write("grey.graph.json", std::string(kUnlit));
-expect_near(pixel(with(""), 0, 0), {0.03, 0.03, 0.032}, 1e-4, "behind an opaque ball");
+                          .camera = camera({0, 0, 5}, {0, 0, 0}, "fov=30")};
+    const auto with = [&](const std::string& background) {
+        RenderRequest one = request;
+        one.background = background;
+        return drawn(one, GetParam());
+    };
+    EXPECT_EQ(with("").pixels, with("env").pixels);
+    expect_near(pixel(with("0.25"), 16, 16), {0.125, 0.25, 0.25}, 1e-4, "a background that is asked for");
+    request.environment = "studio";
+    expect_near(pixel(with(""), 16, 16), {0.015, 0.03, 0.032}, 1e-4, "no picture is around");
+    request.environment = folder.write("directions.exr", directions());
+    request.graph = folder.write("grey.graph.json", std::string(kUnlit));
+    expect_near(pixel(with(""), 0, 0), {0.03, 0.03, 0.032}, 1e-4, "behind an opaque ball");
 }
 
 // The mean of each pixel's neighbourhood: half way between two faces, both have the same share, by symmetry.
