@@ -34,8 +34,8 @@ public:
 
     const SphericalHarmonics& ambient() const { return ambient_; }
     std::shared_ptr<const TextureData> map() const;
-    // The light itself, for what is seen of it: as fine as it is known, but with at most `size` texels along a face. The
-    // map if there is nothing finer.
+    // The light itself, for what is seen of it: as fine as it is known, but with at most `size` texels along a face.
+    // The map if there is nothing finer.
     std::shared_ptr<const TextureData> picture(int size) const;
 
 private:

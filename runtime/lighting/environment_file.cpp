@@ -52,8 +52,8 @@ PrefilterProgress after_a_second(const EnvironmentProgress& progress, const std:
     };
 }
 
-// The picture as it is. Its texels are the smallest in the middle of a face, where a quarter of a turn has 4 / pi times as
-// many as the face is wide. Nothing if it can no longer be read.
+// The picture as it is. Its texels are the smallest in the middle of a face, where a quarter of a turn has 4 / pi times
+// as many as the face is wide. Nothing if it can no longer be read.
 TextureData picture_of(const EnvironmentChoice& choice, int size) {
     const Outcome<Panorama> around = load_panorama(choice.path);
     if (!around) return {};

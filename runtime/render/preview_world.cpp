@@ -300,7 +300,7 @@ private:
     ScenePreview made_{};
     bool has_failed_ = false;
     std::vector<std::size_t> materials_{};  // that show the port
-    std::optional<std::size_t> object_{};  // nothing: all objects of the material
+    std::optional<std::size_t> object_{};   // nothing: all objects of the material
     std::map<std::size_t, Result> probes_{};
     std::map<std::size_t, Reflection> hiding_{};  // of materials of `made_.world`
     std::set<std::size_t> hiding_objects_{};

@@ -25,7 +25,7 @@ struct PreviewWish {
 
 struct ScenePreview {
     bool ok = false;
-    World world{};  // transparent where the objects are not seen
+    World world{};                         // transparent where the objects are not seen
     std::vector<std::string> materials{};  // that show it
     RenderOptions options{};
     // The node reads the picture behind its object, or shadows, which `world` lacks. This one has them, and every

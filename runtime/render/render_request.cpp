@@ -327,10 +327,10 @@ RenderOutcome render_scene_preview(const Compiler& compiler, const RenderRequest
     put_first(preview.diagnostics, drawn);
     if (!drawn.ok) return drawn;
     if (drawn.values.is_empty && drawn.values.not_finite == 0)
-        drawn.diagnostics.push_back(
-            complaint(request.graph, Severity::Warning, Complaint::NoPreviewSeen,
-                      {request.object.empty() ? fmt::format("all objects of '{}' are", fmt::join(preview.materials, "' and '"))
-                                              : fmt::format("the object '{}' is", request.object)}));
+        drawn.diagnostics.push_back(complaint(
+            request.graph, Severity::Warning, Complaint::NoPreviewSeen,
+            {request.object.empty() ? fmt::format("all objects of '{}' are", fmt::join(preview.materials, "' and '"))
+                                    : fmt::format("the object '{}' is", request.object)}));
     show_values(request, drawn.image);
     if (request.background == "none") return drawn;
     RenderOutcome around = draw_world(compiler, world, options, machine);

@@ -35,8 +35,9 @@ struct RenderRequest {
     std::string object{}, material{};
     std::map<std::string, std::string> overrides{};  // property -> "0.2", "1,0,0", "#ff8800", "true", "Wet", "rust.png"
     std::optional<double> time{};                    // seconds; nothing: the scene's own, or 0
-    std::vector<std::string> lights{};  // empty: the default three, none if the environment is a picture; {"none"}: none
-    std::string ambient{};                           // empty: the default sky
+    std::vector<std::string>
+        lights{};                // empty: the default three, none if the environment is a picture; {"none"}: none
+    std::string ambient{};       // empty: the default sky
     std::string environment{};   // "sunset.hdr", "sunset.hdr rotation=90 intensity=2", "studio"; empty: the studio
     std::string camera{};        // empty: frames the mesh
     std::string background{};    // "#203040", "0.2", "none" (transparent), "env", "blur"; empty: dark grey, but

@@ -238,8 +238,9 @@ TEST_P(Background, WhatIsBehindReadsIt) {
 // Nobody asked for a background: glass shows the picture that lights it, and all else stands before the plain colour.
 TEST_P(Background, GlassShowsAPictureByItself) {
     const Folder folder;
-    RenderRequest request{.graph = folder.write("glass.graph.json", std::string(R"json({ "patina": 1, "workflow": "unlit",
-        "surface": { "color": "= @sceneColor * float3(0.5, 1, 1)" } })json")),
+    const std::string glass = R"({ "patina": 1, "workflow": "unlit",
+        "surface": { "color": "= float3(0.5, 1, 1) * @sceneColor" } })";
+    RenderRequest request{.graph = folder.write("glass.graph.json", glass),
                           .environment = folder.write("directions.exr", directions()),
                           .camera = camera({0, 0, 5}, {0, 0, 0}, "fov=30")};
     const auto with = [&](const std::string& background) {
