@@ -27,7 +27,7 @@ constexpr const char* kBackgroundPath = "backdrop";
 struct Variant {
     std::size_t material = 0;
     bool lightmap = false, shadow_mask = false;
-    friend auto operator<=>(const Variant&, const Variant&) = default;
+    friend bool operator==(const Variant&, const Variant&) = default;
 };
 
 using Spirv = std::vector<std::uint32_t>;

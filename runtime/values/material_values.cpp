@@ -263,7 +263,7 @@ Outcome<MaterialValues> material_values(const Reflection& reflection, const std:
             continue;
         }
         auto found = std::find_if(reflection.properties.begin(), reflection.properties.end(),
-                                  [&](const Property& property) { return property.name == name; });
+                                  [&, &wanted = name](const Property& property) { return property.name == wanted; });
         if (found == reflection.properties.end()) {
             const Property* option = lighting_option(reflection, name);
             if (!option) return Failure{no_property(reflection, name)};

@@ -146,7 +146,7 @@ TEST_F(LibraryTest, EveryWordOfADropDownIsTested) {
         for (const PortInfo& port : node.ports) {
             for (const auto& [word, doc] : port.enumerators) {
                 const bool is_default = port.default_value == word;
-                const auto uses = [&](const NodeTest& test) {
+                const auto uses = [&, &word = word](const NodeTest& test) {
                     if (test.node != node.name) return false;
                     const auto given = std::find_if(test.arguments.begin(), test.arguments.end(),
                                                     [&](const NodeTest::Argument& a) { return a.name == port.name; });

@@ -20,7 +20,7 @@ double worst(const Json& row, const TermResult& result, double relative, double 
     double largest = 0;
     for (const auto& [name, numbers] : expected_of(row)) {
         const auto output = std::find_if(result.outputs.begin(), result.outputs.end(),
-                                         [&](const EvalOutput& o) { return o.name == name; });
+                                         [&, &wanted = name](const EvalOutput& o) { return o.name == wanted; });
         if (output == result.outputs.end() || output->values.size() != numbers.size()) {
             ADD_FAILURE() << shown(row) << ": no output '" << name << "' of " << numbers.size() << " numbers";
             return 0;

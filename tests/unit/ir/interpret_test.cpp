@@ -24,7 +24,6 @@ namespace {
 
 constexpr double kInf = std::numeric_limits<double>::infinity();
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-const Type kInt2 = Type::vector(Scalar::Int, 2);
 
 // One function, built without folding.
 struct Body {
