@@ -39,7 +39,9 @@ struct PictureLight : testing::Test {
         return (path / name).string();
     }
     // The same light from everywhere.
-    std::string even(float light) const { return write("even.exr", make_image(16, 8, light, light, light)); }
+    std::string even(float light, const std::string& name = "even.exr") const {
+        return write(name, make_image(16, 8, light, light, light));
+    }
 
     RenderOutcome drawn() {
         RenderOutcome outcome = render(compiler, request, machine);
@@ -109,7 +111,8 @@ TEST_F(PictureLight, ChoosesAnExposureFromThePicture) {
     EXPECT_NEAR(drawn().exposure, std::log2(0.96 / 8), 0.01);
     request.environment = even(0.01f);
     EXPECT_NEAR(drawn().exposure, std::log2(96), 0.01);
-    for (const std::string& text : {even(0), even(8) + " intensity=0", std::string("studio"), std::string("none")}) {
+    for (const std::string& text :
+         {even(0, "black.exr"), even(8) + " intensity=0", std::string("studio"), std::string("none")}) {
         request.environment = text;
         EXPECT_EQ(drawn().exposure, 0) << text;
     }
