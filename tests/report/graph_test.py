@@ -92,7 +92,7 @@ class Test(unittest.TestCase):
         # Of a node that nothing reads, too.
         self.assertEqual(types(label("typed.graph.json", "unread")), ["float"] * 4)
         write("typed.subgraph.json", """{ "patina": 1, "kind": "subgraph", "inputs": [ { "name": "amount", "type": "float" } ],
-          "nodes": [ { "id": "twice", "expr": "2 * amount * @normalWS" } ], "outputs": { "out": "twice" } }""")
+          "nodes": [ { "id": "twice", "expr": "2 * $amount * @normalWS" } ], "outputs": { "out": "twice" } }""")
         self.assertEqual(types(label("typed.subgraph.json", "twice")), ["float3"])
         write("typed.lighting.json", """{ "patina": 1, "kind": "lighting", "nodes": [
           { "id": "lit", "expr": "@light.radiance * 0.5" } ], "direct": "= lit * @surface.diffuseColor" }""")

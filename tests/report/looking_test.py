@@ -120,10 +120,10 @@ class Test(unittest.TestCase):
         self.assertTrue(lines[0].endswith(" do not fit: the workflow 'metallic-roughness' and the lighting model have no "
                                           "surface input 'exponent'"), lines)
         # All that is missing is said.
-        write("two.graph.json", LIT.replace('"roughness": 0.4', '"exponent": 20, "shine": 1') %
-              '"lighting": "blinn-phong",')
+        write("two.graph.json", LIT.replace('"roughness": 0.4', '"clearcoat": 1, "sheenRoughness": 0.5') %
+              '"lighting": "gltf",')
         two = render("two.graph.json", "--lighting", "all", "-o", "two.png")
-        self.assertIn("have no surface input 'exponent', 'shine'", two.stderr.replace("\n  ", " "))
+        self.assertIn("have no surface input 'clearcoat', 'sheenRoughness'", two.stderr.replace("\n  ", " "))
         # These draw the metal, but without what makes it one.
         write("metal.graph.json", LIT.replace('"roughness"', '"metallic": 1, "roughness"') % "")
         metal = render("metal.graph.json", "--lighting", "all", "-o", "metal.png").stderr.replace("\n  ", " ")
@@ -149,14 +149,15 @@ class Test(unittest.TestCase):
         self.assertNotIn("--tonemap", result.stderr)
 
     def test_light_of_a_picture(self):
-        write("white.graph.json", LIT.replace('"roughness": 0.4', '"baseColor": [1, 1, 1]') % '"lighting": "lambert",')
+        write("white.graph.json", LIT.replace('[0.6, 0.5, 0.4], "roughness": 0.4', '[1, 1, 1]') % '"lighting": "lambert",')
         with open("even.hdr", "wb") as file:  # 8 everywhere: 128 / 256 times 2 to the power of 132 - 128
             file.write(b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 8 +X 16\n" + b"\x80\x80\x80\x84" * 128)
         lit = ("white.graph.json", "--env", "even.hdr")
         self.expect(0, "all light comes from a picture, whose exposure is -3.06, so that white surfaces stay below "
                     "white: --exposure 0 shows the light as it is", *lit, "-o", "white.png")
         self.assertNotIn("clip", render(*lit, "-o", "white.png").stderr)
-        self.expect(0, "clip: --exposure -3.00", *lit, "--exposure", "0", "-o", "raw.png")
+        # A dielectric reflects 0.04 at once, so 0.96 of the 8: -log2(7.68) is -2.94, rounded down.
+        self.expect(0, "clip: --exposure -2.95", *lit, "--exposure", "0", "-o", "raw.png")
         # An EXR file has the light as it is.
         self.assertNotIn("exposure", render(*lit, "-o", "white.exr").stderr)
 

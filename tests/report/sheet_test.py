@@ -1,6 +1,7 @@
 """Opens the page of `patina sheet` in a browser: each graph has its picture, its nodes with a picture in each, its
 properties, costs and shaders; what is wrong is said; a search and buttons choose. Usage: sheet_test.py PATINA"""
 import os
+import re
 import subprocess
 import sys
 import tempfile
@@ -70,7 +71,7 @@ class SheetPage(unittest.TestCase):
 
     def test_a_wrong_graph_fails_the_command_and_the_page_is_there(self):
         self.assertEqual(self.result.returncode, 1, self.result.stderr)
-        self.assertIn("art/<b>wrong.graph.json:8:", self.result.stderr)
+        self.assertIn("art/<b>wrong.graph.json:10:", self.result.stderr)
         self.assertIn("there is no node '<i>Lrp'", self.result.stderr)
         self.assertIn("index.html", self.result.stdout)
         self.assertLess(self.without_pictures, os.path.getsize("index.html"))
@@ -86,7 +87,11 @@ class SheetPage(unittest.TestCase):
 
     def test_values_above_1_and_below_0_have_a_range(self):
         card = self.browser.run("return document.getElementById('grey (material)').innerText")
-        self.assertRegex(card, r"Not 0 to 1, so numbers are in false colours: high 0 to 1[12](\.\d)?, facing -1 to 1\n")
+        shown = re.search(r"Not 0 to 1, so numbers are in false colours: high 0 to (\S+), facing -1 to 1\n", card)
+        self.assertTrue(shown, card)
+        # 3 + 9 u, of the half of the ball that is seen: the u of its right edge is above a half, and below 1.
+        self.assertGreater(float(shown[1]), 7.5)
+        self.assertLess(float(shown[1]), 12)
 
     def picture(self, card, selector):
         return self.browser.picture(self.browser.run(
@@ -114,7 +119,8 @@ class SheetPage(unittest.TestCase):
                 return [node.querySelector("text").textContent.trim(), !!image && at.width > 60 && Math.abs(at.width - at.height) < 0.1 &&
                         at.left >= box.left && at.right <= box.right && at.top >= box.top && at.bottom <= box.bottom];
             })"""
-        self.assertEqual(dict(self.browser.run(where)), {"tint": True, "mask": True, "mixed": True, "surface": False})
+        self.assertEqual(dict(self.browser.run(where)), {
+            "tint": True, "mask": True, "high": True, "facing": True, "bright": True, "mixed": True, "surface": False})
         for name, color in {"tint": RED_BYTES, "mask": (255, 255, 255), "mixed": GREY_BYTES}.items():
             node = self.browser.run("""
                 return [...document.getElementById("grey (material)").querySelectorAll(".drawing g.node")].find(node =>

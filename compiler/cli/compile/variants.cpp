@@ -126,7 +126,7 @@ std::string manifest(const std::string& name, const VariantOptions& wanted, cons
         json.StartObject();
         for (const auto& [property, word] : plan.combination(i)) {
             const auto axis = std::find_if(plan.axes.begin(), plan.axes.end(),
-                                           [&](const VariantAxis& each) { return each.property == property; });
+                                           [&, &wanted = property](const VariantAxis& each) { return each.property == wanted; });
             json.Key(property.c_str());
             value(*axis, word);
         }
