@@ -4,7 +4,10 @@
 /// The surroundings are out of focus.
 [switch] bool blurredBackground;
 
-[extern] TextureCube backdropMap;  // radiance, as sharp as it is known
+/// What is seen behind everything, as sharp as it is known; one level.
+/// unit: linear radiance
+/// space: world
+[extern] TextureCube backdropMap;
 
 const float BACKGROUND_ROUGHNESS = 0.45;  // the surroundings are blurred as a surface of this roughness reflects them
 // All rays of an orthographic camera are parallel, so it would show a single colour. It shows what a perspective camera

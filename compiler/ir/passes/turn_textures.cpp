@@ -39,6 +39,7 @@ private:
 
     bool rewrite(Copy& c, Value value) {
         const Inst& inst = from_[value];
+        c.to.set_origin(inst.origin ? inst.origin : c.origin);
         if (is_raw(inst)) {
             const Value raw =
                 inst.op == Op::Param ? c.to.param(inst.data) : c.to.emit(inst.op, inst.type, {}, inst.data);

@@ -59,8 +59,8 @@ cbuffer Material : register(b0, space1)
     float main_;
 };
 
-TextureCube environmentMap : register(t0, space0);
-SamplerState environmentMapSampler : register(s0, space0);
+TextureCube environmentMap : register(t1, space0);
+SamplerState environmentMapSampler : register(s1, space0);
 Texture2D texture_ : register(t0, space1);
 SamplerState samplertexture : register(s0, space1);
 

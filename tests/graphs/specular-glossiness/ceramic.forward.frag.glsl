@@ -54,8 +54,8 @@ layout(set = 1, binding = 0, std140) uniform Material
     float _Glossiness;
 };
 
-layout(set = 0, binding = 6) uniform textureCube environmentMap;
-layout(set = 0, binding = 12) uniform sampler environmentMapSampler;
+layout(set = 0, binding = 7) uniform textureCube environmentMap;
+layout(set = 0, binding = 14) uniform sampler environmentMapSampler;
 layout(set = 1, binding = 1) uniform texture2D _NormalTex;
 layout(set = 1, binding = 2) uniform sampler sampler_NormalTex;
 

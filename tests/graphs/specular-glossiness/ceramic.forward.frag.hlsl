@@ -53,8 +53,8 @@ cbuffer Material : register(b0, space1)
     float _Glossiness;
 };
 
-TextureCube environmentMap : register(t0, space0);
-SamplerState environmentMapSampler : register(s0, space0);
+TextureCube environmentMap : register(t1, space0);
+SamplerState environmentMapSampler : register(s1, space0);
 Texture2D _NormalTex : register(t0, space1);
 SamplerState sampler_NormalTex : register(s0, space1);
 
