@@ -125,8 +125,9 @@ std::string manifest(const std::string& name, const VariantOptions& wanted, cons
         json.Key("values");
         json.StartObject();
         for (const auto& [property, word] : plan.combination(i)) {
-            const auto axis = std::find_if(plan.axes.begin(), plan.axes.end(),
-                                           [&, &wanted = property](const VariantAxis& each) { return each.property == wanted; });
+            const auto axis =
+                std::find_if(plan.axes.begin(), plan.axes.end(),
+                             [&, &wanted = property](const VariantAxis& each) { return each.property == wanted; });
             json.Key(property.c_str());
             value(*axis, word);
         }
