@@ -133,16 +133,30 @@ private:
             const auto is_decided = [&](std::size_t i) { return wish.decided.count(changes[i].path) != 0; };
             nearest.erase(std::remove_if(nearest.begin(), nearest.end(), is_decided), nearest.end());
             if (nearest.empty()) continue;
-            if (nearest.size() == 1 || nearest.size() > kMostTries) return nearest;
+            if (nearest.size() == 1) return with_thing_of(nearest.front(), changes);
+            if (nearest.size() > kMostTries) return nearest;
             for (const std::size_t i : nearest) {
+                const std::vector<std::size_t> group = with_thing_of(i, changes);
                 MergeWish without = wish;
-                without.decided.insert(changes[i].path);
+                for (const std::size_t each : group) without.decided.insert(changes[each].path);
                 const MergedTrees merged = merged_trees(without);
-                if (!holds(check_(merged.text), where.error)) return {i};
+                if (!holds(check_(merged.text), where.error)) return group;
             }
             return nearest;
         }
         return {};
+    }
+
+    // The keys of one node or property belong together: another type comes with other ports, or another default.
+    static std::vector<std::size_t> with_thing_of(std::size_t change, const std::vector<TreeChange>& changes) {
+        const Path& path = changes[change].path;
+        if (path.size() != 3) return {change};
+        const Path thing(path.begin(), path.begin() + 2);
+        std::vector<std::size_t> group;
+        for (std::size_t i = 0; i < changes.size(); ++i) {
+            if (starts_with(changes[i].path, thing)) group.push_back(i);
+        }
+        return group;
     }
 
     // True if the error is about something that THEIRS brought and that has been withdrawn.

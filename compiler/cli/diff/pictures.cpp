@@ -39,9 +39,12 @@ std::optional<PictureChange> compare_pictures(const Console& console, const Vers
     if (!draw(console, compiler, before, wish, machine, linear[0])) return std::nullopt;
     if (!draw(console, compiler, after, wish, machine, linear[1])) return std::nullopt;
 
-    // As a person sees them: encoded.
+    // As a person sees them: encoded, and not brighter than white.
     runtime::Image encoded[2] = {linear[0], linear[1]};
-    for (runtime::Image& image : encoded) runtime::encode_srgb(image);
+    for (runtime::Image& image : encoded) {
+        runtime::encode_srgb(image);
+        image = runtime::quantized(image);
+    }
     const runtime::Comparison comparison = runtime::compare(encoded[0], encoded[1], kThreshold);
     runtime::Image difference = runtime::difference_image(encoded[0], encoded[1], kThreshold, kGain);
     runtime::decode_srgb(difference);

@@ -118,6 +118,7 @@ private:
         return size.instructions == 0 ? std::string() : fmt::format(": {} instructions", size.instructions);
     }
     static std::string difference(std::size_t before, std::size_t after) {
+        if (before == after) return fmt::format("{} as before", before);
         return fmt::format("{} -> {} ({:+})", before, after,
                            static_cast<std::ptrdiff_t>(after) - static_cast<std::ptrdiff_t>(before));
     }

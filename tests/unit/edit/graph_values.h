@@ -53,8 +53,9 @@ inline std::string with_names(const Values& values, const std::string& text) {
         }
         const std::size_t end = text.find('}', i);
         const std::string key = text.substr(i + 1, end - i - 1);
-        made += key[0] == 'p' ? "$" + at(values, "properties/" + key.substr(1) + "/name")
-                              : at(values, "nodes/" + key + "/id");
+        const std::string name =
+            at(values, key[0] == 'p' ? "properties/" + key.substr(1) + "/name" : "nodes/" + key + "/id");
+        made += std::string(key[0] == 'p' ? "$" : "") + (name.empty() ? "nothing_of_this_name" : name);
         i = end;
     }
     return made;

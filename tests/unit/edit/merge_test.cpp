@@ -306,6 +306,20 @@ TEST_F(Merges, AnotherNodeWithOtherPorts) {
     expect_conflict(base.text(), ours.text(), theirs.text(), {"ours removes 'nodes.mask.in', which theirs changes"});
 }
 
+TEST_F(Merges, TheSidesOfANodeThatBecameAnotherOneAreWhole) {
+    Lines base;
+    const std::string lone = "    { \"id\": \"lone\", \"expr\": \"$_Tint.r\" },\n";
+    const std::string mask = R"("node": "GradientNoise", "in": { "uv": "@uv0", "scale": 4 })";
+    Lines ours = base, theirs = base;
+    base.nodes = lone + base.nodes;
+    ours.nodes = replaced(base.nodes, mask, R"("expr": "lone * 2")");
+    const MergeResult merged =
+        expect_conflict(base.text(), ours.text(), theirs.text(),
+                        {"'lone'", "theirs: removes 'nodes.lone'", "ours: adds 'nodes.mask.expr'"});
+    EXPECT_EQ(side_of(merged.text, true), ours.text());
+    EXPECT_NE(side_of(merged.text, false).find(mask), std::string::npos) << merged.text;
+}
+
 TEST_F(Merges, BothPutPropertiesIntoAnotherOrder) {
     Lines base;
     const std::string a = R"(    { "name": "_A", "type": "float" })", b = R"(    { "name": "_B", "type": "float" })",
