@@ -127,15 +127,22 @@ const NamePairs* names_of(const TreeValue& object, const JsonMember& member, con
     return object.kind == ObjectKind::Property || object.kind == ObjectKind::Input ? &renaming.dollar : nullptr;
 }
 
+TreeValue child_at(const TreeValue& value, std::size_t i) {
+    if (value.json->kind == Json::Kind::Object) return member_value(value, value.json->members[i]);
+    return {value.text, &value.json->elements[i], value.kind, false};
+}
+
 bool is_same_object(const TreeValue& a, const TreeValue& b, const Renaming& renaming) {
     if (a.json->members.size() != b.json->members.size()) return false;
+    std::unordered_map<std::string_view, const JsonMember*> others;
+    for (const JsonMember& member : b.json->members) others.emplace(member.key, &member);
     return std::all_of(a.json->members.begin(), a.json->members.end(), [&](const JsonMember& member) {
-        const auto other = std::find_if(b.json->members.begin(), b.json->members.end(),
-                                        [&](const JsonMember& each) { return each.key == member.key; });
-        if (other == b.json->members.end()) return false;
-        if (const NamePairs* names = names_of(a, member, renaming); names && other->value.kind == Json::Kind::String)
-            return names->match(member.value.string, other->value.string);
-        return is_same(member_value(a, member), member_value(b, *other), renaming);
+        const auto found = others.find(member.key);
+        if (found == others.end()) return false;
+        const JsonMember& other = *found->second;
+        if (const NamePairs* names = names_of(a, member, renaming); names && other.value.kind == Json::Kind::String)
+            return names->match(member.value.string, other.value.string);
+        return is_same(member_value(a, member), member_value(b, other), renaming);
     });
 }
 
@@ -258,11 +265,14 @@ bool starts_with(const Path& path, const Path& start) {
 TreeValue find(const GraphText& text, const Path& path) {
     TreeValue value = text.root();
     for (const std::string& name : path) {
-        const std::vector<TreeChild> children = children_of(value);
-        const auto child =
-            std::find_if(children.begin(), children.end(), [&](const TreeChild& each) { return each.name == name; });
-        if (child == children.end()) return {};
-        value = child->value;
+        const auto [index, is_new] = text.children.try_emplace(value.json);
+        if (is_new) {
+            std::size_t i = 0;
+            for (TreeChild& child : children_of(value)) index->second.emplace(std::move(child.name), i++);
+        }
+        const auto child = index->second.find(name);
+        if (child == index->second.end()) return {};
+        value = child_at(value, child->second);
     }
     return value;
 }

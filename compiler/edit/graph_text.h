@@ -41,7 +41,9 @@ struct GraphText {
     ObjectKind kind = ObjectKind::Material;
     std::shared_ptr<const Graph> graph{};                               // null: a scene
     std::unordered_map<std::uint32_t, const nodelang::Expr*> values{};  // by the first byte of the JSON value
-    bool ok = false;                                                    // a graph or a scene without errors in its form
+    // Of lists and objects in which something was looked for: the index of each child by its name.
+    mutable std::unordered_map<const Json*, std::unordered_map<std::string, std::size_t>> children{};
+    bool ok = false;  // a graph or a scene without errors in its form
 
     std::string_view all() const { return sources.file_text(base); }
     TreeValue root() const { return {this, json.get(), kind, false}; }

@@ -1,6 +1,7 @@
 #include "compiler/edit/merge_report.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "compiler/format/read_graph.h"
 #include "compiler/json/json_text.h"
@@ -60,9 +61,9 @@ ConflictReport::Did ConflictReport::did(Side side, const Path& path) const {
         what += fmt::format("keeps '{}'", to_string(own));
     } else {
         // The first change in it; of a whole node, a reader would look for it.
-        std::vector<TreeChange> changes = find_changes(*names_.base, ours ? *names_.ours : *names_.theirs);
-        const auto is_outside = [&](const TreeChange& change) { return !starts_with(change.path, path); };
-        changes.erase(std::remove_if(changes.begin(), changes.end(), is_outside), changes.end());
+        std::vector<TreeChange> changes;
+        std::copy_if(changes_of(side).begin(), changes_of(side).end(), std::back_inserter(changes),
+                     [&](const TreeChange& change) { return starts_with(change.path, path); });
         if (!changes.empty() && changes.front().path != path) {
             Did first = did(side, changes.front().path);
             if (changes.size() > 1)
@@ -73,6 +74,12 @@ ConflictReport::Did ConflictReport::did(Side side, const Path& path) const {
                             one_line(after_own ? after_own : after));
     }
     return {std::move(what), place_in(text, own)};
+}
+
+const std::vector<TreeChange>& ConflictReport::changes_of(Side side) const {
+    std::optional<std::vector<TreeChange>>& changes = side == Side::Ours ? by_ours_ : by_theirs_;
+    if (!changes) changes = find_changes(*names_.base, side == Side::Ours ? *names_.ours : *names_.theirs);
+    return *changes;
 }
 
 void ConflictReport::add(std::string message, const std::vector<Did>& all) {

@@ -4,6 +4,8 @@
 //   report.conflict({.kind = TreeConflict::Kind::BothChanged, .path = {"surface", "roughness"}});
 #pragma once
 
+#include <optional>
+
 #include "compiler/edit/changes.h"
 #include "compiler/edit/merge_names.h"
 #include "compiler/edit/merge_trees.h"
@@ -33,10 +35,12 @@ private:
     struct Did;
     Did did(Side side, const Path& path) const;
     void add(std::string message, const std::vector<Did>& all);
+    const std::vector<TreeChange>& changes_of(Side side) const;
 
     const Sides& original_;
     const SameNames& names_;
     std::vector<Diagnostic> diagnostics_{};
+    mutable std::optional<std::vector<TreeChange>> by_ours_{}, by_theirs_{};  // found when first needed
 };
 
 // A value on one line, for messages; a long one is cut.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <numeric>
 #include <tuple>
 
 #include "compiler/edit/blame.h"
@@ -108,8 +109,12 @@ private:
             const std::unique_ptr<GraphText> merged = read_graph_text(path_, text);
             const GraphText* others[] = {names_.base.get(), names_.ours.get(), names_.theirs.get()};
             const MergeError where{errors.front(), *merged, others};
-            const std::vector<std::size_t> withdrawn = suspects_of(where, changes, wish);
+            std::vector<std::size_t> withdrawn = suspects_of(where, changes, wish);
             if (withdrawn.empty()) break;
+            if (round == kMostRounds) {  // one by one would take too long
+                withdrawn.resize(changes.size());
+                std::iota(withdrawn.begin(), withdrawn.end(), std::size_t{0});
+            }
             if (reports && !follows_from_withdrawn(where, wish)) {
                 const std::vector<std::size_t> others_changes = suspects_of(where, by_ours_, {.prefer = Side::Theirs});
                 report_.clash(errors.front(), pick(by_ours_, others_changes), pick(by_theirs_, withdrawn));
@@ -195,7 +200,7 @@ private:
         return errors;
     }
 
-    static constexpr std::size_t kMostTries = 32;
+    static constexpr std::size_t kMostTries = 32, kMostRounds = 64;
 
     const SameNames& names_;
     const std::string& path_;  // of the result, in the errors of the check

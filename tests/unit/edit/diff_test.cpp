@@ -123,6 +123,15 @@ TEST(Diff, ScenesByTheirObjects) {
         "+ lights.0:  -> { \"type\": \"point\", \"position\": [1, 1, 1] }\n");
 }
 
+TEST(Diff, ALightBehindAnotherOneIsAdded) {
+    const std::string base = R"({ "patina": 1, "kind": "scene", "camera": { "position": [0, 1, 5] },
+  "lights": [ { "type": "directional", "direction": [0, 1, 0] } ],
+  "objects": [] })";
+    const std::string point = R"({ "type": "point", "position": [1, 1, 1] })";
+    EXPECT_EQ(changes(base, replaced(base, "[0, 1, 0] } ]", "[0, 1, 0] }, " + point + " ]")),
+              "+ lights.1:  -> " + point + "\n");
+}
+
 TEST(Diff, WhatIsNoGraphSaysSo) {
     for (const std::string bad : {"{", "[]", "{ \"patina\": 2 }"}) {
         const GraphDiff diff = diff_graphs({"old.json", kBase}, {"new.json", bad});

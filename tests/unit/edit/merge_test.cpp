@@ -362,6 +362,17 @@ TEST_F(Merges, AFileThatIsNotThereYetIsAWarning) {
     EXPECT_EQ(merged.diagnostics[0].severity, Severity::Warning);
 }
 
+TEST_F(Merges, ALightingGraphThatIsNotThereYetIsAWarning) {
+    const Lines base;
+    Lines ours = base, theirs = base;
+    ours.surface = replaced(base.surface, "0.5", "0.7");
+    theirs.more = ",\n  \"lighting\": \"./new.lighting.json\"";
+    const MergeResult merged = merge(base.text(), ours.text(), theirs.text());
+    EXPECT_EQ(merged.state, MergeState::Clean);
+    ASSERT_FALSE(merged.diagnostics.empty());
+    EXPECT_EQ(merged.diagnostics[0].severity, Severity::Warning);
+}
+
 TEST_F(Merges, WhatIsNoGraphIsNotTouched) {
     const Lines base;
     for (const std::string bad : {"", "{", "[]", "{ \"patina\": 1, \"kind\": \"engine\" }", "{ \"patina\": 2 }"}) {
