@@ -109,6 +109,9 @@ private:
 
     // A copy of a library file repeats the library's declarations, and may not change them.
     void again(const VariableDecl& decl) {
+        const nodelang::FunctionDecl* function =
+            declarations_.parent ? declarations_.parent->function(decl.name) : nullptr;
+        if (function && function->attribute("slot")) return (void)twice(decl.span, decl.name, function->name_span);
         const VariableDecl* older = declarations_.parent ? declarations_.parent->variable(decl.name) : nullptr;
         if (!older) return;
         if (decl.is_const || older->is_const) {

@@ -14,6 +14,7 @@ float3 direct(LightingSurface surface, Light light) {
 [slot] [part("final", "sum.direct")]
 float3 reflected(LightingSurface surface, LightSum sum);
 [switch] bool shadows;
+[static("slot", "indirect")] bool lightingSurface;
 // What the library's pass files declare may be declared again, and so may a recipe.
 const int MAX_VERTEX_LIGHTS = 2;
 float3 shLinear(float3 n) {

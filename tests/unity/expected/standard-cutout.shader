@@ -250,6 +250,8 @@ Shader "Patina/Standard, cut out"
         float2 uv = tiled + offset;
 
         float2 detailUV = tiledDetail + offset;
+
+        // maps/main: The node would tile once more.
         float2 uvTurned = float2(uv.x, 1.0 - uv.y);
         float4 main_ = LinearColor(UNITY_SAMPLE_TEX2D(_MainTex, uvTurned));
 
@@ -262,6 +264,7 @@ Shader "Patina/Standard, cut out"
     #else
         mask = float4(0.0, 0.0, 0.0, 0.0);
     #endif
+
         float2 detailUVTurned = float2(detailUV.x, 1.0 - detailUV.y);
 
         // SampleTexture2D "maps/metallicGloss"
@@ -762,6 +765,8 @@ Shader "Patina/Standard, cut out"
             #endif
 
                 float2 uv = tiled + offset;
+
+                // maps/main: The node would tile once more.
                 float4 main_ = LinearColor(UNITY_SAMPLE_TEX2D(_MainTex, float2(uv.x, 1.0 - uv.y)));
 
                 fromMapValue = main_.w;
