@@ -28,9 +28,10 @@ set(compiler_rooms
     "link: include base ir languages engines paths resolve lower"
     "output: include base ir format languages engines resolve lower link"
     "engines/shaderlab: include base ir languages format engines resolve lower link output"
+    "reflection: include base json"
     "interpret: include base ir link"
     "validate: include"
-    "api: include base json ir nodelang emit format format/schema edit engines paths resolve lower link output interpret"
+    "api: include base json ir nodelang emit format format/schema edit engines paths resolve lower link output reflection interpret"
     "capi: include base json nodelang format api")
 # The list of writers is in `engines`. It is the only file of that room that sees the rooms above it.
 set(writer_list "^compiler/engines/writers\\.(h|cpp)$")

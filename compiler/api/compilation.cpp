@@ -13,17 +13,17 @@ namespace patina {
 namespace {
 
 bool may_go_on(const Compilation& c) {
-    return !c.session.diagnostics.has_errors();
+    return !graph::must_stop(c.session) && !c.session.diagnostics.has_errors();
 }
 
 // The extra passes that were requested and can be drawn.
 void choose_passes(Compilation& c) {
     graph::Session& session = c.session;
-    const std::vector<std::string>& wanted = session.options.passes;
+    const std::vector<std::string>& wanted = session.request.passes;
     for (const std::unique_ptr<graph::Material>& each : c.file.passes) {
         const graph::ExtraPass& pass = *each->pass;
         const bool is_named = std::find(wanted.begin(), wanted.end(), pass.name) != wanted.end();
-        if (!session.options.functions.empty()) {
+        if (session.request.functions) {
             session.diagnostics.report(Code::PassLeftOut, pass.name_span, pass.name,
                                        "--functions writes only the functions of the material itself");
         } else if (wanted.empty() ? graph::draws_extra(session, c.lowered.front()) : is_named) {
@@ -49,7 +49,7 @@ bool accept(Compilation& c) {
 }
 
 bool find_path(Compilation& c) {
-    if (c.session.options.functions.empty()) graph::find_path(c.session);
+    if (!c.session.request.functions) graph::find_path(c.session);
     return true;  // the library's passes are used then, so that errors in the graph are still found
 }
 
@@ -58,7 +58,7 @@ bool read_material(Compilation& c) {
     if (!c.file.material) return false;
     c.materials = {c.file.material.get()};
     dump_graph(c.result, c.session, *c.file.material);
-    return true;  // lowering checks types even after errors, to report as many as possible
+    return !graph::must_stop(c.session);  // lowering checks types even after errors, to report as many as possible
 }
 
 bool lower_material(Compilation& c) {
@@ -111,8 +111,7 @@ bool order_passes(Compilation& c) {
 }
 
 bool reflect(Compilation& c) {
-    c.result.reflection = output::reflect(*c.materials.front(), c.linked.front().lowered, c.passes, c.session.sources,
-                                          c.session.options.hashes);
+    c.result.reflection = output::reflect(*c.materials.front(), c.linked.front().lowered, c.passes, c.session);
     return true;
 }
 
@@ -134,7 +133,7 @@ bool write_files(Compilation& c) {
 }
 
 bool keep_programs(Compilation& c) {
-    if (c.session.options.keep_programs && c.session.options.functions.empty())
+    if (c.session.options.keep_programs && !c.session.request.functions)
         c.result.program = link::keep_program(c.session, c.materials);
     return true;
 }

@@ -1,15 +1,28 @@
 // The Compiler class: compiling.
-#include <filesystem>
-
 #include "compiler/api/compilation.h"
+#include "compiler/api/compile_source.h"
 #include "compiler/api/compile_targets.h"
-#include "compiler/api/compiler_impl.h"
 #include "compiler/api/report.h"
 
 namespace patina {
 namespace {
 
-Result finish(graph::Session& session, Result result) {
+// Where the graph begins in the session's sources. Nothing after an error.
+std::optional<std::uint32_t> add_source(graph::Session& session, const Source& source) {
+    if (!source.text) return graph::load_source(session, source.path, {});
+    session.dependencies.push_back(source.path);
+    const std::uint32_t base = session.sources.add(source.path, *source.text);
+    return graph::is_over_bytes(session, {base, base}) ? std::nullopt : std::optional(base);
+}
+
+Result compile_for_engine(const CompilerImpl& compiler, const Source& source, const CompileOptions& options,
+                          graph::Files& files) {
+    graph::Session session(*compiler.library, options, &files);
+    Result result;
+    if (const std::optional<std::uint32_t> base = add_source(session, source)) {
+        Compilation compilation{.session = session, .source = *base, .path = source.path, .result = result};
+        compile(compilation);
+    }
     result.diagnostics = to_public(session.diagnostics, session.sources);
     result.dependencies = std::move(session.dependencies);
     result.ok = !session.diagnostics.has_errors();
@@ -22,31 +35,28 @@ Result finish(graph::Session& session, Result result) {
 
 }  // namespace
 
-Result Compiler::compile_file(const std::string& path, const CompileOptions& options) const {
-    return compile_targets(*impl_->library, options, [&](const CompileOptions& of_engine) {
-        graph::Session session(*impl_->library, of_engine);
+Result compile_source(const CompilerImpl& compiler, const Source& source, const CompileOptions& options,
+                      graph::Files& files) {
+    if (!compiler.overlay_errors.empty()) {
         Result result;
-        if (const std::optional<std::uint32_t> base = graph::load_source(session, path, {})) {
-            Compilation compilation{.session = session, .source = *base, .path = path, .result = result};
-            compile(compilation);
-        }
-        return finish(session, std::move(result));
+        result.diagnostics = compiler.overlay_errors;
+        return result;
+    }
+    return compile_targets(*compiler.library, options, [&](const CompileOptions& of_engine) {
+        return compile_for_engine(compiler, source, of_engine, files);
     });
 }
 
+Result Compiler::compile_file(const std::string& path, const CompileOptions& options) const {
+    graph::Files files(options.files);
+    return compile_source(*impl_, {.path = path}, options, files);
+}
+
 Result Compiler::compile_text(const std::string& path, std::string text, const CompileOptions& options) const {
-    return compile_targets(*impl_->library, options, [&](const CompileOptions& of_engine) {
-        graph::Session session(*impl_->library, of_engine);
-        Result result;
-        session.dependencies.push_back(path);
-        // A part is used by its name, and must not be what a file of that name holds.
-        if (of_engine.accept_parts)
-            session.loaded[std::filesystem::path(path).lexically_normal().generic_string()] = text;
-        Compilation compilation{
-            .session = session, .source = session.sources.add(path, text), .path = path, .result = result};
-        compile(compilation);
-        return finish(session, std::move(result));
-    });
+    graph::Files files(options.files);
+    files.add_bytes(text.size());
+    if (options.accept_parts) files.give_part(path, text);
+    return compile_source(*impl_, {.path = path, .text = std::move(text)}, options, files);
 }
 
 }  // namespace patina

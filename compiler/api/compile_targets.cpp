@@ -70,6 +70,18 @@ std::optional<Diagnostic> unknown_dump(const graph::Library& library, std::strin
     return to_public(diagnostics, library.sources).front();
 }
 
+void check_shader_bytes(const graph::Library& library, std::size_t most, Result& result) {
+    std::size_t bytes = 0;
+    for (const Shader& shader : result.shaders) bytes += shader.text.size();
+    if (bytes <= most) return;
+    Diagnostics diagnostics;
+    diagnostics.report(Code::OverBudget, {}, bytes, "bytes of shader text", most);
+    result.diagnostics.push_back(to_public(diagnostics, library.sources).front());
+    result.ok = false;
+    result.shaders.clear();
+    result.program = nullptr;
+}
+
 Result refused(Diagnostic why) {
     Result result;
     result.diagnostics.push_back(std::move(why));
@@ -112,7 +124,7 @@ Result compile_targets(const graph::Library& library, const CompileOptions& opti
         own.keep_programs = options.keep_programs && !result;
         if (each.engine->has_own_passes()) {
             own.keep_programs = false;
-            own.passes.clear();
+            if (CompileOptions::Passes* passes = own.passes()) passes->only.clear();
         }
         if (each.engine->variants == engines::Variants::Keywords) own.keep_variants = true;
         if (result && each.engine->has_own_passes()) without_switches(own.switches, result->reflection);
@@ -121,6 +133,7 @@ Result compile_targets(const graph::Library& library, const CompileOptions& opti
         else
             result = compile(own);
     }
+    check_shader_bytes(library, options.limits.shader_bytes, *result);
     return std::move(*result);
 }
 

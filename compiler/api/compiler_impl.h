@@ -10,6 +10,10 @@ namespace patina {
 
 struct Compiler::Impl {
     std::unique_ptr<graph::Library> library;
+    std::vector<Diagnostic> overlay_errors;  // then nothing is compiled
+
+    mutable std::once_flag hash_once;
+    mutable std::string hash;  // of the library
 
     // Filled by describe() under `once`.
     mutable std::once_flag once;
@@ -24,11 +28,14 @@ struct Compiler::Impl {
     void describe() const;
 };
 
-// The place for a library of an embedder's own, which has no public face yet: an engine, nodes and passes as files with
-// paths below nodes/.
+// What the other libraries of Patina and its tests need of a Compiler. with_files: files with paths below nodes/, of
+// which engines have no public face yet.
 struct CompilerAccess {
+    using Impl = Compiler::Impl;
     static Compiler with_files(std::span<const nodelang::EmbeddedFile> more);
     static const graph::Library& library(const Compiler& compiler) { return *compiler.impl_->library; }
 };
+
+using CompilerImpl = CompilerAccess::Impl;
 
 }  // namespace patina

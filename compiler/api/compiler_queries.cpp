@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compiler/api/check_library.h"
 #include "compiler/api/compiler_impl.h"
-#include "compiler/api/describe.h"
+#include "compiler/api/describe/describe.h"
 #include "compiler/api/evaluate.h"
 #include "compiler/api/report.h"
 #include "compiler/base/text.h"
@@ -111,8 +112,10 @@ std::string output_name(std::string_view path) {
     return graph::name_of_file(path);
 }
 
-Compiler::Compiler() : impl_(std::make_unique<Impl>()) {
-    impl_->library = graph::load_library(nodelang::embedded_files(), engines::printable());
+Compiler::Compiler() : Compiler(LibraryOverlay{}) {}
+Compiler::Compiler(const LibraryOverlay& overlay) : impl_(std::make_unique<Impl>()) {
+    impl_->library = graph::load_library(nodelang::embedded_files(), engines::printable(), overlay);
+    if (!overlay.files.empty()) impl_->overlay_errors = check_overlay(*impl_->library);
 }
 Compiler::Compiler(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 
@@ -148,23 +151,6 @@ void Compiler::Impl::describe() const {
     });
 }
 
-std::vector<Diagnostic> Compiler::library_diagnostics() const {
-    const graph::Library& library = *impl_->library;
-    std::vector<Diagnostic> all;
-    const auto add = [&](const Diagnostics& some) {
-        const std::vector<Diagnostic> made = to_public(some, library.sources);
-        all.insert(all.end(), made.begin(), made.end());
-    };
-    add(library.diagnostics);
-    for (const nodelang::FunctionDecl& function : library.ast.functions) {
-        if (const Diagnostics* errors = nodelang::body_errors(function)) add(*errors);
-    }
-    for (const auto& [name, engine] : library.engines) add(engine.diagnostics());
-    for (const auto* graphs : {&library.workflows, &library.lighting_models}) {
-        for (const auto& [name, graph] : *graphs) add(graph.diagnostics());
-    }
-    return all;
-}
 const std::vector<NodeInfo>& Compiler::nodes() const {
     impl_->describe();
     return impl_->nodes;
@@ -259,9 +245,8 @@ SceneResult Compiler::read_scene(const std::string& path, const CompileOptions& 
     if (const std::optional<std::uint32_t> base = graph::load_source(session, path, {})) {
         const std::unique_ptr<graph::Json> json = graph::parse_json(session.sources, *base, session.diagnostics);
         const graph::SceneFiles files{
-            .find = [&](const std::string& name) { return graph::find_file(session, name, path); },
-            .report_missing = [&](const std::string& name,
-                                  Span where) { graph::report_not_found(session, name, path, where); }};
+            .find = [&](const std::string& name, Span at) { return graph::find_file(session, name, path, at); },
+            .require = [&](const std::string& name, Span at) { return graph::require_file(session, name, path, at); }};
         const graph::Reading reading{session.sources, session.ast, session.diagnostics};
         if (json) result.scene = graph::read_scene(reading, *json, path, graph::file_stem(path), files);
     }

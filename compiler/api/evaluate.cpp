@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "compiler/api/describe.h"
+#include "compiler/api/describe/describe.h"
 #include "compiler/base/text.h"
 #include "compiler/interpret/interpret.h"
 #include "compiler/lower/declare.h"
@@ -274,12 +274,15 @@ Evaluation evaluate_expression(const EvaluationContext& context, const Expr& exp
     return evaluated(bench, emit::primary(bench.emitter, value, bench.scope, expr.span), precision, diagnostics);
 }
 
-void check_functions(const EvaluationContext& context, const nodelang::Ast& ast, Diagnostics& diagnostics) {
+void check_functions(const EvaluationContext& context, const nodelang::Ast& ast, Diagnostics& diagnostics,
+                     std::size_t first) {
     ir::Module module;
     emit::Emitter emitter{.module = module, .diagnostics = diagnostics, .options = {.fold = true}};
     graph::declare_engine(*context.library.engine({}), context.library.paths, context.library.declarations, emitter);
-    for (const nodelang::FunctionDecl& function : ast.functions) {
-        emit::check_function(emitter, function, context.declarations);
+    for (std::size_t i = first; i < ast.functions.size(); ++i) {
+        // A pass calls slots, which only a material fills.
+        if (context.sources.file(ast.functions[i].span.begin).ends_with(".pass.hlsl")) continue;
+        emit::check_function(emitter, ast.functions[i], context.declarations);
     }
 }
 

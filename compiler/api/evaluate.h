@@ -27,8 +27,9 @@ Evaluation evaluate_call(const EvaluationContext& context, const nodelang::Funct
 Evaluation evaluate_expression(const EvaluationContext& context, const nodelang::Expr& expr, Precision precision,
                                Diagnostics& diagnostics);
 
-// Reports errors in the functions of a file, called or not.
-void check_functions(const EvaluationContext& context, const nodelang::Ast& ast, Diagnostics& diagnostics);
+// Reports errors in the functions of files with nodes, called or not. `first`: the first of them in `ast`.
+void check_functions(const EvaluationContext& context, const nodelang::Ast& ast, Diagnostics& diagnostics,
+                     std::size_t first = 0);
 
 // The function's test lines, each with the interpreter's result. Reports lines that cannot be read.
 std::vector<NodeTest> node_tests(const EvaluationContext& context, const nodelang::FunctionDecl& function,

@@ -53,7 +53,7 @@ void keep_errors(std::vector<Diagnostic>& diagnostics) {
 std::vector<Diagnostic> errors_of(const Compiler& compiler, const MergeOptions& options, const std::string& text) {
     CompileOptions compile;
     compile.include_dirs = options.compile.include_dirs;
-    compile.loader = options.compile.loader;
+    compile.files = options.compile.files;
     compile.targets = {Target::Glsl};
     compile.accept_parts = true;
     std::vector<Diagnostic> errors = compiler.compile_text(options.path, text, compile).diagnostics;

@@ -104,8 +104,9 @@ void write_text(std::string& text, const Diagnostic& d, bool colors) {
     const std::string place = d.line > 0 ? fmt::format("{}:{}:{}", d.file, d.line, d.column) : d.file;
     if (!d.file.empty()) text += fmt::format("{}{}:{} ", paint("\x1b[1m"), place, paint("\x1b[0m"));
     text += fmt::format("{}{}:{} {}", paint(color), word(d.severity), paint("\x1b[0m"), d.message);
-    // To a reader, the surface and the vertex outputs are not nodes.
-    const bool is_part = d.node == "surface" || d.node == "vertex";
+    // To a reader, these are not nodes.
+    constexpr std::string_view kParts[] = {"surface", "vertex", "outputs", "properties", "inputs"};
+    const bool is_part = std::find(std::begin(kParts), std::end(kParts), d.node) != std::end(kParts);
     const std::string node = is_part ? d.node : d.node.empty() ? "" : fmt::format("node '{}'", d.node);
     if (!node.empty()) {
         text += d.port.empty() ? fmt::format(" ({})", node)

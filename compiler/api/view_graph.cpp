@@ -211,7 +211,8 @@ private:
 GraphView view_graph(const Compiler& compiler, const std::string& path, const CompileOptions& options) {
     CompileOptions own;
     own.include_dirs = options.include_dirs;
-    own.loader = options.loader;
+    own.files = options.files;
+    own.limits = options.limits;
     const graph::Library& library = CompilerAccess::library(compiler);
     graph::Session session(library, own);
     GraphView view;

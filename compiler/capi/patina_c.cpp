@@ -1,11 +1,10 @@
 // The functions of patina/patina_c.h: each calls one of patina::Compiler and keeps what it returns.
 #include "patina/patina_c.h"
 
-#include <exception>
-#include <map>
 #include <memory>
 #include <new>
 #include <optional>
+#include <stdexcept>
 
 #include "compiler/capi/read_options.h"
 
@@ -43,22 +42,31 @@ patina_status guarded(const Work& work) noexcept {
     }
 }
 
-// Why files could not be read, by their paths.
-using Reasons = std::map<std::string, std::string>;
+// The text that a callback gave, or nothing. Throws if it gave a reason instead.
+std::optional<std::string> answer(patina_reply reply) {
+    if (reply.error) throw std::runtime_error(*reply.error);
+    return std::move(reply.text);
+}
 
-void use(const patina_callbacks& given, CompileOptions& options, Reasons& reasons) {
-    if (!given.read) return;
-    options.loader = [given, &reasons](const std::string& path) -> std::optional<std::string> {
-        patina_reply reply;
-        try {
+void use(const patina_callbacks& given, CompileOptions& options) {
+    if (given.read) {
+        options.files.read = [given](const std::string& path) {
+            patina_reply reply;
             given.read(given.user, path.c_str(), &reply);
-        } catch (const std::exception& thrown) {  // the callback may be C++
-            reply.error = thrown.what();
-        }
-        if (!reply.error) return std::move(reply.text);
-        reasons[path] = *reply.error;
-        return std::nullopt;
-    };
+            return answer(std::move(reply));
+        };
+    }
+    if (given.exists) {
+        options.files.exists = [given](const std::string& path) { return given.exists(given.user, path.c_str()) != 0; };
+    }
+    if (given.resolve) {
+        options.files.resolve = [given](const std::string& from, const std::string& name) {
+            patina_reply reply;
+            given.resolve(given.user, from.c_str(), name.c_str(), &reply);
+            return answer(std::move(reply)).value_or(name);
+        };
+    }
+    if (given.cancelled) options.limits.cancelled = [given] { return given.cancelled(given.user) != 0; };
 }
 
 // Makes what the functions return of a result. The texts of its shaders stay where they are.
@@ -97,16 +105,8 @@ patina_status compile(const patina_compiler* compiler, const char* options_text,
         CompileOptions options;
         if (options_text) made->result.diagnostics = read_options(compiler->compiler, options_text, options);
         if (made->result.diagnostics.empty()) {
-            Reasons reasons;
-            if (callbacks) use(*callbacks, options, reasons);
+            if (callbacks) use(*callbacks, options);
             made->result = work(options);
-            for (const auto& [path, reason] : reasons) {
-                made->result.ok = false;
-                FilePlace place;
-                place.file = path;
-                made->result.diagnostics.push_back(
-                    diagnostic_at(place, "cannot-read", "cannot read '" + path + "': " + reason));
-            }
         }
         complete(*made);
         const bool is_ok = made->result.ok;
@@ -142,12 +142,19 @@ const char* patina_version(void) {
     return PATINA_VERSION_STRING;
 }
 
-patina_status patina_compiler_create(uint32_t abi, patina_compiler** compiler) {
+patina_status patina_compiler_create(uint32_t abi, const patina_library_file* files, size_t count,
+                                     patina_compiler** compiler) {
     if (!compiler) return PATINA_BAD_ARGUMENT;
     *compiler = nullptr;
     if (abi != PATINA_C_ABI) return PATINA_WRONG_ABI;
+    if (!files && count > 0) return PATINA_BAD_ARGUMENT;
     return guarded([&] {
-        *compiler = new patina_compiler;
+        patina::LibraryOverlay overlay;
+        for (size_t i = 0; i < count; ++i) {
+            if (!files[i].name || (!files[i].text && files[i].size > 0)) return PATINA_BAD_ARGUMENT;
+            overlay.files.push_back({.name = files[i].name, .text = {or_empty(files[i].text), files[i].size}});
+        }
+        *compiler = new patina_compiler{patina::Compiler(overlay)};
         return PATINA_OK;
     });
 }

@@ -1,5 +1,6 @@
 #include "compiler/capi/read_options.h"
 
+#include <cmath>
 #include <memory>
 #include <optional>
 
@@ -28,6 +29,13 @@ public:
         options_.keep_variants = flag(json, "keepVariants");
         options_.accept_parts = flag(json, "acceptParts");
         options_.hashes = flag(json, "hashes");
+        if (const Json* limits = json.find("limits");
+            limits && expect(reading_, *limits, Json::Kind::Object, "'limits'")) {
+            check_keys(reading_, *limits, ObjectKind::OptionsLimits);
+            count(*limits, "nodes", options_.limits.nodes);
+            count(*limits, "sourceBytes", options_.limits.source_bytes);
+            count(*limits, "shaderBytes", options_.limits.shader_bytes);
+        }
     }
 
 private:
@@ -54,16 +62,19 @@ private:
 
     // Passes, functions or a preview.
     void request(const Json& json) {
-        if (std::string path = read_text(reading_, json, "path"); !path.empty()) options_.path = std::move(path);
-        options_.passes = texts(json, "passes");
-        options_.preview = read_text(reading_, json, "preview");
-        options_.functions = read_text(reading_, json, "functions");
+        CompileOptions::Passes passes;
+        if (std::string path = read_text(reading_, json, "path"); !path.empty()) passes.path = std::move(path);
+        passes.only = texts(json, "passes");
+        options_.request = passes;
+        if (std::string port = read_text(reading_, json, "preview"); !port.empty())
+            options_.request = CompileOptions::Preview{.port = std::move(port), .passes = passes};
         const graph::JsonMember* functions = find_member(json, "functions");
         if (!functions) return;
         for (const std::string_view other : {"path", "passes", "preview"}) {
             if (json.find(other))
                 reading_.diagnostics.report(Code::ConflictingInputs, functions->key_span, "functions", other);
         }
+        options_.request = CompileOptions::Functions{.prefix = read_text(reading_, json, "functions")};
     }
 
     void switches(const Json& json) {
@@ -88,6 +99,16 @@ private:
     bool flag(const Json& object, std::string_view key) {
         const Json* json = object.find(key);
         return json && read_bool(reading_, *json, fmt::format("'{}'", key)).value_or(false);
+    }
+
+    void count(const Json& object, std::string_view key, std::size_t& into) {
+        const Json* json = object.find(key);
+        if (!json || !expect(reading_, *json, Json::Kind::Number, fmt::format("'{}'", key))) return;
+        constexpr double kMost = 9007199254740992;  // the last whole number of a double without a gap before it
+        if (json->number < 0 || json->number > kMost || json->number != std::floor(json->number))
+            report_type(reading_, *json, fmt::format("'{}'", key), "a whole number from 0");
+        else
+            into = static_cast<std::size_t>(json->number);
     }
 
     std::vector<const Json*> strings(const Json& json, std::string_view key) {

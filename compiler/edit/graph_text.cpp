@@ -188,7 +188,8 @@ std::unique_ptr<GraphText> read_graph_text(const std::string& path, std::string 
     if (!text->json) return text;
     text->kind = top_level_kind(*text->json);
     if (text->kind == ObjectKind::Scene) {
-        const SceneFiles files{.find = [](const std::string& name) { return name; }};
+        const auto as_written = [](const std::string& name, Span) { return name; };
+        const SceneFiles files{.find = as_written, .require = as_written};
         const Reading reading{text->sources, text->ast, text->diagnostics};
         read_scene(reading, *text->json, path, name_of_file(path), files);
     } else {

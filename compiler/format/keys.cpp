@@ -374,6 +374,12 @@ constexpr std::array kOptions = {
     KeyInfo{"keepVariants", "shaders keep all values of variants without a value"},
     KeyInfo{"acceptParts", "a lighting graph or a sub-graph is compiled, too"},
     KeyInfo{"hashes", "the reflection has the hash of each pass"},
+    KeyInfo{"limits", "the most that a compilation may need", ObjectKind::OptionsLimits},
+};
+constexpr std::array kOptionsLimits = {
+    KeyInfo{"nodes", "nodes of the graph, and of each use of a sub-graph"},
+    KeyInfo{"sourceBytes", "bytes of all texts that are read"},
+    KeyInfo{"shaderBytes", "bytes of all texts that are written"},
 };
 
 }  // namespace
@@ -414,6 +420,7 @@ std::span<const KeyInfo> keys_of(ObjectKind kind) {
         case ObjectKind::EngineLimits: return kEngineLimits;
         case ObjectKind::EngineNames: return kEngineNames;
         case ObjectKind::Options: return kOptions;
+        case ObjectKind::OptionsLimits: return kOptionsLimits;
     }
     return {};
 }
@@ -461,6 +468,7 @@ std::string_view describe(ObjectKind kind) {
         case ObjectKind::EngineLimits: return "the limits";
         case ObjectKind::EngineNames: return "the names";
         case ObjectKind::Options: return "the options";
+        case ObjectKind::OptionsLimits: return "'limits'";
     }
     return {};
 }

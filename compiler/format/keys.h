@@ -46,7 +46,8 @@ enum class ObjectKind {
     EngineClip,
     EngineLimits,
     EngineNames,
-    Options
+    Options,
+    OptionsLimits
 };
 
 struct KeyInfo {

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <climits>
 
+#include "compiler/base/file_names.h"
 #include "compiler/base/text.h"
 #include "compiler/format/color.h"
 #include "compiler/format/read_fields.h"
@@ -114,7 +115,7 @@ void read_enum_default(Reading& reading, const Json& json, Property& property) {
 void read_texture_default(Reading& reading, const Json& json, Property& property) {
     const std::string* text = read_string(reading, json, fmt::format("the default of a {}", to_string(property.type)));
     if (!text) return;
-    const bool is_file = text->starts_with("./") || text->starts_with("../") || text->starts_with('/');
+    const bool is_file = is_file_name(*text);
     const bool is_word = std::find(kDefaultTextures.begin(), kDefaultTextures.end(), *text) != kDefaultTextures.end();
     if (is_file || is_word) {
         property.texture = *text;

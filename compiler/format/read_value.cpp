@@ -1,6 +1,7 @@
 #include <climits>
 #include <cmath>
 
+#include "compiler/base/file_names.h"
 #include "compiler/format/color.h"
 #include "compiler/format/read_fields.h"
 #include "compiler/format/read_graph.h"
@@ -138,7 +139,7 @@ const Expr* read_string_value(Reading& reading, const Json& json) {
     }
     if (text.starts_with('=')) return read_expression(reading, json, 1);
     if (text.starts_with('#')) return read_color(reading, json);
-    if (text.starts_with("./") || text.starts_with("../") || text.starts_with('/')) return read_file(reading, json);
+    if (is_file_name(text)) return read_file(reading, json);
     return read_link(reading, json);
 }
 

@@ -95,7 +95,9 @@ void GraphScope::emit_nodes(const std::vector<bool>& wanted) {
         }
     }
     for (std::uint32_t index : graph_.order) {
-        if (wanted[index] && !emitted_[index]) emit_node(index);
+        if (!wanted[index] || emitted_[index]) continue;
+        if (must_stop(lowering_.session)) return;
+        emit_node(index);
     }
 }
 

@@ -160,7 +160,7 @@ bool is_of_wraps(const PathDeclarations& paths, std::string_view name) {
 // Declares the switches with the values that the caller chose.
 void declare_switches(Lowering& lowering) {
     Session& session = lowering.session;
-    const bool has_passes = session.options.functions.empty() && !session.engine.has_own_passes();
+    const bool has_passes = !session.request.functions && !session.engine.has_own_passes();
     std::vector<std::string_view> known;
     for (const SwitchDecl& each : session.paths->switches) {
         known.push_back(each.variable->name);
@@ -357,7 +357,7 @@ Lowered lower(Session& session, const Material& material, ir::BuildOptions optio
     lowering.per_object = std::move(declared.per_object);
     out.reads = std::move(declared.reads);
     const bool instanced =
-        is_instanced(material) && session.options.functions.empty() && engine.instances == engines::Instances::Arrays;
+        is_instanced(material) && !session.request.functions && engine.instances == engines::Instances::Arrays;
     out.property_globals = declare_material(
         engine, material, out.module, session.options.keep_variants,
         instanced ? std::optional(out.module.globals[*lowering.per_object.begin()].block) : std::nullopt);
@@ -382,7 +382,7 @@ Lowered lower(Session& session, const Material& material, ir::BuildOptions optio
     lower_slots(lowering);
     lower_vertex_outputs(lowering);
     if (session.diagnostics.has_errors()) return out;
-    if (session.options.functions.empty()) {
+    if (!session.request.functions) {
         lower_passes(lowering);
         paste_slots_of_one_pass(lowering);
         give_texts(lowering);

@@ -67,7 +67,7 @@ struct Lowered {
     std::vector<SemanticRecipe> semantics;
     std::string path;  // the path of the passes: the requested one, or its fallback
     std::vector<LoweredPass> passes;
-    std::vector<LoweredFunction> functions;  // replaces passes, if CompileOptions::functions is set
+    std::vector<LoweredFunction> functions;  // replaces passes, if the request is for them
     std::vector<std::pair<std::string, bool>> switches;
     std::map<std::uint32_t, std::string> reads;  // by global: the target of another pass that the texture reads
     std::set<std::uint32_t> picture_reads;       // those of them whose target has the size of the picture

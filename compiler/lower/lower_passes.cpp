@@ -24,9 +24,9 @@ public:
         emit::Emitter& emitter = lowering_.emitter;
         emitter.known.make_slot = [this](const FunctionDecl& slot, Span at) { return slot_of(slot, at); };
         emitter.known.make_static = [this](const VariableDecl& variable) { return static_value(variable); };
-        const std::vector<std::string>& wanted = lowering_.session.options.passes;
+        const std::vector<std::string>& wanted = lowering_.session.request.passes;
         if (lowering_.material.pass) return lower_extra();
-        if (wanted.empty() && lowering_.session.options.path == kAllPaths) {
+        if (wanted.empty() && lowering_.session.request.path == kAllPaths) {
             lower_all();
         } else if (wanted.empty()) {
             lower_path(lowering_.session.path);
@@ -511,7 +511,7 @@ private:
                {.reason = {},
                 .where = part.where,
                 .advice = instead.empty() ? "" : fmt::format("use the path '{}'", instead)},
-               has_own_passes() ? lowering_.session.engine.own_path(lowering_.session.options.path)
+               has_own_passes() ? lowering_.session.engine.own_path(lowering_.session.request.path)
                                 : std::string_view(lowering_.out.path),
                slot.otherwise, part.why_not);
     }

@@ -12,10 +12,12 @@ const Decl* find(const std::unordered_map<std::string_view, const Decl*>& map, s
 }
 
 template <class Decl>
-void add(std::unordered_map<std::string_view, const Decl*>& map, const Decl& decl, Span span,
+void add(std::unordered_map<std::string_view, const Decl*>& map, const Decl& decl, Span Decl::*name,
          Diagnostics& diagnostics) {
     const auto [existing, is_new] = map.emplace(decl.name, &decl);
-    if (!is_new) diagnostics.report(Code::Redefinition, span, decl.name);
+    if (!is_new)
+        diagnostics.report(Code::Redefinition, decl.*name, decl.name)
+            .note(existing->second->*name, "the first is here");
 }
 
 }  // namespace
@@ -52,10 +54,10 @@ std::vector<std::string_view> Declarations::function_names() const {
 }
 
 void index_declarations(const Ast& ast, Declarations& into, Diagnostics& diagnostics) {
-    for (const FunctionDecl& f : ast.functions) add(into.functions, f, f.name_span, diagnostics);
-    for (const StructDecl& s : ast.structs) add(into.structs, s, s.span, diagnostics);
-    for (const EnumDecl& e : ast.enums) add(into.enums, e, e.span, diagnostics);
-    for (const VariableDecl& v : ast.variables) add(into.variables, v, v.span, diagnostics);
+    for (const FunctionDecl& f : ast.functions) add(into.functions, f, &FunctionDecl::name_span, diagnostics);
+    for (const StructDecl& s : ast.structs) add(into.structs, s, &StructDecl::span, diagnostics);
+    for (const EnumDecl& e : ast.enums) add(into.enums, e, &EnumDecl::span, diagnostics);
+    for (const VariableDecl& v : ast.variables) add(into.variables, v, &VariableDecl::span, diagnostics);
 }
 
 std::string_view attribute_text(const Attribute& attribute, std::size_t index) {

@@ -118,7 +118,7 @@ const Target* without_preprocessor(const std::vector<Target>& targets) {
 
 // True if the prefix can begin the names of functions, and the engine takes functions.
 bool accepts_functions(graph::Session& session) {
-    const std::string& prefix = session.options.functions;
+    const std::string& prefix = *session.request.functions;
     if (session.engine.is_one_file()) {
         session.diagnostics.report(Code::NotYet, {},
                                    fmt::format("--functions cannot write the target '{}': choose another target",
@@ -136,13 +136,13 @@ bool accepts_functions(graph::Session& session) {
 }
 
 void name_functions(const graph::Session& session, graph::Lowered& lowered) {
-    link::prefix_interface(lowered.module, session.options.functions);
+    link::prefix_interface(lowered.module, *session.request.functions);
     link::name_interface(lowered.module);
 }
 
 void write_functions(const Compiled& compiled, Result& result) {
     const graph::Session& session = compiled.session;
-    const std::string& prefix = session.options.functions;
+    const std::string& prefix = *session.request.functions;
     const std::uint32_t set = session.engine.places_of(ir::Group::Material).set;
     for (const Stage stage : {Stage::Vertex, Stage::Fragment}) {
         const ir::Module module = link::link_functions(compiled.linked, stage, prefix);

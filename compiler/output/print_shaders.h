@@ -8,7 +8,7 @@ namespace patina::output {
 
 // A file for each stage of each pass, in each language.
 extern const Writer kStageFiles;
-// Functions in place of passes (CompileOptions::functions).
+// Functions in place of passes (CompileOptions::Functions).
 extern const Writer kFunctions;
 
 }  // namespace patina::output

@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <filesystem>
+#include <map>
 
+#include "compiler/base/file_names.h"
 #include "compiler/format/read_graph.h"
 #include "compiler/format/words.h"
 #include "compiler/ir/passes/passes.h"
@@ -35,6 +38,12 @@ bool is_of_instance(const graph::Lowered& lowered, const ir::UniformBlock& block
     });
 }
 
+ValueType value_type(const ir::Module& module, const ir::Type& type) {
+    const std::optional<ValueType> found = from_word<ValueType>(module.type_name(type));
+    assert(found && "blocks and vertex inputs hold numbers");
+    return found.value_or(ValueType::Float);
+}
+
 Block reflect_block(const graph::Lowered& lowered, const ir::UniformBlock& block) {
     const ir::Module& module = lowered.module;
     Block made{.name = block.name,
@@ -50,7 +59,7 @@ Block reflect_block(const graph::Lowered& lowered, const ir::UniformBlock& block
         const graph::Extent extent = graph::extent(module, member.type);
         const ir::Type element = is_array ? module.arrays[member.type.ref].element : member.type;
         made.members.push_back({.name = member.name,
-                                .type = module.type_name(element),
+                                .type = value_type(module, element),
                                 .offset = member.offset,
                                 .size = extent.size,
                                 .array_count = is_array ? module.arrays[member.type.ref].count : 0,
@@ -71,9 +80,13 @@ std::string path_from_graph(const std::string& file, const std::string& graph) {
     return relative.find_first_of("./") == relative.npos ? "./" + relative : relative;  // "white" means a default
 }
 
-std::string default_texture(const graph::MaterialProperty& entry, const std::string& graph) {
-    if (entry.texture_path.empty()) return "white";
-    return entry.is_file ? path_from_graph(entry.texture_path, graph) : entry.texture_path;
+void set_default(Texture& texture, const graph::MaterialProperty& entry, const std::string& graph,
+                 const FileSystem& files) {
+    texture.default_texture = from_word<TextureDefault>(entry.texture_path).value_or(TextureDefault::White);
+    if (!entry.is_file) return;
+    texture.default_texture = TextureDefault::File;
+    const bool is_of_program = files.resolve || !scheme_of(entry.texture_path).empty();
+    texture.default_file = is_of_program ? entry.texture_path : path_from_graph(entry.texture_path, graph);
 }
 
 TextureDimension dimension_of(ir::Kind kind) {
@@ -88,7 +101,6 @@ Texture bound_texture(const ir::Global& texture, const ir::Global& sampler) {
             .identifier = texture.name,
             .dimension = dimension_of(texture.type.kind),
             .usage = TextureUsage::Data,
-            .default_value = {},
             .is_material = texture.group == ir::Group::Material,
             .set = texture.place.set,
             .binding = texture.place.binding,
@@ -101,12 +113,13 @@ Texture bound_texture(const ir::Global& texture, const ir::Global& sampler) {
 }
 
 Texture reflect_texture(const ir::Module& module, const graph::MaterialProperty& entry,
-                        const graph::PropertyGlobals& globals, const std::string& graph, const SourceMap& sources) {
+                        const graph::PropertyGlobals& globals, const std::string& graph, const FileSystem& files,
+                        const SourceMap& sources) {
     const Property& property = *entry.property;
     Texture made = bound_texture(module.globals[globals.texture.index], module.globals[globals.sampler.index]);
     made.name = property.name;
     made.usage = property.usage;
-    made.default_value = default_texture(entry, graph);
+    set_default(made, entry, graph, files);
     if (globals.tiling) made.tiling = module.globals[globals.tiling.index].name;
     made.sampler = property.sampler;
     made.grid = property.grid;
@@ -293,7 +306,7 @@ Pass reflect_pass(const LinkedPass& linked) {
     for (const ir::StageVariable& input : linked.vertex.stage.inputs) {
         if (input.builtin != ir::Builtin::None) continue;
         pass.vertex_inputs.push_back({.name = input.name,
-                                      .type = linked.vertex.type_name(input.type),
+                                      .type = value_type(linked.vertex, input.type),
                                       .location = input.location,
                                       .hlsl_semantic = input.semantic});
     }
@@ -329,12 +342,22 @@ std::string layout_hash(const Reflection& reflection) {
     };
     for (const Block& block : reflection.blocks) {
         add(fmt::format("{} {} {} {}", block.name, block.set, block.binding, block.size));
-        for (const BlockMember& m : block.members) add(fmt::format("{} {} {} {}", m.name, m.type, m.offset, m.size));
+        for (const BlockMember& m : block.members)
+            add(fmt::format("{} {} {} {}", m.name, to_string(m.type), m.offset, m.size));
     }
     for (const Texture& t : reflection.textures) {
         add(fmt::format("{} {} {} {} {}", t.name, to_string(t.dimension), t.set, t.binding, t.sampler_binding));
     }
     return fmt::format("{:016x}", hash);
+}
+
+std::vector<SetLayout> set_layouts(const Reflection& reflection) {
+    std::map<std::uint32_t, Reflection> sets;
+    for (const Block& block : reflection.blocks) sets[block.set].blocks.push_back(block);
+    for (const Texture& texture : reflection.textures) sets[texture.set].textures.push_back(texture);
+    std::vector<SetLayout> made;
+    for (const auto& [set, part] : sets) made.push_back({.set = set, .hash = layout_hash(part)});
+    return made;
 }
 
 }  // namespace
@@ -351,7 +374,7 @@ bool is_bound(const Reflection& reflection, std::uint32_t set) {
 }
 
 Reflection reflect(const graph::Material& material, const graph::Lowered& lowered, std::span<const LinkedPass> passes,
-                   const SourceMap& sources, bool with_hashes) {
+                   const graph::Session& session) {
     const graph::Graph& graph = *material.graph->graph;
     Reflection made;
     made.name = graph.name;
@@ -374,8 +397,8 @@ Reflection reflect(const graph::Material& material, const graph::Lowered& lowere
         const graph::MaterialProperty& entry = material.properties[i];
         made.properties.push_back(reflect_property(lowered.module, entry, lowered.property_globals[i]));
         if (is_texture(entry.property->type)) {
-            made.textures.push_back(
-                reflect_texture(lowered.module, entry, lowered.property_globals[i], graph.path, sources));
+            made.textures.push_back(reflect_texture(lowered.module, entry, lowered.property_globals[i], graph.path,
+                                                    session.options.files, session.sources));
         }
     }
     for (const auto& [option, value] : material.variants) {
@@ -391,7 +414,7 @@ Reflection reflect(const graph::Material& material, const graph::Lowered& lowere
               [](const auto& a, const auto& b) { return a.name < b.name; });
     for (const LinkedPass& pass : passes) {
         made.passes.push_back(reflect_pass(pass));
-        if (with_hashes) made.passes.back().hash = link::hash_pass(pass.vertex, pass.fragment).text();
+        if (session.options.hashes) made.passes.back().hash = link::hash_pass(pass.vertex, pass.fragment).text();
     }
     for (std::size_t i = 0; i < lowered.module.globals.size(); ++i) {
         const ir::Global& global = lowered.module.globals[i];
@@ -413,6 +436,7 @@ Reflection reflect(const graph::Material& material, const graph::Lowered& lowere
             {.set = shift.set, .textures = shift.textures, .samplers = shift.samplers, .buffers = shift.buffers});
     }
     made.layout_hash = layout_hash(made);
+    made.sets = set_layouts(made);
     return made;
 }
 

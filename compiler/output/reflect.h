@@ -7,10 +7,9 @@
 
 namespace patina::output {
 
-// `material` and `lowered` are those of the material itself. `passes`: its own and its extra passes. `sources`: for the
-// places of textures.
+// `material` and `lowered` are those of the material itself. `passes`: its own and its extra passes.
 Reflection reflect(const graph::Material& material, const graph::Lowered& lowered,
-                   std::span<const link::LinkedPass> passes, const SourceMap& sources, bool with_hashes);
+                   std::span<const link::LinkedPass> passes, const graph::Session& session);
 
 // The material's queue: the one that it states, or that of its kind of surface.
 int queue_of(const graph::RenderState& render);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "compiler/base/file_names.h"
 #include "compiler/base/text.h"
 #include "compiler/format/read_graph.h"
 #include "compiler/json/json.h"
@@ -14,9 +15,7 @@ using nodelang::Expr;
 
 namespace {
 
-bool is_file(std::string_view type) {
-    return type.starts_with("./") || type.starts_with("../") || type.starts_with("/");
-}
+constexpr std::size_t kMostNodes = Limits::kNone;  // a count stays there: graphs in graphs can have any number
 
 std::vector<std::string_view> input_names(const ResolvedNode& node) {
     std::vector<std::string_view> names;
@@ -35,7 +34,7 @@ std::vector<std::string_view> input_names(const ResolvedNode& node) {
 void find_meaning(Session& session, const Graph& graph, const Node& node, const Shown& inside, ResolvedNode& resolved) {
     resolved.ok = false;
     if (!node.type_span) return;  // it has no type: reported already
-    if (!is_file(node.type)) {
+    if (!is_file_name(node.type)) {
         const nodelang::Declarations& library = session.library.declarations;
         const nodelang::FunctionDecl* function = library.function(node.type);
         if (!function || !function->attribute("node")) {
@@ -56,12 +55,9 @@ void find_meaning(Session& session, const Graph& graph, const Node& node, const 
         resolved.ok = true;
         return;
     }
-    const std::string path = find_file(session, node.type, graph.path);
-    if (path.empty()) {
-        session.diagnostics.report(Code::MissingFile, node.type_span, node.type);
-        return;
-    }
-    if (path.ends_with(".hlsl")) {
+    const std::string path = require_source(session, node.type, graph.path, node.type_span);
+    if (path.empty()) return;
+    if (node.type.ends_with(".hlsl") || path.ends_with(".hlsl")) {  // the path may be an id
         const NodeFile* file = load_node_file(session, path, node.type_span);
         if (!file) return;
         resolved.function = file->node;
@@ -96,6 +92,17 @@ void check_ports(Session& session, const Node& node, const ResolvedNode& resolve
                 check_range(session, *port.value, *range, false, port.name);
         }
     }
+}
+
+// Counts a node with what its sub-graph has. Reports the one that is too many; the library's own graphs are free.
+void count_node(Session& session, const Node& node, const ResolvedNode& resolved, CheckedGraph& checked) {
+    const std::size_t most = session.options.limits.nodes, before = checked.size;
+    const std::size_t own = 1 + (resolved.subgraph ? resolved.subgraph->size : 0);
+    checked.size = own > kMostNodes - before ? kMostNodes : before + own;
+    if (before > most || checked.size <= most || !session.library.sources.file(node.span.begin).empty()) return;
+    session.diagnostics.report(Code::OverBudget, node.id_span, checked.size, "nodes", most)
+        .note(resolved.subgraph ? "each use of a sub-graph counts all of its nodes" : "");
+    session.stopped = true;
 }
 
 // A depth-first search without recursion, so that a chain of ten thousand nodes does not overflow the stack.
@@ -265,6 +272,10 @@ const CheckedGraph* check_graph(Session& session, std::shared_ptr<const Graph> g
     for (std::uint32_t i = 0; i < graph->nodes.size(); ++i) {
         const Node& node = graph->nodes[i];
         ResolvedNode& resolved = checked.nodes[i];
+        if (must_stop(session)) {
+            resolved.ok = false;
+            continue;
+        }
         session.diagnostics.set_context(node.id, {});
         const Shown inside = shown.inside(node.id);
         if (node.is_expression) {
@@ -282,6 +293,7 @@ const CheckedGraph* check_graph(Session& session, std::shared_ptr<const Graph> g
             session.diagnostics.report(Code::DanglingLink, span, inside.text)
                 .note(fmt::format("'{}' is not a sub-graph and has no nodes inside", node.id));
         }
+        count_node(session, node, resolved, checked);
         std::sort(resolved.reads.begin(), resolved.reads.end());
         resolved.reads.erase(std::unique(resolved.reads.begin(), resolved.reads.end()), resolved.reads.end());
         session.diagnostics.set_context({}, {});

@@ -20,6 +20,7 @@ struct CheckedGraph {
     std::vector<ResolvedNode> nodes;
     std::unordered_map<std::string_view, std::uint32_t> by_id;
     std::vector<std::uint32_t> order;  // all nodes
+    std::size_t size = 0;              // nodes, with those of each use of a sub-graph
     bool ok = true;
 
     // Marks the nodes that the expressions read, directly or through other nodes.

@@ -99,7 +99,7 @@ void warn_unheeded(Session& session, const Material& material) {
     warn_of_lighting(session, own, nullptr);
     for (const ExtraPass& pass : own.passes) warn_of_lighting(session, *pass.graph, &own);
     // The caller of functions decides about alpha, and a user's own passes may use every input.
-    if (!session.options.functions.empty() || session.options.path.ends_with(".pass.hlsl")) return;
+    if (session.request.functions || session.request.path.ends_with(".pass.hlsl")) return;
     warn_of(session, own, material.lighting ? material.lighting->graph.get() : nullptr, nullptr);
     for (const ExtraPass& pass : own.passes) warn_of(session, *pass.graph, nullptr, &own);
 }

@@ -19,10 +19,9 @@ namespace {
 // The file of a texture's default, or the word for it. Nothing if the file does not exist, which has been reported.
 std::optional<std::string> find_texture(Session& session, const Property& property, const std::string& from) {
     if (!is_texture_file(property)) return property.texture;
-    std::string path = find_file(session, property.texture, from);
-    if (!path.empty()) return path;
-    report_not_found(session, property.texture, from, property.default_span ? property.default_span : property.span);
-    return {};
+    std::string path =
+        require_file(session, property.texture, from, property.default_span ? property.default_span : property.span);
+    return path.empty() ? std::nullopt : std::optional(std::move(path));
 }
 
 // A difference between two declarations of one property, in words, and the two places.

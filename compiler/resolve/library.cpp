@@ -10,12 +10,18 @@
 namespace patina::graph {
 namespace {
 
+std::string_view stem_of(std::string_view path) {
+    const std::size_t slash = path.rfind('/') + 1;
+    return path.substr(slash, path.find('.', slash) - slash);
+}
+
 // Models are named by the stem of their file, as users name them: "unity-brdf1".
 void add_graph(Library& library, std::uint32_t base, std::string_view path) {
-    const std::size_t slash = path.rfind('/') + 1;
-    auto& graphs = path.ends_with(".workflow.json") ? library.workflows : library.lighting_models;
-    graphs.try_emplace(std::string(path.substr(slash, path.find('.', slash) - slash)), library.sources, base,
-                       std::string(path));
+    const bool is_workflow = path.ends_with(".workflow.json");
+    auto& graphs = is_workflow ? library.workflows : library.lighting_models;
+    const std::string name(stem_of(path));
+    if (!graphs.try_emplace(name, library.sources, base, std::string(path)).second)
+        library.diagnostics.report(Code::DuplicateId, {base, base}, is_workflow ? "workflow" : "lighting model", name);
 }
 
 constexpr std::string_view kEngines = "nodes/engines/";
@@ -31,6 +37,45 @@ void add_engine_file(Library& library, std::uint32_t base, std::string_view path
     }
     const std::unique_ptr<Json> json = parse_json(library.sources, base, library.diagnostics);
     if (const Json* word = json ? json->find("default") : nullptr) library.default_engine = word->string;
+}
+
+// --- the overlay
+
+constexpr std::string_view kEndings[] = {".node.hlsl", ".pass.hlsl", ".lighting.json", ".workflow.json"};
+
+// The library has no second file of a name, and no second path, which a pass file names.
+bool is_name_free(Library& library, const std::string& name, std::uint32_t base) {
+    const bool is_path = name.ends_with(".pass.hlsl");
+    for (const std::uint32_t known : library.files) {
+        const std::string_view path = library.sources.file(known);
+        const bool is_same = path == name;
+        if (!is_same && !(is_path && path.ends_with(".pass.hlsl") && stem_of(path) == stem_of(name))) continue;
+        library.diagnostics
+            .report(Code::DuplicateId, {base, base}, is_same ? "file of the library" : "rendering path",
+                    is_same ? std::string_view(name) : stem_of(name))
+            .note({known, known}, "the first is here");
+        return false;
+    }
+    return true;
+}
+
+void add_overlay_file(Library& library, const LibraryFile& file,
+                      std::vector<std::pair<std::uint32_t, std::string_view>>& graphs) {
+    const std::uint32_t base = library.sources.add(file.name, file.text);
+    library.overlay_begin = std::min(library.overlay_begin, base);
+    const bool is_known = std::any_of(std::begin(kEndings), std::end(kEndings),
+                                      [&](std::string_view ending) { return file.name.ends_with(ending); });
+    if (!is_known) {
+        library.diagnostics.report(Code::UnknownWord, {base, base}, file.name, "a file of a library")
+            .note("end its name with .node.hlsl, .pass.hlsl, .lighting.json or .workflow.json");
+        return;
+    }
+    if (!is_name_free(library, file.name, base)) return;
+    library.files.push_back(base);
+    if (file.name.ends_with(".json"))
+        graphs.emplace_back(base, file.name);
+    else
+        nodelang::parse_file({.text = library.sources.file_text(base), .base = base}, library.ast, library.diagnostics);
 }
 
 }  // namespace
@@ -60,12 +105,14 @@ const engines::Engine* Library::engine(std::string_view name) const {
     return found == engines.end() ? nullptr : &found->second.get();
 }
 
-std::unique_ptr<Library> load_library(std::span<const nodelang::EmbeddedFile> files, engines::Printable printable) {
+std::unique_ptr<Library> load_library(std::span<const nodelang::EmbeddedFile> files, engines::Printable printable,
+                                      const LibraryOverlay& overlay) {
     auto library = std::make_unique<Library>();
     library->printable = std::move(printable);
     std::vector<std::pair<std::uint32_t, std::string_view>> graphs;
     for (const nodelang::EmbeddedFile& file : files) {
         const std::uint32_t base = library->sources.add(std::string(file.path), std::string(file.text));
+        library->files.push_back(base);
         if (file.path.starts_with(kEngines)) {
             add_engine_file(*library, base, file.path);
         } else if (file.path.ends_with(".json")) {
@@ -75,6 +122,8 @@ std::unique_ptr<Library> load_library(std::span<const nodelang::EmbeddedFile> fi
                                  library->diagnostics, nodelang::Bodies::WhenAsked);
         }
     }
+    library->overlay_functions = library->ast.functions.size();
+    for (const LibraryFile& file : overlay.files) add_overlay_file(*library, file, graphs);
     nodelang::index_declarations(library->ast, library->declarations, library->diagnostics);
     collect(library->ast, library->declarations, library->sources, library->paths, library->diagnostics);
     for (const auto& [base, path] : graphs) add_graph(*library, base, path);

@@ -1,11 +1,12 @@
-// Loads the built-in library once; after that it is only read. It holds the declarations of nodes/**, the declarations
-// of nodes/stage and nodes/passes (paths/declarations.h), the workflow and lighting graphs, and the engines. It knows
-// none of them by name.
+// Loads the built-in library and an embedder's overlay once; after that they are only read. It holds the declarations
+// of nodes/**, the declarations of nodes/stage and nodes/passes (paths/declarations.h), the workflow and lighting
+// graphs, and the engines. It knows none of them by name.
 //
-//   const Library library = load_library(nodelang::embedded_files(), engines::printable());
+//   const auto library = load_library(nodelang::embedded_files(), engines::printable());
 //   library.declarations.function("Lerp");
 #pragma once
 
+#include <limits>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -16,6 +17,7 @@
 #include "compiler/nodelang/embedded.h"
 #include "compiler/nodelang/library.h"
 #include "compiler/paths/declarations.h"
+#include "patina/patina.h"
 
 namespace patina::graph {
 
@@ -29,6 +31,7 @@ public:
     const std::shared_ptr<Graph>& get() const;
     // The errors in the file.
     const Diagnostics& diagnostics() const { return get(), diagnostics_; }
+    std::uint32_t base() const { return base_; }
 
 private:
     const SourceMap& sources_;
@@ -72,11 +75,17 @@ struct Library {
     std::string default_engine;
     std::map<std::string, LibraryGraph, std::less<>> workflows;
     std::map<std::string, LibraryGraph, std::less<>> lighting_models;
+    std::vector<std::uint32_t> files;  // where each begins in the sources
+    // The overlay comes last: its first file, and its first function in `ast`.
+    std::uint32_t overlay_begin = std::numeric_limits<std::uint32_t>::max();
+    std::size_t overlay_functions = 0;
 
     // Null if there is no engine of this name. An empty name means the default engine.
     const engines::Engine* engine(std::string_view name) const;
 };
 
-std::unique_ptr<Library> load_library(std::span<const nodelang::EmbeddedFile> files, engines::Printable printable);
+// The overlay is read whole, to find its mistakes.
+std::unique_ptr<Library> load_library(std::span<const nodelang::EmbeddedFile> files, engines::Printable printable,
+                                      const LibraryOverlay& overlay = {});
 
 }  // namespace patina::graph

@@ -4,6 +4,7 @@
 #include <cctype>
 #include <set>
 
+#include "compiler/base/file_names.h"
 #include "compiler/base/text.h"
 #include "compiler/nodelang/parse.h"
 #include "compiler/resolve/meanings.h"
@@ -48,12 +49,9 @@ const CheckedGraph* find_lighting(Session& session, const Graph& graph, const Li
         return check_graph(session, use.inlined, shown);
     }
     name = use.use;
-    if (use.use.starts_with(".") || use.use.starts_with("/")) {
-        const std::string path = find_file(session, use.use, graph.path);
-        if (path.empty()) {
-            report_not_found(session, use.use, graph.path, use.span);
-            return nullptr;
-        }
+    if (is_file_name(use.use)) {
+        const std::string path = require_source(session, use.use, graph.path, use.span);
+        if (path.empty()) return nullptr;
         name = file_stem(path);
         return load_graph(session, path, GraphKind::Lighting, use.span, shown);
     }
@@ -314,11 +312,12 @@ std::vector<const Input*> Material::surface_inputs() const {
     return inputs;
 }
 
-std::unique_ptr<Material> resolve_material(Session& session, std::shared_ptr<Graph> graph, std::string_view preview) {
+std::unique_ptr<Material> resolve_material(Session& session, std::shared_ptr<Graph> graph,
+                                           const std::optional<std::string>& preview) {
     auto material = std::make_unique<Material>();
-    material->is_preview = !preview.empty();
+    material->is_preview = preview.has_value();
     Shown shown;
-    if (material->is_preview && !make_preview(session, *graph, preview, *material, shown)) return nullptr;
+    if (material->is_preview && !make_preview(session, *graph, *preview, *material, shown)) return nullptr;
     material->graph = check_graph(session, graph, shown);
     if (!resolve_rest(session, *material)) return nullptr;
     return material;

@@ -39,9 +39,10 @@ struct Material {
     std::vector<const Input*> surface_inputs() const;
 };
 
-// `preview`: "mask", "rust.amount" or "layers/mask" (in a sub-graph), or empty. Null after errors that leave nothing to
-// continue with.
-std::unique_ptr<Material> resolve_material(Session& session, std::shared_ptr<Graph> graph, std::string_view preview);
+// `preview`: "mask", "rust.amount" or "layers/mask" (in a sub-graph), or nothing. Null after errors that leave nothing
+// to continue with.
+std::unique_ptr<Material> resolve_material(Session& session, std::shared_ptr<Graph> graph,
+                                           const std::optional<std::string>& preview);
 
 // The extra passes of the material, in its order, as materials of their own. Afterwards all have the same properties:
 // the material's, then those that the passes add. Reports errors.

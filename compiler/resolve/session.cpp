@@ -1,11 +1,8 @@
 #include "compiler/resolve/session.h"
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
+#include <exception>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 
 #include "compiler/base/near_file.h"
 #include "compiler/json/json.h"
@@ -15,50 +12,6 @@
 namespace patina::graph {
 namespace {
 
-std::optional<std::string> read_text(const std::string& path, std::string& why) {
-    std::error_code error;
-    if (std::filesystem::is_directory(path, error)) {
-        why = "it is a folder";
-        return {};
-    }
-    std::ifstream file(path, std::ios::binary);
-    if (!file) {
-        why = std::strerror(errno);
-        return {};
-    }
-    std::ostringstream text;
-    text << file.rdbuf();
-    return std::move(text).str();
-}
-
-// What the caller's loader says of a path. It is asked once.
-std::optional<std::string>& loaded(Session& session, const std::string& path) {
-    const auto [entry, is_new] = session.loaded.try_emplace(path);
-    if (is_new) entry->second = session.options.loader(path);
-    return entry->second;
-}
-
-bool exists(Session& session, const std::string& path) {
-    if (const auto known = session.loaded.find(path); known != session.loaded.end()) return known->second.has_value();
-    if (session.options.loader) return loaded(session, path).has_value();
-    std::error_code error;
-    return std::filesystem::is_regular_file(path, error);
-}
-
-// The paths that `name` in the file `from` may mean, in order of preference.
-std::vector<std::string> candidates(const Session& session, const std::string& name, const std::string& from) {
-    namespace fs = std::filesystem;
-    if (fs::path(name).is_absolute()) return {name};
-    const auto join = [&](const fs::path& folder) { return (folder / name).lexically_normal().generic_string(); };
-    std::vector<std::string> paths = {join(fs::path(from).parent_path())};
-    for (const std::string& folder : session.options.include_dirs) paths.push_back(join(folder));
-    return paths;
-}
-
-}  // namespace
-
-namespace {
-
 // The targets have been grouped by engine (api/compile_targets.cpp). If none is requested, the default engine is used.
 const engines::Engine& engine_of(const Library& library, const CompileOptions& options) {
     const std::vector<Target>& targets = options.targets;
@@ -66,69 +19,146 @@ const engines::Engine& engine_of(const Library& library, const CompileOptions& o
     return engine ? *engine : *library.engine({});
 }
 
-}  // namespace
+// The paths that `name` in the file `from` may mean, in order of preference.
+std::vector<std::string> candidates(Session& session, const std::string& name, const std::string& from, Span where) {
+    std::vector<std::string> paths;
+    const auto add = [&](const std::string& at) {
+        Files::Path found = session.files.resolve(at, name);
+        if (!found.why.empty()) session.diagnostics.report(Code::CannotRead, where, name, found.why);
+        if (!found.path.empty() && std::find(paths.begin(), paths.end(), found.path) == paths.end())
+            paths.push_back(std::move(found.path));
+    };
+    add(from);
+    for (const std::string& folder : session.options.include_dirs) add(folder.ends_with('/') ? folder : folder + '/');
+    return paths;
+}
 
-Session::Session(const Library& the_library, const CompileOptions& the_options)
-    : library(the_library),
-      options(the_options),
-      engine(engine_of(the_library, the_options)),
-      declarations(&the_library.declarations),
-      paths(&the_library.paths),
-      path(the_options.path),
-      sources(&the_library.sources) {}
-
-std::string find_file(Session& session, const std::string& name, const std::string& from) {
-    for (std::string& path : candidates(session, name, from)) {
-        if (exists(session, path)) return std::move(path);
+std::string first_that_exists(Session& session, const std::vector<std::string>& paths, Span where) {
+    for (const std::string& path : paths) {
+        const Files::Answer& answer = session.files.find(path);
+        if (*answer.exists) return path;
+        if (!answer.why.empty()) session.diagnostics.report(Code::CannotRead, where, path, answer.why);
     }
     return {};
 }
 
-void report_not_found(Session& session, const std::string& name, const std::string& from, Span where) {
-    const std::vector<std::string> paths = candidates(session, name, from);
-    std::error_code ignored;
-    const bool is_folder = !session.options.loader && std::any_of(paths.begin(), paths.end(), [&](const auto& path) {
-        return std::filesystem::is_directory(path, ignored);
-    });
-    if (is_folder) {
-        session.diagnostics.report(Code::CannotRead, where, name, "it is a folder");
-    } else {
-        session.diagnostics.report(Code::MissingFile, where, name);
+// load_source() reports a file that is there and cannot be read.
+std::string first_with_text(Session& session, const std::vector<std::string>& paths) {
+    for (const std::string& path : paths) {
+        const Files::Answer& answer = session.files.read(path);
+        if (answer.text || !answer.why.empty()) return path;
     }
+    return {};
 }
 
-namespace {
-
-// `why`: the reason of the system; empty: there is no file.
-void report_unread(Session& session, const std::string& path, Span where, const std::string& why) {
+bool is_folder(const Session& session, const std::vector<std::string>& paths) {
     std::error_code ignored;
-    const bool is_there = !session.options.loader && std::filesystem::exists(path, ignored);
-    if (is_there && !why.empty()) {
-        session.diagnostics.report(Code::CannotRead, where, path, why);
-        return;
-    }
-    DiagnosticRecord& record = session.diagnostics.report(Code::MissingFile, where, path);
-    const std::string advice = session.options.loader ? std::string() : near_file(path);
-    if (!advice.empty()) record.note(advice);
+    return session.files.is_disk() && std::any_of(paths.begin(), paths.end(), [&](const std::string& path) {
+               return std::filesystem::is_directory(path, ignored);
+           });
 }
 
 }  // namespace
 
+namespace {
+
+// A function that fails also ends the compilation.
+bool is_true(const std::function<bool()>& asked, std::string& why) {
+    try {
+        return asked();
+    } catch (const std::exception& exception) {
+        why = exception.what();
+    } catch (...) {
+        why = "the program's function failed";
+    }
+    return true;
+}
+
+}  // namespace
+
+Request::Request(const CompileOptions& options) {
+    if (const CompileOptions::Passes* wanted = options.passes()) {
+        path = wanted->path;
+        passes = wanted->only;
+    }
+    if (const auto* wanted = std::get_if<CompileOptions::Functions>(&options.request)) functions = wanted->prefix;
+    if (const auto* wanted = std::get_if<CompileOptions::Preview>(&options.request)) preview = wanted->port;
+}
+
+Session::Session(const Library& the_library, const CompileOptions& the_options, Files* the_files)
+    : library(the_library),
+      options(the_options),
+      request(the_options),
+      engine(engine_of(the_library, the_options)),
+      declarations(&the_library.declarations),
+      paths(&the_library.paths),
+      path(request.path),
+      sources(&the_library.sources),
+      own_files(the_options.files),
+      files(the_files ? *the_files : *own_files) {}
+
+std::string find_file(Session& session, const std::string& name, const std::string& from, Span where) {
+    return first_that_exists(session, candidates(session, name, from, where), where);
+}
+
+std::string require_file(Session& session, const std::string& name, const std::string& from, Span where) {
+    const std::size_t errors = session.diagnostics.error_count();
+    const std::vector<std::string> paths = candidates(session, name, from, where);
+    std::string path = first_that_exists(session, paths, where);
+    if (!path.empty() || session.diagnostics.error_count() != errors) return path;
+    if (is_folder(session, paths))
+        session.diagnostics.report(Code::CannotRead, where, name, "it is a folder");
+    else
+        session.diagnostics.report(Code::MissingFile, where, name);
+    return {};
+}
+
+std::string require_source(Session& session, const std::string& name, const std::string& from, Span where) {
+    const std::size_t errors = session.diagnostics.error_count();
+    std::string path = first_with_text(session, candidates(session, name, from, where));
+    if (path.empty() && session.diagnostics.error_count() == errors)
+        session.diagnostics.report(Code::MissingFile, where, name);
+    return path;
+}
+
 std::optional<std::uint32_t> load_source(Session& session, const std::string& path, Span where) {
-    std::string why;
-    const bool is_known = session.options.loader || session.loaded.count(path) != 0;
-    std::optional<std::string> text = is_known ? loaded(session, path) : read_text(path, why);
-    if (!text) {
-        report_unread(session, path, where, why);
+    const Files::Answer& answer = session.files.read(path);
+    if (!answer.text && !answer.why.empty()) {
+        session.diagnostics.report(Code::CannotRead, where, path, answer.why);
         return {};
     }
-    if (text->size() > kMaxJsonBytes) {
+    if (!answer.text) {
+        DiagnosticRecord& record = session.diagnostics.report(Code::MissingFile, where, path);
+        const std::string advice = session.files.is_disk() ? near_file(path) : std::string();
+        if (!advice.empty()) record.note(advice);
+        return {};
+    }
+    if (answer.text->size() > kMaxJsonBytes) {
         const std::uint32_t base = session.sources.add(path, {});
-        session.diagnostics.report(Code::TooLarge, {base, base}, text->size(), kMaxJsonBytes);
+        session.diagnostics.report(Code::TooLarge, {base, base}, answer.text->size(), kMaxJsonBytes);
         return {};
     }
     session.dependencies.push_back(path);
-    return session.sources.add(path, std::move(*text));
+    const std::uint32_t base = session.sources.add(path, *answer.text);
+    if (is_over_bytes(session, where ? where : Span{base, base})) return {};
+    return base;
+}
+
+bool is_over_bytes(Session& session, Span where) {
+    const std::size_t most = session.options.limits.source_bytes;
+    if (session.files.bytes() <= most) return false;
+    session.diagnostics.report(Code::OverBudget, where, session.files.bytes(), "bytes of source text", most);
+    session.stopped = true;
+    return true;
+}
+
+bool must_stop(Session& session) {
+    const std::function<bool()>& asked = session.options.limits.cancelled;
+    std::string why;
+    if (session.stopped || !asked || !is_true(asked, why)) return session.stopped;
+    session.stopped = true;
+    session.diagnostics.report(Code::Cancelled, {}, why.empty() ? why : ": " + why);
+    return true;
 }
 
 namespace {
@@ -172,7 +202,7 @@ void read_passes(Session& session, std::uint32_t base, std::string path) {
     session.path = std::move(path);
     // The file replaces the whole path, even if the library has one of that name. An engine's file holds the passes of
     // several paths.
-    const std::string_view own_path = session.engine.own_path(session.options.path);
+    const std::string_view own_path = session.engine.own_path(session.request.path);
     for (PassDecl& pass : file->paths.passes) {
         if (pass.path == session.path) check_along(session, pass);
         choose_what_is_drawn(session, own_path, pass);
@@ -190,7 +220,7 @@ void read_passes(Session& session, std::uint32_t base, std::string path) {
 
 void find_path(Session& session) {
     if (session.engine.has_own_passes()) return read_passes(session, *session.engine.passes, session.engine.name);
-    const std::string& wanted = session.options.path;
+    const std::string& wanted = session.request.path;
     if (!wanted.ends_with(".pass.hlsl")) {
         std::vector<std::string_view> known = session.paths->names();
         known.push_back(kAllPaths);
@@ -199,7 +229,7 @@ void find_path(Session& session) {
         std::string advice =
             is_file ? "name a file with passes NAME.pass.hlsl" : Diagnostics::suggestion(wanted, known);
         const std::string file = wanted + ".pass.hlsl";
-        if (exists(session, file)) advice = fmt::format("did you mean '{}{}'?", is_file ? "" : "./", file);
+        if (*session.files.find(file).exists) advice = fmt::format("did you mean '{}{}'?", is_file ? "" : "./", file);
         session.diagnostics.report(Code::UnknownWord, {}, wanted, "a rendering path").note(std::move(advice));
         return;
     }

@@ -11,6 +11,7 @@
 #include <string>
 #include <unordered_map>
 
+#include "compiler/resolve/files.h"
 #include "compiler/resolve/library.h"
 #include "patina/patina.h"
 
@@ -34,11 +35,23 @@ struct PassFile {
     PathDeclarations paths;  // those of the library, and the file's
 };
 
+// CompileOptions::request, for those who need a part of it.
+struct Request {
+    explicit Request(const CompileOptions& options);
+
+    std::string path;                      // empty for functions
+    std::vector<std::string> passes;       // empty: those of the path
+    std::optional<std::string> functions;  // their prefix
+    std::optional<std::string> preview;    // the port
+};
+
 struct Session {
-    Session(const Library& library, const CompileOptions& options);
+    // `files`: what compilations for other engines or of other variants have asked for already.
+    Session(const Library& library, const CompileOptions& options, Files* files = nullptr);
 
     const Library& library;
     const CompileOptions& options;
+    const Request request;
     const engines::Engine& engine;  // the engine of all requested targets
     // The library's, unless the requested path is a file.
     const nodelang::Declarations* declarations;
@@ -49,7 +62,9 @@ struct Session {
     Diagnostics diagnostics;
     nodelang::Ast ast;
     std::vector<std::string> dependencies;
-    std::map<std::string, std::optional<std::string>> loaded;  // by path: of the loader, or given to compile_text()
+    bool stopped = false;  // an error has been reported, and no further work is wanted
+    std::optional<Files> own_files;
+    Files& files;
     std::deque<CheckedGraph> checked;
     std::map<std::string, const CheckedGraph*> graphs;  // by path
     std::map<std::string, std::unique_ptr<NodeFile>> node_files;
@@ -57,12 +72,20 @@ struct Session {
     std::vector<std::string> active;       // paths of the sub-graphs that are being loaded, to find recursion
 };
 
-// The path of the file that `name` in the file `from` means, or empty. Only sources get their text loaded.
-std::string find_file(Session& session, const std::string& name, const std::string& from);
-// Reports that find_file() found nothing: the file does not exist, or it is a folder.
-void report_not_found(Session& session, const std::string& name, const std::string& from, Span where);
-// Loads a file's text into the source map and adds the file to the dependencies. Reports CannotRead at `where`.
+// The path of the file that `name` in the file `from` means. Empty if there is none. Reports at `where` if the caller's
+// file system fails.
+std::string find_file(Session& session, const std::string& name, const std::string& from, Span where);
+// The same for a file that must be there: reports if there is none. A source is read at once, and not asked for before.
+std::string require_file(Session& session, const std::string& name, const std::string& from, Span where);
+std::string require_source(Session& session, const std::string& name, const std::string& from, Span where);
+// Loads a file's text into the source map and adds the file to the dependencies. Reports at `where` if it cannot be
+// read.
 std::optional<std::uint32_t> load_source(Session& session, const std::string& path, Span where);
+// Reports at `where` that the texts are more than the program allows. True if they are.
+bool is_over_bytes(Session& session, Span where);
+// True if the compilation is to end: a budget is exceeded, or the program says so when it is asked here, which is
+// reported.
+bool must_stop(Session& session);
 // Finds the requested path in the library, or reads the file that holds it. Reports errors.
 void find_path(Session& session);
 // "dir/x.graph.json" -> "x"

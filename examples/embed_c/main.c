@@ -30,7 +30,7 @@ static void read_file(void* user, const char* path, patina_reply* reply) {
 
 int main(void) {
     patina_compiler* compiler = NULL;  // loads the node library; keep it
-    patina_status status = patina_compiler_create(PATINA_C_ABI, &compiler);
+    patina_status status = patina_compiler_create(PATINA_C_ABI, NULL, 0, &compiler);
     if (status != PATINA_OK) return fprintf(stderr, "%s\n", patina_status_text(status)), 1;
 
     const patina_callbacks callbacks = {.read = read_file};

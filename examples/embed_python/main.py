@@ -31,7 +31,9 @@ float Dots(float2 uv = uv0, float scale = 4) {
 
 class Callbacks(ctypes.Structure):  # patina_callbacks
     Read = CFUNCTYPE(None, c_void_p, c_char_p, c_void_p)
-    _fields_ = [("user", c_void_p), ("read", Read)]
+    _fields_ = [("user", c_void_p), ("read", Read), ("exists", CFUNCTYPE(c_int, c_void_p, c_char_p)),
+                ("resolve", CFUNCTYPE(None, c_void_p, c_char_p, c_char_p, c_void_p)),
+                ("cancelled", CFUNCTYPE(c_int, c_void_p))]
 
 
 class Shader(ctypes.Structure):  # patina_shader
@@ -43,7 +45,7 @@ def load(path):
     """The library, with the types of the functions that this program calls."""
     library = ctypes.CDLL(path)
     for name, result, *arguments in [
-            ("patina_compiler_create", c_int, c_uint32, POINTER(c_void_p)),
+            ("patina_compiler_create", c_int, c_uint32, c_void_p, c_size_t, POINTER(c_void_p)),
             ("patina_compiler_free", None, c_void_p),
             ("patina_status_text", c_char_p, c_int),
             ("patina_reply_text", None, c_void_p, c_char_p, c_size_t),
@@ -62,7 +64,7 @@ def load(path):
 def main():
     library = load(sys.argv[1])
     compiler, result = c_void_p(), c_void_p()
-    status = library.patina_compiler_create(ABI, byref(compiler))
+    status = library.patina_compiler_create(ABI, None, 0, byref(compiler))
     if status != OK:
         sys.exit(library.patina_status_text(status).decode())
 

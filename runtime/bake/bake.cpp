@@ -108,7 +108,7 @@ private:
     bool look_at(const WorldMaterial& material) {
         CompileOptions options = compile_options(request_.render.options);
         options.targets.clear();
-        options.path = kWholePath;
+        options.passes()->path = kWholePath;
         const Result whole = compile_material(compiler_, material, std::move(options));
         report(whole.diagnostics);
         out_.dependencies = whole.dependencies;
@@ -192,7 +192,7 @@ private:
         for (const Fixed& each : fixed()) {
             if (!each.is_on) continue;
             CompileOptions options = compile_options(draw_options(each.name));
-            options.path = request_.is_specular ? kSpecularPath : kPath;
+            options.passes()->path = request_.is_specular ? kSpecularPath : kPath;
             options.targets.clear();
             for (Diagnostic refusal : compile_material(compiler_, material, std::move(options)).diagnostics) {
                 if (refusal.severity != Severity::Error) continue;

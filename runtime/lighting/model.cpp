@@ -51,7 +51,7 @@ Result compile(const Compiler& compiler, const ModelChoice& choice, const Words&
                                  as_members(properties) + "} },\n  \"surface\": {" + as_members(surface) + "}\n}\n";
     CompileOptions options;
     options.targets = {};
-    options.passes = {"forward"};
+    options.request = CompileOptions::Passes{.only = {"forward"}};
     options.keep_programs = true;
     return compiler.compile_text("--model", material, options);
 }
@@ -91,9 +91,9 @@ std::shared_ptr<const TextureData> one_texel(std::array<float, 4> texel) {
 // As textures.h has it: what a texture of the usage "color" holds is decoded.
 std::array<float, 4> texel_of(const Texture& texture) {
     const float half = texture.usage == TextureUsage::Color ? 0.21404114f : 0.5f;  // ((0.5 + 0.055) / 1.055)^2.4
-    if (texture.default_value == "black") return {0, 0, 0, 1};
-    if (texture.default_value == "gray") return {half, half, half, 1};
-    if (texture.default_value == "bump") return {half, half, 1, 1};
+    if (texture.default_texture == TextureDefault::Black) return {0, 0, 0, 1};
+    if (texture.default_texture == TextureDefault::Gray) return {half, half, half, 1};
+    if (texture.default_texture == TextureDefault::Bump) return {half, half, 1, 1};
     return {1, 1, 1, 1};
 }
 

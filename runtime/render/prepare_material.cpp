@@ -1,8 +1,6 @@
 #include "runtime/render/prepare_material.h"
 
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <optional>
 #include <vector>
 
@@ -42,38 +40,46 @@ void load(const WorldMaterial& material, const RenderOptions& options, PreparedM
     say(made.loaded.errors, Severity::Error, Complaint::BadTexture);
 }
 
-// Files in memory first, then those of the file system.
-Loader loader_of(std::shared_ptr<const MemoryFiles> files) {
-    return [files = std::move(files)](const std::string& path) -> std::optional<std::string> {
+// Files in memory first, then those of the disk.
+FileSystem over_disk(std::shared_ptr<const MemoryFiles> files) {
+    const auto find = [files = std::move(files)](const std::string& path) {
         const auto found = files->find(std::filesystem::path(path).lexically_normal().generic_string());
-        if (found != files->end()) return found->second;
-        std::error_code ignored;
-        if (!std::filesystem::is_regular_file(path, ignored)) return std::nullopt;
-        std::ifstream file(path, std::ios::binary);
-        return std::string(std::istreambuf_iterator<char>(file), {});
+        return found == files->end() ? nullptr : &found->second;
     };
+    FileSystem made = disk();
+    made.exists = [find, on_disk = made.exists](const std::string& path) { return find(path) || on_disk(path); };
+    made.read = [find, from_disk = made.read](const std::string& path) {
+        const std::string* text = find(path);
+        return text ? std::optional(*text) : from_disk(path);
+    };
+    made.resolve = nullptr;
+    return made;
 }
 
 }  // namespace
 
 CompileOptions compile_options(const RenderOptions& options) {
     CompileOptions made;
-    made.path = options.path;
+    made.request = CompileOptions::Passes{.path = options.path};
+    if (!options.preview.empty()) show_port(made, options.preview);
     made.switches = options.switches;
     made.include_dirs = options.include_dirs;
-    made.preview = options.preview;
-    if (options.files) made.loader = loader_of(options.files);
+    if (options.files) made.files = over_disk(options.files);
     made.lighting = options.lighting;
     made.accept_parts = options.accept_parts;
     return made;
 }
 
+void show_port(CompileOptions& options, std::string port) {
+    options.request = CompileOptions::Preview{.port = std::move(port), .passes = *options.passes()};
+}
+
 Result compile_material(const Compiler& compiler, const WorldMaterial& material, CompileOptions options) {
     if (!material.preview.empty()) {
-        options.preview = material.preview;
+        show_port(options, material.preview);
         options.switches.emplace_back("fog", "false");  // which would change the value
     }
-    if (!material.path.empty()) options.path = material.path;
+    if (!material.path.empty()) options.passes()->path = material.path;
     Result made = compiler.compile_file(material.graph, options);
     if (!made.ok || material.overrides.empty()) return made;
     const Spelling spelling = material.set.empty() ? Spelling::Words : Spelling::Json;

@@ -19,6 +19,8 @@ namespace patina::runtime {
 
 // What the compiler must know of how a picture is drawn. Who wants other texts, or programs, says so in what it gets.
 CompileOptions compile_options(const RenderOptions& options);
+// Asks for the port in place of the surface, drawn by the same passes.
+void show_port(CompileOptions& options, std::string port);
 
 // Values may ask for other variants than the graph's own: then the graph is compiled once more, for them.
 Result compile_material(const Compiler& compiler, const WorldMaterial& material, CompileOptions options);

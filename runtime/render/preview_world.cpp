@@ -112,7 +112,7 @@ private:
     // Without its texts: what counts is the reflection, or the errors. A node may read the shadow of a light.
     Result compiled(const WorldMaterial& material) const {
         CompileOptions options = compile_options(options_);
-        options.preview.clear();
+        options.request = CompileOptions::Passes(*options.passes());
         options.targets.clear();
         const std::vector<Light>& lights = world_.view.lights;
         if (std::any_of(lights.begin(), lights.end(), [](const Light& light) { return light.shadow.casts; }))

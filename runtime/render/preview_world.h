@@ -17,7 +17,7 @@
 namespace patina::runtime {
 
 struct PreviewWish {
-    std::string port{};      // as CompileOptions::preview
+    std::string port{};      // as CompileOptions::Preview::port
     std::string object{};    // that shows it; empty: all objects of the material
     std::string material{};  // empty: all that have the port
     std::string scene{};     // the file, for messages

@@ -311,7 +311,7 @@ private:
         CompileOptions options = compile_options(options_);
         if (is_drawing_) options.targets = {target()};
         if (is_tracing_) options.targets.clear();  // what is run is the program, not a text
-        options.path = path;
+        options.passes()->path = path;
         options.switches = switches_of(variant);
         options.keep_programs = on_cpu();
         return compile_material(compiler_, world_.materials[variant.material], std::move(options));
@@ -366,7 +366,7 @@ private:
         if (spread_.view.backdrop == SceneBackdrop::Color) return;
         const WorldMaterial material{.name = "the background", .graph = "background"};
         CompileOptions options;
-        options.path = kBackgroundPath;
+        options.request = CompileOptions::Passes{.path = kBackgroundPath};
         options.targets = is_drawing_ && !is_tracing_ ? std::vector{target()} : std::vector<Target>();
         options.keep_programs = on_cpu();
         const bool is_blurred = spread_.view.backdrop == SceneBackdrop::Blurred;

@@ -11,6 +11,7 @@
 #include "runtime/page/drawing.h"
 #include "runtime/picture/image.h"
 #include "runtime/picture/tone.h"
+#include "runtime/render/prepare_material.h"
 #include "runtime/render/render_jobs.h"
 
 namespace patina::runtime {
@@ -146,10 +147,10 @@ private:
 
     void add_shaders(CompileOptions compile) {
         compile.targets = {Target::Glsl};
-        compile.path = request_.options.path;
         compile.switches = request_.options.switches;
         compile.accept_parts = true;
-        compile.preview = kind_.whole;
+        compile.request = CompileOptions::Passes{.path = request_.options.path};
+        if (!kind_.whole.empty()) show_port(compile, std::string(kind_.whole));
         Result compiled = compiler_.compile_file(entry_.file, compile);
         if (!compiled.ok) return;
         entry_.passes = costs(compiled);

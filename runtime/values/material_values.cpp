@@ -129,19 +129,13 @@ struct Storage {
 };
 
 Storage storage(const BlockMember& member) {
-    Storage result;
-    std::size_t digits = member.type.find_first_of("0123456789");
-    std::string base = member.type.substr(0, digits);
-    result.is_float = base == "float" || base == "half";
-    unsigned& columns = result.columns;
-    if (digits != std::string::npos) {
-        result.rows = unsigned(member.type[digits] - '0');
-        // "float3x4" has three rows and four columns, and std140 keeps a column in 16 bytes.
-        if (digits + 2 < member.type.size()) columns = unsigned(member.type[digits + 2] - '0');
-    }
-    result.stride = columns > 1 ? 16 : member.array_stride;
-    result.vectors = columns * std::max(member.array_count, 1u);
-    return result;
+    const unsigned rows = rows_of(member.type);
+    const unsigned columns = is_matrix(member.type) ? rows : 1;
+    return {.is_float = is_float(member.type),
+            .rows = rows,
+            .columns = columns,
+            .vectors = columns * std::max(member.array_count, 1u),
+            .stride = columns > 1 ? 16 : member.array_stride};  // std140 keeps a column in 16 bytes
 }
 
 // `numbers` hold `per_vector` of them for each vector of the member; both are cut to what the other has.

@@ -83,8 +83,8 @@ Outcome<LoadedTexture> load_texture(const Texture& texture, const std::string& s
 
 // The default as a name or as a file that can be opened.
 std::string default_source(const Texture& texture, const std::string& graph_folder) {
-    if (!default_texture(texture.default_value).pixels.empty()) return texture.default_value;
-    return (std::filesystem::path(graph_folder) / texture.default_value).lexically_normal().generic_string();
+    if (texture.default_texture != TextureDefault::File) return std::string(to_string(texture.default_texture));
+    return (std::filesystem::path(graph_folder) / texture.default_file).lexically_normal().generic_string();
 }
 
 // Blurring takes half a second, and all materials of a scene ask for the same map: the last one is kept.

@@ -43,7 +43,7 @@ std::string read(const std::string& path) {
 void compile(benchmark::State& state, const std::string& path, const std::string& text, const std::string& passes) {
     const Compiler compiler;
     CompileOptions options;
-    options.path = passes;
+    options.request = CompileOptions::Passes{.path = passes};
     for ([[maybe_unused]] auto iteration : state) {
         const Result result = compiler.compile_text(path, text, options);
         if (!result.ok) return state.SkipWithError("it does not compile");
@@ -108,7 +108,7 @@ void print_costs() {
 // Of each pass of the textured example: how many instructions its stages have, and the fragment stage for each light.
 void print_passes() {
     CompileOptions options;
-    options.path = "all";
+    options.request = CompileOptions::Passes{.path = "all"};
     options.targets = {Target::Glsl};
     const Result result = Compiler().compile_file(kRustedSteel, options);
     std::printf(

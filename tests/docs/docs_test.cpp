@@ -89,7 +89,7 @@ TEST_P(Page, HoldsExamplesThatWork) {
             ++examples;
             used.push_back(path);
             CompileOptions along;
-            along.path = path;
+            along.request = CompileOptions::Passes{.path = path};
             for (const Block& graph : blocks) {
                 if (!graph.name.ends_with(".graph.json")) continue;
                 const Result result = compiler.compile_file(folder / graph.name, along);

@@ -41,7 +41,7 @@ const Compiler& compiler() {
 Result compile(const std::string& graph, const std::string& path, const std::string& engine) {
     CompileOptions options;
     options.targets = {{engine, "glsl"}, {engine, "hlsl"}};
-    options.path = path;
+    options.request = CompileOptions::Passes{.path = path};
     return compiler().compile_file(graph, options);
 }
 

@@ -54,7 +54,7 @@ void expect_sound(const ir::Module& stage) {
 void expect_sound(const std::string& path, const std::string& text, const std::string& along) {
     SCOPED_TRACE(path + " along " + along + "\n" + text);
     CompileOptions options;
-    options.path = along;
+    options.request = CompileOptions::Passes{.path = along};
     options.targets = {Target::Glsl, Target::Hlsl};
     graph::Session session(library(), options);
     const std::optional<std::uint32_t> base =

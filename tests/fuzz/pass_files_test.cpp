@@ -229,9 +229,9 @@ protected:
         SCOPED_TRACE("file " + std::to_string(seed));
         if (std::getenv("PATINA_FUZZ")) std::cout << text << std::endl;
         CompileOptions options;
-        options.path = "mine.pass.hlsl";
+        options.request = CompileOptions::Passes{.path = "mine.pass.hlsl"};
         options.keep_programs = true;
-        options.loader = [&](const std::string& path) -> std::optional<std::string> {
+        options.files.read = [&](const std::string& path) -> std::optional<std::string> {
             if (path != "mine.pass.hlsl") return {};
             return text;
         };

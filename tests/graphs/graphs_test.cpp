@@ -29,8 +29,8 @@ const Compiler& compiler() {
 
 CompileOptions options_of(const std::string& folder) {
     CompileOptions options;
-    std::string prefix = read_file(tests_folder() / folder / "prefix");
-    options.functions = prefix.substr(0, prefix.find('\n'));
+    const std::string prefix = read_file(tests_folder() / folder / "prefix");
+    if (!prefix.empty()) options.request = CompileOptions::Functions{.prefix = prefix.substr(0, prefix.find('\n'))};
     return options;
 }
 
@@ -100,7 +100,7 @@ TEST(Reflections, NameTexturesFromTheGraphsFolder) {
 TEST(Reflections, NameIncludedTexturesFromTheGraphsFolder) {
     CompileOptions options;
     options.include_dirs = {"art/shared"};
-    options.loader = [](const std::string& path) -> std::optional<std::string> {
+    options.files.read = [](const std::string& path) -> std::optional<std::string> {
         if (path == "art/shared/rust.png" || path == "art/graphs/white") return "";
         return {};
     };
@@ -116,9 +116,9 @@ TEST(Reflections, NameIncludedTexturesFromTheGraphsFolder) {
                                                   options);
     for (const Diagnostic& d : result.diagnostics) ADD_FAILURE() << to_text(d);
     ASSERT_GE(result.reflection.textures.size(), 3u);  // the engine has textures too
-    EXPECT_EQ(result.reflection.textures[0].default_value, "../shared/rust.png");
-    EXPECT_EQ(result.reflection.textures[1].default_value, "./white");
-    EXPECT_EQ(result.reflection.textures[2].default_value, "white");
+    EXPECT_EQ(result.reflection.textures[0].default_file, "../shared/rust.png");
+    EXPECT_EQ(result.reflection.textures[1].default_file, "./white");
+    EXPECT_EQ(result.reflection.textures[2].default_texture, TextureDefault::White);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Story, ::testing::ValuesIn(stories()), [](const auto& info) {

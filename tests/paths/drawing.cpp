@@ -79,7 +79,7 @@ std::string written_texture(const std::string& name, int width, int height,
 Result compiled(const std::string& graph, const std::string& path,
                 std::vector<std::pair<std::string, std::string>> switches) {
     CompileOptions options;
-    options.path = path;
+    options.request = CompileOptions::Passes{.path = path};
     options.switches = std::move(switches);
     Result result = compiler().compile_file(graph, options);
     EXPECT_TRUE(result.ok) << graph << " along " << path;

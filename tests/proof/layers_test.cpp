@@ -354,7 +354,7 @@ std::string shader_of(const std::string& lighting, const std::string& more, cons
                              more + " } }";
     CompileOptions options;
     options.targets = {Target::Hlsl};
-    options.path = path;
+    options.request = CompileOptions::Passes{.path = path};
     options.include_dirs = {"tests/proof"};
     const Result result = compiler().compile_text("m.graph.json", text, options);
     EXPECT_TRUE(result.ok);

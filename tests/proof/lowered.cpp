@@ -19,7 +19,7 @@ namespace {
 
 CompileOptions options_for(const std::string& rendering_path) {
     CompileOptions options;
-    options.path = rendering_path;
+    options.request = CompileOptions::Passes{.path = rendering_path};
     return options;
 }
 

@@ -129,7 +129,7 @@ class UnityExample : public testing::TestWithParam<std::string> {};
 void expect_compiles(const std::string& graph, const std::string& path) {
     CompileOptions options;
     options.targets = {{"unity", "hlsl"}};
-    options.path = path;
+    options.request = CompileOptions::Passes{.path = path};
     const Result result = compiler().compile_file(graph, options);
     for (const Diagnostic& d : result.diagnostics) {
         if (d.code != "pass-left-out" && d.code != "no-file-default" && d.code != "no-sampler")

@@ -29,7 +29,7 @@ inline Result for_unity(const std::string& graph) {
 inline Result of_text(const std::string& text, const std::string& path = "forward") {
     CompileOptions options;
     options.targets = {kUnity};
-    options.path = path;
+    options.request = CompileOptions::Passes{.path = path};
     return compiler().compile_text("t.graph.json", text, options);
 }
 

@@ -343,8 +343,8 @@ TEST(UnityAttributes, AreRefusedInPassFilesOfOnesOwn) {
           "[gives(\"viewDirWS\")] float3 f() { return 0; }", "[text(\"pragma\", \"x\")] float3 f() { return 0; }",
           "[decodes(\"color\")] float3 f(float3 c) { return c; }"}) {
         CompileOptions options;
-        options.path = "./mine.pass.hlsl";
-        options.loader = [&](const std::string& path) -> std::optional<std::string> {
+        options.request = CompileOptions::Passes{.path = "./mine.pass.hlsl"};
+        options.files.read = [&](const std::string& path) -> std::optional<std::string> {
             if (path.ends_with(".graph.json")) return material("\"surface\": {}");
             return declaration + R"(
 [pass("mine")] [vertex] float4 mineVertex(float3 position = positionWS) { return mul(worldToClip, float4(position, 1)); }
@@ -432,7 +432,7 @@ TEST(UnitySwitches, ArePropertiesAlone) {
 TEST(UnityFunctions, AreRefused) {
     CompileOptions options;
     options.targets = {kUnity};
-    options.functions = "Rust_";
+    options.request = CompileOptions::Functions{.prefix = "Rust_"};
     const Result result = compiler().compile_text("t.graph.json", material("\"surface\": {}"), options);
     EXPECT_FALSE(result.ok);
     EXPECT_EQ(result.diagnostics.front().code, "not-yet");

@@ -67,7 +67,7 @@ struct Material {
     Material(const std::string& graph, const runtime::Scene& scene, const std::map<std::string, std::string>& words,
              std::vector<std::pair<std::string, std::string>> switches, const std::string& path = "forward") {
         CompileOptions options;
-        options.path = path;
+        options.request = CompileOptions::Passes{.path = path};
         options.targets = {Target::Hlsl, {"unity", "hlsl"}};
         options.switches = std::move(switches);
         result = compiler().compile_file(graph, options);
@@ -273,7 +273,7 @@ TEST(UnityTiers, OfTheBestQualityLookLikeTheModel) {
     const Material own(graph, scene, words, {});
     Material by_tier(graph, scene, words, {});
     CompileOptions options;
-    options.path = "tiers";
+    options.request = CompileOptions::Passes{.path = "tiers"};
     options.targets = {{"unity", "hlsl"}};
     const Result result = compiler().compile_file(graph, options);
     ASSERT_TRUE(result.ok);
@@ -294,7 +294,7 @@ TEST(UnityTiers, AddEncodedColoursInGammaSpace) {
         const std::string graph = "tests/unity/graphs/standard.graph.json";
         Material material(graph, seen, {{"_Color", "#d08050"}, {"_EmissionColor", emission}}, {});
         CompileOptions options;
-        options.path = "tiers";
+        options.request = CompileOptions::Passes{.path = "tiers"};
         options.targets = {{"unity", "hlsl"}};
         material.file = taken_apart(compiler().compile_file(graph, options).shaders.front().text);
         return in_unity(material, seen, {"UNITY_COLORSPACE_GAMMA", "_EMISSION"});

@@ -47,8 +47,8 @@ std::string declared(const Block& block) {
     std::string text = fmt::format("cbuffer {} : register({})\n{{\n", block.name, block.hlsl_register);
     for (const BlockMember& member : block.members) {
         const std::string size = member.array_count > 0 ? fmt::format("[{}]", member.array_count) : "";
-        text += fmt::format("    {} {}{} : packoffset(c{}.{});\n", member.type, member.name, size, member.offset / 16,
-                            "xyzw"[member.offset / 4 % 4]);
+        text += fmt::format("    {} {}{} : packoffset(c{}.{});\n", to_string(member.type), member.name, size,
+                            member.offset / 16, "xyzw"[member.offset / 4 % 4]);
     }
     return text + "};\n";
 }
@@ -173,7 +173,7 @@ std::vector<VertexInput> appdata_full() {
     std::vector<VertexInput> inputs;
     for (const char* name : {"positionOS", "tangentOS", "normalOS", "uv0", "uv1", "uv2", "uv3", "vertexColor"}) {
         inputs.push_back({.name = name,
-                          .type = "float4",
+                          .type = ValueType::Float4,
                           .location = static_cast<std::uint32_t>(inputs.size()),
                           .hlsl_semantic = {}});
     }

@@ -110,7 +110,7 @@ std::vector<std::uint32_t> Bench::spirv(const Result& result, Stage stage, Targe
 
 std::optional<Material> Bench::compile(const std::string& text, const std::map<std::string, std::string>& files,
                                        bool only_cpu) {
-    const Loader loader = [&files](const std::string& path) -> std::optional<std::string> {
+    const auto read = [&files](const std::string& path) -> std::optional<std::string> {
         if (path.ends_with(kPath)) return kPass;
         const auto found = files.find(path.substr(path.find_last_of('/') + 1));
         return found == files.end() ? std::nullopt : std::optional(found->second);
@@ -118,12 +118,8 @@ std::optional<Material> Bench::compile(const std::string& text, const std::map<s
     Material material{.result = compiler_.compile_text(
                           "witness.graph.json", text,
                           {.targets = only_cpu ? std::vector<Target>{} : std::vector{Target::Glsl, Target::Hlsl},
-                           .path = kPath,
-                           .passes = {},
-                           .include_dirs = {},
-                           .loader = loader,
-                           .preview = {},
-                           .dump = {},
+                           .request = CompileOptions::Passes{.path = kPath},
+                           .files = {.read = read},
                            .keep_programs = true}),
                       .vertex = {},
                       .fragment = {}};

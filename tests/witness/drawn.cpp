@@ -17,7 +17,7 @@ const Compiler& compiler() {
 
 CompileOptions options_for(const std::map<std::string, std::string>& files) {
     CompileOptions options;
-    options.loader = [files](const std::string& path) -> std::optional<std::string> {
+    options.files.read = [files](const std::string& path) -> std::optional<std::string> {
         const auto found = files.find(path.substr(path.find_last_of('/') + 1));
         return found == files.end() ? std::nullopt : std::optional(found->second);
     };

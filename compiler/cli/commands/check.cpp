@@ -41,7 +41,7 @@ void validate_shaders(const Arguments& arguments, const Result& result, Checked&
 CompileOptions options_of(const Arguments& arguments) {
     CompileOptions options;
     options.include_dirs = arguments.include_dirs;
-    options.path = arguments.path.path;
+    options.request = CompileOptions::Passes{.path = arguments.path.path};
     options.switches = arguments.path.switches();
     return options;
 }
@@ -59,7 +59,7 @@ Checked check_graph(const Compiler& compiler, const Arguments& arguments, const 
 // A pass file by itself, compiled for the smallest material. Messages about that material are left out.
 Checked check_pass_file(const Compiler& compiler, const Arguments& arguments, const std::string& file) {
     CompileOptions options = options_of(arguments);
-    options.path = file;
+    options.request = CompileOptions::Passes{.path = file};
     const Result result =
         compiler.compile_text(kAnyMaterial, R"({ "patina": 1, "workflow": "metallic-roughness" })", options);
     Checked checked{.ok = true};

@@ -12,7 +12,7 @@ bool check_scene(const Console& console, const Compiler& compiler, const std::st
     if (!file.ok) return false;
     const runtime::RenderOutcome outcome = runtime::check_world(
         compiler, file.world,
-        {.path = options.path, .switches = options.switches, .include_dirs = options.include_dirs});
+        {.path = options.passes()->path, .switches = options.switches, .include_dirs = options.include_dirs});
     report(console, outcome.diagnostics);
     if (!outcome.error.empty()) complain(console, Complaint::CannotRender, {outcome.error});
     return outcome.ok;

@@ -56,7 +56,7 @@ CompileOptions options_of(const Arguments& arguments, const Compiler& compiler) 
     CompileOptions options;
     options.targets = compiler.targets(arguments.target);
     options.include_dirs = arguments.include_dirs;
-    options.path = arguments.path.path;
+    options.request = CompileOptions::Passes{.path = arguments.path.path};
     options.switches = arguments.path.switches();
     return options;
 }
@@ -155,7 +155,7 @@ void add_diff(Program& program) {
     set_check(command, [arguments] { check_arguments(*arguments); });
     set_work(program, command, [arguments, compare_pictures = program.compare_pictures](const Console& console) {
         CompileOptions& options = arguments->picture.options;
-        options.path = arguments->path.path;
+        options.request = CompileOptions::Passes{.path = arguments->path.path};
         options.switches = arguments->path.switches();
         options.include_dirs = arguments->include_dirs;
         return compare(console, *arguments, compare_pictures);

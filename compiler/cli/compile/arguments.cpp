@@ -59,9 +59,11 @@ CompileOptions options_of(const CompileArguments& arguments) {
         options.targets.insert(options.targets.begin(), Target::Glsl);
     options.include_dirs = arguments.include_dirs;
     options.dump = arguments.dump;
-    options.path = arguments.path.path;
+    if (arguments.functions.empty())
+        options.request = CompileOptions::Passes{.path = arguments.path.path};
+    else
+        options.request = CompileOptions::Functions{.prefix = arguments.functions};
     options.switches = arguments.path.switches();
-    options.functions = arguments.functions;
     return options;
 }
 

@@ -83,7 +83,7 @@ std::string manifest(const std::string& name, const VariantOptions& wanted, cons
     json.StartObject();
     member("graph", name);
     member("variants", wanted.wanted);
-    member("path", options.path);
+    if (const CompileOptions::Passes* passes = options.passes()) member("path", passes->path);
     json.Key("defines");
     json.StartObject();
     for (const auto& [define, word] :

@@ -16,7 +16,7 @@ constexpr float kGain = 8;
 bool draw(const Console& console, const Compiler& compiler, const Version& version, const PictureWish& wish,
           runtime::RenderMachine& machine, runtime::Image& image) {
     runtime::RenderRequest request{.graph = version.path, .size = wish.size};
-    request.options.path = wish.options.path;
+    request.options.path = wish.options.passes()->path;
     request.options.switches = wish.options.switches;
     request.options.include_dirs = wish.options.include_dirs;
     request.options.accept_parts = true;

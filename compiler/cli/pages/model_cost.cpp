@@ -45,7 +45,7 @@ ModelCost cost_of(const Compiler& compiler, const ModelInfo& model) {
     ModelCost cost{.workflow = std::string(kWorkflow), .pass = std::string(kPass)};
     CompileOptions options;
     options.targets = {Target::Glsl};
-    options.passes = {cost.pass};
+    options.request = CompileOptions::Passes{.only = {cost.pass}};
     const Result result = compiler.compile_text("cost.graph.json", material_of(compiler, model), options);
     for (const Shader& shader : result.shaders) {
         if (shader.stage != Stage::Fragment) continue;

@@ -41,7 +41,7 @@ void check(const Compiled& compiled, const Reflection& reflection) {
 // The path of the passes, if it is not the usual one: ".vertex" is in the name of the file.
 std::string_view path_of(const Compiled& compiled) {
     const engines::Engine& engine = compiled.session.engine;
-    const std::string_view path = engine.own_path(compiled.session.options.path);
+    const std::string_view path = engine.own_path(compiled.session.request.path);
     return path == engine.paths.front() ? std::string_view() : path;
 }
 

@@ -4,6 +4,7 @@
 #include <cfloat>
 #include <unordered_map>
 
+#include "compiler/base/file_names.h"
 #include "compiler/format/scene/read_scene_fields.h"
 #include "patina/segments.h"
 
@@ -73,10 +74,10 @@ std::optional<std::string> read_set_value(SceneReading& reading, const Json& jso
                 reading.diagnostics.report(Code::BadColor, inside(json.span), shown(text));
                 return std::nullopt;
             }
-            if (text.starts_with("./") || text.starts_with("../") || text.starts_with('/')) {
+            if (is_file_name(text)) {
                 return read_file_name(reading, json, what).path;
             }
-            std::string file = reading.files.find(text);
+            std::string file = reading.files.find(text, inside(json.span));
             return file.empty() ? text : file;
         }
         case Json::Kind::Null:

@@ -11,8 +11,10 @@ namespace patina::graph {
 
 // Finds the files that a scene names. The caller provides it, because the search belongs to resolve/session.h.
 struct SceneFiles {
-    std::function<std::string(const std::string& name)> find;  // the path of the file; empty if there is none
-    std::function<void(const std::string& name, Span where)> report_missing{};  // if find() found none
+    // The path of the file that is named at `where`; empty if there is none.
+    std::function<std::string(const std::string& name, Span where)> find;
+    // The same; reports at `where` that there is none.
+    std::function<std::string(const std::string& name, Span where)> require;
 };
 
 // Returns a scene even after errors (the parts that could be read). `name`: the scene's name if the file states none.

@@ -92,8 +92,7 @@ void read_color(Reading& reading, const Json& object, std::string_view key, Scen
 SceneFileName read_file_name(SceneReading& reading, const Json& json, std::string_view what) {
     const std::string* name = read_string(reading, json, what);
     if (!name) return {};
-    std::string path = reading.files.find(*name);
-    if (path.empty()) reading.files.report_missing(*name, inside(json.span));
+    std::string path = reading.files.require(*name, inside(json.span));
     return {.path = std::move(path), .place = place_of(reading, inside(json.span))};
 }
 

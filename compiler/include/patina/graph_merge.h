@@ -18,7 +18,7 @@ struct MergeOptions {
     std::string path;  // where the graph lies: files that it names are searched from there
     std::string ours_label = "ours", theirs_label = "theirs";  // behind the conflict markers
     std::size_t marker_size = 7;
-    CompileOptions compile{};  // of these, only `include_dirs` and `loader` count
+    CompileOptions compile{};  // of these, only `include_dirs` and `files` count
 };
 
 enum class MergeState {

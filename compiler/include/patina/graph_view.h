@@ -35,7 +35,7 @@ struct GraphView {
     std::vector<Diagnostic> diagnostics;
     std::vector<std::string> dependencies;  // files that were read
 };
-// Of the options, only `include_dirs` and `loader` count. A file of every kind of graph.
+// Of the options, only `include_dirs`, `files` and `limits` count. A file of every kind of graph.
 PATINA_API GraphView view_graph(const Compiler& compiler, const std::string& path, const CompileOptions& options = {});
 
 }  // namespace patina

@@ -12,6 +12,7 @@
 // A Compiler loads its node library once and is immutable after that: any number of threads may compile with one.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -20,72 +21,14 @@
 #include <string_view>
 #include <vector>
 
+#include "patina/diagnostic.h"
 #include "patina/export.h"
+#include "patina/options.h"
 #include "patina/reflection.h"
 #include "patina/scene.h"
+#include "patina/version.h"
 
 namespace patina {
-
-enum class Severity { Error, Warning, Note };
-
-struct Diagnostic {
-    Severity severity = Severity::Error;
-    std::string code;  // "unknown-node"; stable, for programs
-    std::string message;
-    std::string file;  // empty: no place
-    int line = 0;      // from 1; 0: the file as a whole
-    int column = 0;    // from 1, in bytes
-    int end_line = 0;
-    int end_column = 0;
-    std::string source_line;  // empty if it has more than 64 KiB
-    std::string node, port;   // the place in the graph, if known
-    std::vector<Diagnostic> notes;
-};
-// "file:3:14: error: there is no node 'Lrep' [unknown-node]", the line, a caret, and the notes. Colours are ANSI.
-PATINA_API std::string to_text(const Diagnostic& diagnostic, bool colors = false);
-// One JSON object on one line.
-PATINA_API std::string to_json(const Diagnostic& diagnostic);
-// A diagnostic at a place in a graph or a scene.
-PATINA_API Diagnostic diagnostic_at(const FilePlace& place, std::string code, std::string message);
-// "did you mean 'Lerp'?", or a list of the known words if it is short, or nothing. For words that a program reads
-// itself.
-PATINA_API std::string suggestion(std::string_view word, const std::vector<std::string>& known);
-// "did you mean 'models/suzi.glb'?" if a file of nearly this name is in its folder; else nothing.
-PATINA_API std::string file_suggestion(const std::string& path);
-
-// A target: a language as an engine takes it. The engine says where values come from and what holds a shader; the
-// language says how a stage is spelled. `patina engines` and Compiler::engines() list all of them.
-struct Target {
-    std::string engine;    // empty: the default engine
-    std::string language;  // "glsl"
-
-    // The target's name: the language, or the engine if it is not the default one.
-    const std::string& name() const { return engine.empty() ? language : engine; }
-    friend bool operator==(const Target&, const Target&) = default;
-    friend bool operator<(const Target& a, const Target& b) {
-        return a.engine != b.engine ? a.engine < b.engine : a.language < b.language;
-    }
-
-    static const Target Glsl, Hlsl;  // of the default engine
-};
-inline const Target Target::Glsl{{}, "glsl"};
-inline const Target Target::Hlsl{{}, "hlsl"};
-
-// An engine of the library.
-struct EngineInfo {
-    std::string name;   // as a target names it: "vulkan"
-    std::string title;  // "Vulkan"
-    std::string doc;    // a sentence on the files that it gets
-    std::string
-        file;  // how stages become files: "stages" for one each, else the format of the file that holds them all
-    std::vector<std::string> languages;
-    bool is_default = false;
-    bool has_own_passes = false;  // it draws its own rendering paths instead of the library's
-    std::vector<std::string>
-        paths;                 // of its own passes: those that CompileOptions::path can name; the first is the default
-    bool is_one_file = false;  // one file holds all passes of a material
-    std::string folder;        // the folder that defines it: "nodes/engines/vulkan"
-};
 
 // The place in the sources that a line of emitted text comes from.
 struct LineOrigin {
@@ -112,43 +55,6 @@ struct Shader {
     std::string hash{};
 };
 
-// Returns the text of a file that the compiler needs (sub-graphs, lighting graphs, node files), or nothing if there is
-// none.
-using Loader = std::function<std::optional<std::string>(const std::string& path)>;
-
-struct CompileOptions {
-    std::vector<Target> targets = {Target::Glsl, Target::Hlsl};
-    // A rendering path of the library, or a file that holds one: "deferred", "./mine.pass.hlsl". A material that the
-    // path cannot draw is compiled for the path's fallback, with a warning; the reflection names the path that was
-    // used. An engine with passes of its own ignores `path`, `passes` and the passes' switches.
-    std::string path = "forward";
-    std::vector<std::string> passes{};  // if not empty: these passes, of any path
-    // If not empty, the result is the material's functions for an engine's own shaders, and no passes. All other
-    // declarations begin with this prefix ("Rust_"); the reflection lists them. `path` and `passes` are ignored.
-    std::string functions{};
-    // Values of switches (optional parts of the passes), of the graph's variants and specialization constants, and of
-    // the lighting model's variants (ModelInputInfo::is_variant): "shadows", "true"; "_Mode", "Wet". No value means
-    // "true".
-    std::vector<std::pair<std::string, std::string>> switches{};
-    std::vector<std::string> include_dirs;  // searched after the graph's own folder
-    Loader loader;                          // default: the file system
-    // "mask", "rust.amount", "layers/mask" inside the sub-graph of the node "layers", or an input of the surface,
-    // "surface.roughness": compiles a material that shows this port, unlit, instead of the graph's surface.
-    std::string preview;
-    // A lighting model of the library, or the path of a lighting graph, in place of the graph's own; empty: its own.
-    // The values that the graph gives to its own model have no effect then.
-    std::string lighting{};
-    // The steps whose text goes to Result::dumps: "graph", "ir", "linked", "tidy", "rates".
-    std::vector<std::string> dump;
-    // Also accepts a lighting graph or a sub-graph, and puts it into the smallest material that uses it, to check it
-    // alone.
-    bool accept_parts = false;
-    bool keep_programs = false;  // keep what patina/interpret.h runs
-    // Does not choose values for variants that `switches` leave open: both stages keep the code of all their values.
-    bool keep_variants = false;
-    bool hashes = false;  // Shader::hash and Pass::hash
-};
-
 struct Dump {
     std::string stage;  // "ir", "forward.fragment.tidy"
     std::string text;
@@ -173,7 +79,23 @@ struct SceneResult {
     std::vector<std::string> dependencies;  // files that were read: the scene
 };
 
-// --- descriptions of the node library
+// --- what the library has
+
+// An engine of the library.
+struct EngineInfo {
+    std::string name;   // as a target names it: "vulkan"
+    std::string title;  // "Vulkan"
+    std::string doc;    // a sentence on the files that it gets
+    std::string file;   // how stages become files: "stages" for one each, else the format of the one file
+    std::vector<std::string> languages;
+    bool is_default = false;
+    bool has_own_passes = false;  // it draws its own rendering paths instead of the library's
+    // Of its own passes: those that CompileOptions::Passes::path can name; the first is the default.
+    std::vector<std::string> paths;
+    bool is_one_file = false;  // one file holds all passes of a material
+    std::string folder;        // the folder that defines it: "nodes/engines/vulkan"
+};
+
 struct EnumeratorInfo {
     std::string name, doc;
 };
@@ -243,11 +165,33 @@ struct PassInfo {
     bool is_optional = false;            // left out for a material that it cannot draw
 };
 struct PathInfo {
-    std::string name;  // as CompileOptions::path names it
+    std::string name;  // as CompileOptions::Passes::path names it
     std::string doc;   // the comment that opens its file: paragraphs, plain text
     std::string source;
     std::string file;
     std::vector<PassInfo> passes;
+};
+
+// --- a program's own part of the library
+
+struct LibraryFile {
+    // Names the file in diagnostics. Its ending says what it holds:
+    //   .node.hlsl       nodes, functions that nodes call, and semantics
+    //   .pass.hlsl       a rendering path, named by the file
+    //   .lighting.json   a lighting model, named by the file
+    //   .workflow.json   a workflow, named by the file
+    std::string name;
+    std::string text;
+};
+
+// Nodes, semantics, workflows, lighting models and rendering paths of a program's own, beside those of the library.
+// Everything finds them by name, as it finds the library's: {"node": "Dots"}, "lighting": "my-toon".
+//
+//   const patina::Compiler compiler(patina::LibraryOverlay{.files = {{"mine/dots.node.hlsl", text}}});
+//   for (const patina::Diagnostic& d : compiler.library_diagnostics()) ...   // a name twice, text that does not parse
+struct LibraryOverlay {
+    std::vector<LibraryFile> files;
+    // An engine of the program's own will be a member here. Until then there are the library's.
 };
 
 // A `test:` line of a node's comment: `call` should equal `expected` within the tolerances.
@@ -294,13 +238,17 @@ struct NamedValue {
     std::vector<double> values;
 };
 
+class GraphBuilder;  // patina/graph_builder.h
 struct VariantPlan;  // patina/variants.h
+struct VariantProgram;
 struct VariantSet;
 enum class VariantsWanted;
 
 class PATINA_API Compiler {
 public:
     Compiler();
+    // If the overlay has errors, library_diagnostics() has them, and so has each result, which is not ok.
+    explicit Compiler(const LibraryOverlay& overlay);
     ~Compiler();
     Compiler(Compiler&&) noexcept;
     Compiler& operator=(Compiler&&) noexcept;
@@ -308,19 +256,32 @@ public:
     Result compile_file(const std::string& path, const CompileOptions& options = {}) const;
     // `path` names the text in messages and output files; relative files are searched in its folder.
     Result compile_text(const std::string& path, std::string text, const CompileOptions& options = {}) const;
+    Result compile(const GraphBuilder& graph, const CompileOptions& options = {}) const;
 
     // Counts the combinations of a material's variants before anything is compiled; more than `limit` are refused.
     // `progress` is called with the axes, and then with each new count for Reachable, which takes time.
     VariantPlan plan_variants(const std::string& path, VariantsWanted wanted, const CompileOptions& options,
                               std::size_t limit, const std::function<void(const VariantPlan&)>& progress = {}) const;
-    // `progress` is called with the index of the next combination.
+    // `progress` is called with the index of the next combination. `finished` is called with each different program as
+    // soon as it is compiled: VariantSet::programs then keeps only its hash, so that few are in memory at a time. What
+    // either throws ends the work with the error `cancelled`.
     VariantSet compile_variants(const std::string& path, const VariantPlan& plan, CompileOptions options,
-                                const std::function<void(std::size_t)>& progress = {}) const;
+                                const std::function<void(std::size_t)>& progress = {},
+                                const std::function<void(VariantProgram)>& finished = {}) const;
 
-    // A scene; its graphs are found, not compiled. Of the options only `include_dirs` and `loader` count.
+    // A scene; its graphs are found, not compiled. Of the options only `include_dirs`, `files` and `limits` count.
     SceneResult read_scene(const std::string& path, const CompileOptions& options = {}) const;
 
-    // Errors of the built-in library itself, which is read completely for this; empty in a release.
+    // The hash of the library, the overlay and the compiler itself: 32 hexadecimal digits. Compilers with the same hash
+    // give the same result for the same request.
+    std::string library_hash() const;
+    // The hash of all that a result depends on: the library, the graph, the files that it reads, the textures that it
+    // finds, and the options without Limits. Two requests with the same key have the same result, if that is ok. It
+    // reads the graph, and compiles nothing.
+    std::string cache_key(const std::string& path, const CompileOptions& options = {}) const;
+    std::string cache_key(const std::string& path, std::string text, const CompileOptions& options) const;
+
+    // Errors of the library and the overlay, which are read completely for this.
     std::vector<Diagnostic> library_diagnostics() const;
     const std::vector<NodeInfo>& nodes() const;  // by category, then name
     const NodeInfo* node(std::string_view name) const;

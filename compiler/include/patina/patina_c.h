@@ -2,7 +2,7 @@
 // graph in, shaders and their reflection out.
 //
 //   patina_compiler* compiler = NULL;
-//   if (patina_compiler_create(PATINA_C_ABI, &compiler) != PATINA_OK) return 1;
+//   if (patina_compiler_create(PATINA_C_ABI, NULL, 0, &compiler) != PATINA_OK) return 1;
 //   patina_result* result = NULL;
 //   if (patina_compile_file(compiler, "rust.graph.json", "{ \"targets\": [\"glsl\"] }", NULL, &result) == PATINA_OK) {
 //       fputs(patina_result_messages(result), stderr);
@@ -59,8 +59,17 @@ PATINA_API const char* patina_version(void);
 
 // --- the compiler
 
-// Makes a compiler. `abi` is PATINA_C_ABI.
-PATINA_API patina_status patina_compiler_create(uint32_t abi, patina_compiler** compiler);
+// A file that is added to the library: a node, a rendering path, a lighting model or a workflow of the program's own.
+typedef struct patina_library_file {
+    const char* name;  // its ending says what it holds: "mine/dots.node.hlsl" (LibraryFile in patina/patina.h)
+    const char* text;  // need not end with a zero byte
+    size_t size;       // bytes of the text
+} patina_library_file;
+
+// Makes a compiler. `abi` is PATINA_C_ABI. `files` may be null if `count` is 0; errors in them are in the messages of
+// each result.
+PATINA_API patina_status patina_compiler_create(uint32_t abi, const patina_library_file* files, size_t count,
+                                                patina_compiler** compiler);
 // Its results may live on. Null is allowed.
 PATINA_API void patina_compiler_free(patina_compiler* compiler);
 
@@ -73,6 +82,14 @@ typedef struct patina_callbacks {
     // Gives the text of a file: calls patina_reply_text() if there is one, patina_reply_error() if it cannot be read,
     // and neither if there is none. Within one compilation it is asked once for each file. Null: the disk.
     void (*read)(void* user, const char* path, patina_reply* reply);
+    // Not 0 if the file is there. Textures are asked for by this function alone. Null: a file is there if `read` gives
+    // a text.
+    int (*exists)(void* user, const char* path);
+    // Gives the path of the file that `name` means in the file `from`, by patina_reply_text(); without
+    // a reply the name is the path. Null: paths and URIs are joined as usual.
+    void (*resolve)(void* user, const char* from, const char* name, patina_reply* reply);
+    // Not 0: the compilation ends with the error `cancelled`. It is asked often. Null: never.
+    int (*cancelled)(void* user);
 } patina_callbacks;
 
 // Answers with a text, which is copied. It need not end with a zero byte.
@@ -97,6 +114,7 @@ PATINA_API void patina_reply_error(patina_reply* reply, const char* reason);
 //   "keepVariants"  true: the shaders keep all values of variants that "switches" leaves open
 //   "acceptParts"   true: also compiles a lighting graph or a sub-graph
 //   "hashes"        true: the reflection has the hash of each pass
+//   "limits"        object: the most "nodes", "sourceBytes" and "shaderBytes"
 // patina::CompileOptions says more about each. Errors have places in a file that is called "options".
 //
 // `callbacks` may be null. A result is made if the status is PATINA_OK or PATINA_HAS_ERRORS; otherwise it is null.

@@ -1,23 +1,23 @@
 // Describes what a renderer needs of a compiled material: blocks and their layout, textures, samplers, vertex inputs
-// and render state. It is plain data; `to_json` gives the text of NAME.reflect.json.
+// and render state. It is plain data. `to_json` gives the text of NAME.reflect.json, and `from_json` reads it back.
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "patina/diagnostic.h"
 #include "patina/export.h"
-#include "patina/place.h"
 #include "patina/words.h"
 
 namespace patina {
 
-// A member of a uniform block. Types are spelled as in HLSL: "float", "float4", "int", "float4x4".
 struct BlockMember {
     std::string name;
-    std::string type;
+    ValueType type = ValueType::Float;  // of one element of an array
     std::uint32_t offset = 0;       // bytes from the start of the block; the same in GLSL std140 and in an HLSL cbuffer
     std::uint32_t size = 0;         // bytes, of the whole array if it is one
     std::uint32_t array_count = 0;  // 0: not an array
@@ -52,9 +52,12 @@ struct Texture {
     Handedness handedness = Handedness::OpenGL;  // of a normal map
     std::string swizzle{};                       // four of r, g, b, a, 0 and 1; empty: the channels of the file
     std::array<int, 2> grid{1, 1};  // of an array and a volume: columns and rows of layers in a picture's file
-    std::string default_value;      // white | black | gray | bump, or a file: its path from the compiled graph's folder
-    bool is_material = true;        // false: the engine's own, which has no default
-    std::string reads{};            // the target of another pass that is to be bound here: "gbufferNormal", "depth"
+    TextureDefault default_texture = TextureDefault::None;
+    // Of TextureDefault::File: its path from the compiled graph's folder, or, if it is a URI or FileSystem::resolve is
+    // the program's, its path as the compiler found it.
+    std::string default_file{};
+    bool is_material = true;  // false: the engine's own, which has no default
+    std::string reads{};      // the target of another pass that is to be bound here: "gbufferNormal", "depth"
     std::uint32_t set = 0;
     std::uint32_t binding = 0;
     std::string hlsl_register;  // "t0, space1"
@@ -88,7 +91,7 @@ struct Property {
 
 struct VertexInput {
     std::string name;  // positionOS, normalOS, tangentOS (w: handedness of the bitangent), uv0.., vertexColor
-    std::string type;
+    ValueType type = ValueType::Float;
     std::uint32_t location = 0;
     std::string hlsl_semantic;
 };
@@ -190,6 +193,14 @@ struct Switch {
     bool value = false;
 };
 
+// A descriptor set: equal hash, equal blocks and bindings in it.
+struct SetLayout {
+    std::uint32_t set = 0;
+    std::string hash;
+};
+
+struct ReadReflection;
+
 struct PATINA_API Reflection {
     std::string name;
     std::string workflow, lighting;
@@ -211,6 +222,7 @@ struct PATINA_API Reflection {
     std::vector<Pass> passes;
     std::vector<ShaderFunction> functions{};  // replace the passes
     std::string layout_hash;                  // of blocks and bindings: equal hash, equal layout
+    std::vector<SetLayout> sets{};            // that have a block or a texture, ascending
     // Per set: glslang binding shifts that turn HLSL registers into `binding`. textures: t, samplers: s, buffers: b.
     struct Shifts {
         std::uint32_t set = 0, textures = 0, samplers = 0, buffers = 0;
@@ -218,7 +230,20 @@ struct PATINA_API Reflection {
     std::vector<Shifts> hlsl_shifts;
     std::string meta;  // raw JSON that the graph carries through, or empty
 
+    // All but Texture::place and `lighting_options`.
     std::string to_json() const;
+    // Reads what to_json() has written; a later version may have more keys. `file` names the text in diagnostics.
+    static ReadReflection from_json(std::string_view text, std::string file = "reflection");
+    // JSON Schema (draft 2020-12) of what to_json() writes.
+    static std::string schema();
+    // The key "patina" of the text. It changes if a program that reads the text must change.
+    static constexpr int kVersion = 1;
+};
+
+struct ReadReflection {
+    bool ok = false;
+    Reflection reflection;
+    std::vector<Diagnostic> diagnostics;
 };
 
 }  // namespace patina

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "patina/place.h"
+#include "patina/diagnostic.h"
 #include "patina/words.h"
 
 namespace patina {

@@ -54,8 +54,8 @@ struct VariantProgram {
 
 struct VariantSet {
     bool ok = false;
-    std::vector<Diagnostic> diagnostics;  // each diagnostic once
-    std::vector<VariantProgram> programs;
+    std::vector<Diagnostic> diagnostics;    // each diagnostic once
+    std::vector<VariantProgram> programs;   // if each was handed over as it was compiled: their hashes alone
     std::vector<std::size_t> program_of;    // by VariantPlan::combination
     std::vector<std::string> dependencies;  // files that were read, the graph first
 };

@@ -112,6 +112,16 @@ inline constexpr auto kWords<Handedness> = std::to_array<Word<Handedness>>({
     {"directx", Handedness::DirectX},
 });
 
+// What a texture property has if a material gives it none: one texel, or a file. None: it is the engine's.
+enum class TextureDefault { White, Black, Gray, Bump, File, None };
+template <>
+inline constexpr auto kWords<TextureDefault> = std::to_array<Word<TextureDefault>>({
+    {"white", TextureDefault::White},
+    {"black", TextureDefault::Black},
+    {"gray", TextureDefault::Gray},
+    {"bump", TextureDefault::Bump},
+});
+
 enum class TextureDimension { Flat, Cube, Array, Volume };
 template <>
 inline constexpr auto kWords<TextureDimension> = std::to_array<Word<TextureDimension>>({
@@ -136,6 +146,61 @@ inline constexpr auto kWords<Filter> = std::to_array<Word<Filter>>({
     {"linear", Filter::Linear},
     {"nearest", Filter::Nearest},
 });
+
+// --- values in shaders
+
+// Types are spelled as in HLSL: a vector by its components, a matrix by rows and columns.
+enum class ValueType {
+    Float,
+    Float2,
+    Float3,
+    Float4,
+    Half,
+    Half2,
+    Half3,
+    Half4,
+    Int,
+    Int2,
+    Int3,
+    Int4,
+    Uint,
+    Uint2,
+    Uint3,
+    Uint4,
+    Bool,
+    Bool2,
+    Bool3,
+    Bool4,
+    Float2x2,
+    Float3x3,
+    Float4x4,
+    Half2x2,
+    Half3x3,
+    Half4x4
+};
+template <>
+inline constexpr auto kWords<ValueType> = std::to_array<Word<ValueType>>({
+    {"float", ValueType::Float},       {"float2", ValueType::Float2},     {"float3", ValueType::Float3},
+    {"float4", ValueType::Float4},     {"half", ValueType::Half},         {"half2", ValueType::Half2},
+    {"half3", ValueType::Half3},       {"half4", ValueType::Half4},       {"int", ValueType::Int},
+    {"int2", ValueType::Int2},         {"int3", ValueType::Int3},         {"int4", ValueType::Int4},
+    {"uint", ValueType::Uint},         {"uint2", ValueType::Uint2},       {"uint3", ValueType::Uint3},
+    {"uint4", ValueType::Uint4},       {"bool", ValueType::Bool},         {"bool2", ValueType::Bool2},
+    {"bool3", ValueType::Bool3},       {"bool4", ValueType::Bool4},       {"float2x2", ValueType::Float2x2},
+    {"float3x3", ValueType::Float3x3}, {"float4x4", ValueType::Float4x4}, {"half2x2", ValueType::Half2x2},
+    {"half3x3", ValueType::Half3x3},   {"half4x4", ValueType::Half4x4},
+});
+constexpr bool is_matrix(ValueType type) {
+    return type >= ValueType::Float2x2;
+}
+constexpr bool is_float(ValueType type) {
+    return type <= ValueType::Half4 || is_matrix(type);
+}
+// Components of a vector; rows of a matrix, which has as many columns.
+constexpr unsigned rows_of(ValueType type) {
+    const auto index = static_cast<unsigned>(type);
+    return is_matrix(type) ? (index - static_cast<unsigned>(ValueType::Float2x2)) % 3 + 2 : index % 4 + 1;
+}
 
 // --- the fixed-function state of a pass
 

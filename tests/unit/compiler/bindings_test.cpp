@@ -30,7 +30,7 @@ using Bindings = std::map<std::string, std::string>;
 Bindings bindings(const Target& target, const std::string& path, const std::vector<std::string>& on) {
     CompileOptions options;
     options.targets = {target};
-    options.path = path;
+    options.request = CompileOptions::Passes{.path = path};
     for (const std::string& name : on) options.switches.emplace_back(name, "true");
     const Result result = Compiler().compile_text("test.graph.json", kGraph, options);
     EXPECT_TRUE(result.ok) << (result.diagnostics.empty() ? "" : result.diagnostics[0].message);

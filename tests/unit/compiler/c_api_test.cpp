@@ -26,7 +26,9 @@ constexpr const char* kDots = "/// Dots.\n[node(\"Mine/Dots\")]\nfloat Dots(floa
 struct Compiler {
     patina_compiler* handle = nullptr;
 
-    Compiler() { EXPECT_EQ(patina_compiler_create(PATINA_C_ABI, &handle), PATINA_OK); }
+    explicit Compiler(const std::vector<patina_library_file>& files = {}) {
+        EXPECT_EQ(patina_compiler_create(PATINA_C_ABI, files.data(), files.size(), &handle), PATINA_OK);
+    }
     ~Compiler() { patina_compiler_free(handle); }
     Compiler(const Compiler&) = delete;
     Compiler& operator=(const Compiler&) = delete;
@@ -57,7 +59,9 @@ struct Files {
         const auto found = files.texts.find(path);
         if (found != files.texts.end()) patina_reply_text(reply, found->second.data(), found->second.size());
     }
-    patina_callbacks callbacks() { return {.user = this, .read = read_one}; }
+    patina_callbacks callbacks() {
+        return {.user = this, .read = read_one, .exists = nullptr, .resolve = nullptr, .cancelled = nullptr};
+    }
 };
 
 void compile(Result& result, const Compiler& compiler, const char* options, const patina_callbacks& callbacks,
@@ -97,12 +101,13 @@ TEST(CApi, CompilesATextWithFilesOfTheProgram) {
 
 TEST(CApi, CompilesAFileOfTheProgram) {
     Files files;
-    files.texts["stone/mine.graph.json"] = kGraph;
-    files.texts["stone/dots.node.hlsl"] = kDots;
+    files.texts["pack://stone/mine.graph.json"] = kGraph;
+    files.texts["pack://stone/dots.node.hlsl"] = kDots;
     const Compiler compiler;
     const patina_callbacks callbacks = files.callbacks();
     Result result;
-    result.status = patina_compile_file(compiler.handle, "stone/mine.graph.json", nullptr, &callbacks, &result.handle);
+    result.status =
+        patina_compile_file(compiler.handle, "pack://stone/mine.graph.json", nullptr, &callbacks, &result.handle);
     ASSERT_EQ(result.status, PATINA_OK) << patina_result_messages(result.handle);
     EXPECT_EQ(patina_result_shader_count(result.handle), 4u);  // GLSL and HLSL
 }
@@ -110,7 +115,7 @@ TEST(CApi, CompilesAFileOfTheProgram) {
 TEST(CApi, RefusesAnotherAbi) {
     patina_compiler* compiler = nullptr;
     for (const std::uint32_t abi : {0u, PATINA_C_ABI + 1u}) {
-        EXPECT_EQ(patina_compiler_create(abi, &compiler), PATINA_WRONG_ABI);
+        EXPECT_EQ(patina_compiler_create(abi, nullptr, 0, &compiler), PATINA_WRONG_ABI);
         EXPECT_EQ(compiler, nullptr);
     }
     EXPECT_EQ(patina_c_abi(), std::uint32_t(PATINA_C_ABI));
@@ -122,7 +127,9 @@ TEST(CApi, RefusesAnotherAbi) {
 TEST(CApi, TakesNullPointers) {
     const Compiler compiler;
     patina_result* result = reinterpret_cast<patina_result*>(1);
-    EXPECT_EQ(patina_compiler_create(PATINA_C_ABI, nullptr), PATINA_BAD_ARGUMENT);
+    EXPECT_EQ(patina_compiler_create(PATINA_C_ABI, nullptr, 0, nullptr), PATINA_BAD_ARGUMENT);
+    patina_compiler* made = nullptr;
+    EXPECT_EQ(patina_compiler_create(PATINA_C_ABI, nullptr, 1, &made), PATINA_BAD_ARGUMENT);
     EXPECT_EQ(patina_compile(nullptr, "a", "{}", 2, nullptr, nullptr, &result), PATINA_BAD_ARGUMENT);
     EXPECT_EQ(result, nullptr);
     EXPECT_EQ(patina_compile(compiler.handle, nullptr, "{}", 2, nullptr, nullptr, &result), PATINA_BAD_ARGUMENT);
@@ -176,6 +183,8 @@ TEST(CApi, SaysWhereTheOptionsAreWrong) {
     expect("{\"functions\": \"A_\", \"preview\": \"dots\"}", "'functions' and 'preview' exclude each other");
     expect("{\"hashes\": 1}", "'hashes' must be true or false");
     expect("{\"switches\": {\"shadows\": []}}", "'shadows' must be a word, a number, true or false");
+    expect("{\"limits\": {\"nodes\": -1}}", "'nodes' must be a whole number from 0");
+    expect("{\"limits\": {\"node\": 1}}", "unknown key 'node'");
     EXPECT_TRUE(files.read.empty());  // nothing was compiled
 }
 
@@ -213,7 +222,7 @@ TEST(CApi, ACallbackMayFail) {
     Result result;
     compile(result, compiler, nullptr, callbacks);
     EXPECT_EQ(result.status, PATINA_HAS_ERRORS);
-    EXPECT_TRUE(result.says("cannot read 'dots.node.hlsl': the pack is locked"))
+    EXPECT_TRUE(result.says("mine.graph.json:6:38: error: cannot read 'dots.node.hlsl': the pack is locked"))
         << patina_result_messages(result.handle);
 }
 
@@ -225,6 +234,63 @@ TEST(CApi, ACallbackOfCppMayThrow) {
     compile(result, compiler, nullptr, callbacks);
     EXPECT_EQ(result.status, PATINA_HAS_ERRORS);
     EXPECT_TRUE(result.says("no network")) << patina_result_messages(result.handle);
+    callbacks = {};
+    callbacks.cancelled = [](void*) -> int { throw 7; };
+    Result other;
+    compile(other, compiler, nullptr, callbacks);
+    EXPECT_EQ(other.status, PATINA_HAS_ERRORS);
+}
+
+TEST(CApi, ResolvesNamesAndAsksForTexturesAlone) {
+    const Compiler compiler;
+    Files files;
+    files.texts = {{"id:7", kDots}};
+    patina_callbacks callbacks = files.callbacks();
+    callbacks.resolve = [](void*, const char*, const char* name, patina_reply* reply) {
+        if (std::strcmp(name, "./dots.node.hlsl") == 0) patina_reply_text(reply, "id:7", 4);
+    };
+    callbacks.exists = [](void*, const char* path) { return int(std::strcmp(path, "./rust.png") == 0); };
+    std::string graph = kGraph;
+    graph.replace(graph.find("{ \"name\""), 0, R"({ "name": "_Map", "type": "texture2d", "default": "./rust.png" }, )");
+    Result result;
+    compile(result, compiler, nullptr, callbacks, graph);
+    EXPECT_EQ(result.status, PATINA_OK) << patina_result_messages(result.handle);
+    EXPECT_EQ(files.read, (std::map<std::string, int>{{"id:7", 1}}));
+    callbacks.exists = [](void*, const char*) { return 0; };
+    Result missing;
+    compile(missing, compiler, nullptr, callbacks, graph);
+    EXPECT_TRUE(missing.says("rust.png")) << patina_result_messages(missing.handle);
+}
+
+TEST(CApi, EndsWhatIsCancelledOrTooLarge) {
+    const Compiler compiler;
+    Files files;
+    patina_callbacks callbacks = files.callbacks();
+    callbacks.cancelled = [](void*) { return 1; };
+    Result cancelled, large;
+    compile(cancelled, compiler, nullptr, callbacks);
+    EXPECT_EQ(cancelled.status, PATINA_HAS_ERRORS);
+    EXPECT_NE(std::strstr(patina_result_diagnostics(cancelled.handle), "\"cancelled\""), nullptr);
+    compile(large, compiler, R"({"limits": {"shaderBytes": 100}})", files.callbacks());
+    EXPECT_EQ(large.status, PATINA_HAS_ERRORS);
+    EXPECT_NE(std::strstr(patina_result_diagnostics(large.handle), "\"over-budget\""), nullptr)
+        << patina_result_messages(large.handle);
+}
+
+TEST(CApi, TheLibraryHasFilesOfTheProgram) {
+    const Compiler compiler({{.name = "mine/dots.node.hlsl", .text = kDots, .size = std::strlen(kDots)}});
+    Files files;
+    std::string graph = kGraph;
+    graph.replace(graph.find("./dots.node.hlsl"), 16, "Dots");
+    Result result;
+    compile(result, compiler, nullptr, files.callbacks(), graph);
+    EXPECT_EQ(result.status, PATINA_OK) << patina_result_messages(result.handle);
+
+    const Compiler broken({{.name = "mine/dots.node.hlsl", .text = "float Dots(", .size = 11}});
+    Result errors;
+    compile(errors, broken, nullptr, files.callbacks(), graph);
+    EXPECT_EQ(errors.status, PATINA_HAS_ERRORS);
+    EXPECT_TRUE(errors.says("mine/dots.node.hlsl:1:")) << patina_result_messages(errors.handle);
 }
 
 TEST(CApi, ThreadsShareACompiler) {

@@ -32,7 +32,7 @@ constexpr const char* kPaint = R"json({
 std::string text_of(const std::string& graph, const Target& target = Target::Glsl) {
     CompileOptions options;
     options.targets = {target};
-    options.loader = [](const std::string& path) -> std::optional<std::string> {
+    options.files.read = [](const std::string& path) -> std::optional<std::string> {
         if (path.ends_with("layer.subgraph.json")) return kLayer;
         if (path.ends_with("twice.subgraph.json")) return kTwice;
         if (path.ends_with("paint.subgraph.json")) return kPaint;

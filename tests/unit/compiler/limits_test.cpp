@@ -38,7 +38,7 @@ protected:
         }
         Pass& pass = reflection.passes.emplace_back();
         pass.name = "forward";
-        for (std::uint32_t i = 0; i < 3; i++) pass.vertex_inputs.push_back({"input", "float4", i, ""});
+        for (std::uint32_t i = 0; i < 3; i++) pass.vertex_inputs.push_back({"input", ValueType::Float4, i, ""});
         scene.samples = 2;
 
         for (std::uint32_t* limit :

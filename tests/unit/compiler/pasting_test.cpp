@@ -242,7 +242,7 @@ protected:
         Material made{.prefix = prefix, .functions = {}, .forward = {}};
         CompileOptions options;
         made.forward = compiler.compile_text("examples/graphs/it.graph.json", text, options);
-        options.functions = prefix;
+        options.request = CompileOptions::Functions{.prefix = prefix};
         made.functions = compiler.compile_text("examples/graphs/it.graph.json", text, options);
         for (const Diagnostic& d : made.functions.diagnostics) ADD_FAILURE() << to_text(d);
         EXPECT_TRUE(made.forward.ok && made.functions.ok);
@@ -322,7 +322,9 @@ protected:
             texture.sampler_binding = texture.binding + 2;
             made.textures.push_back(texture);
         }
-        pass.vertex_inputs = {{"positionOS", "float3", 0, ""}, {"normalOS", "float3", 1, ""}, {"uv0", "float2", 2, ""}};
+        pass.vertex_inputs = {{"positionOS", ValueType::Float3, 0, ""},
+                              {"normalOS", ValueType::Float3, 1, ""},
+                              {"uv0", ValueType::Float2, 2, ""}};
         return made;
     }
 

@@ -36,9 +36,9 @@ constexpr const char* kDeep = R"({
 
 Result preview(const std::string& port, const std::string& graph = kGraph) {
     CompileOptions options;
-    options.preview = port;
+    options.request = CompileOptions::Preview{.port = port};
     options.targets = {Target::Glsl};
-    options.loader = [](const std::string& path) -> std::optional<std::string> {
+    options.files.read = [](const std::string& path) -> std::optional<std::string> {
         if (path.ends_with("layers.subgraph.json")) return kLayers;
         if (path.ends_with("deep.subgraph.json")) return kDeep;
         return {};

@@ -23,7 +23,7 @@ const std::map<std::string, std::string> kFiles = {
 SceneResult read(const std::string& text) {
     CompileOptions options;
     options.include_dirs = {"art"};
-    options.loader = [&](const std::string& path) -> std::optional<std::string> {
+    options.files.read = [&](const std::string& path) -> std::optional<std::string> {
         if (path == "dir/t.scene.json") return text;
         const auto found = kFiles.find(path);
         return found == kFiles.end() ? std::nullopt : std::optional(found->second);

@@ -96,7 +96,7 @@ TEST(SpirvSize, OfTheModelsIsOfOneLoop) {
     const Compiler compiler;
     CompileOptions options;
     options.targets = {Target::Glsl};
-    options.passes = {"forward"};
+    options.request = CompileOptions::Passes{.only = {"forward"}};
     for (const ModelInfo& model : compiler.lighting_models()) {
         const std::string text =
             R"({ "patina": 1, "workflow": "metallic-roughness", "lighting": ")" + model.name + R"(", "surface": {} })";

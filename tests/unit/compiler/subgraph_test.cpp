@@ -16,7 +16,7 @@ namespace {
 using Files = std::map<std::string, std::string>;
 
 Result compile(const std::string& graph, const Files& files, CompileOptions options = {}) {
-    options.loader = [&](const std::string& path) -> std::optional<std::string> {
+    options.files.read = [&](const std::string& path) -> std::optional<std::string> {
         const auto found = files.find(path.substr(path.find_last_of('/') + 1));
         return found == files.end() ? std::nullopt : std::optional(found->second);
     };
@@ -243,7 +243,7 @@ TEST(Subgraph, ReportsAMistakeOnce) {
 
 TEST(Subgraph, IsPreviewedInEachUse) {
     CompileOptions options;
-    options.preview = "high/chop";
+    options.request = CompileOptions::Preview{.port = "high/chop"};
     const Result result = compile(two_waves(), {{"waves.subgraph.json", kWaves}}, options);
     ASSERT_TRUE(result.ok);
     const std::string& text = shader(result, Stage::Fragment).text;

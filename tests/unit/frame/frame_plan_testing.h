@@ -15,7 +15,7 @@ inline BlockMember member(const std::string& name, const std::string& type, std:
                           std::uint32_t count = 0) {
     std::uint32_t size = type == "float4x4" ? 64 : type == "float4" ? 16 : 4;
     return {.name = name,
-            .type = type,
+            .type = *from_word<ValueType>(type),
             .offset = offset,
             .size = size * std::max(count, 1u),
             .array_count = count,
@@ -58,7 +58,7 @@ inline std::vector<float> value(const FrameStep& step, const std::string& name) 
                 std::int32_t whole = 0;
                 std::memcpy(&whole, at, 4);
                 std::memcpy(&numbers[i], at, 4);
-                if (m.type == "int") numbers[i] = float(whole);
+                if (m.type == ValueType::Int) numbers[i] = float(whole);
             }
             return numbers;
         }

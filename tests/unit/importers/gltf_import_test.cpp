@@ -22,7 +22,7 @@ Imported import(const std::string& path, const Options& options = {}) {
 SceneFile scene_of(const Imported& made, const std::string& name = {}) {
     EXPECT_EQ(made.error, "");
     CompileOptions options;
-    options.loader = [&](const std::string& path) -> std::optional<std::string> {
+    options.files.read = [&](const std::string& path) -> std::optional<std::string> {
         for (const TextFile& file : made.graphs)
             if (file.name == path) return file.text;
         return std::nullopt;

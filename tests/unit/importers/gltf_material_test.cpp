@@ -74,7 +74,7 @@ std::string graph_of(const Square& square) {
     const std::string& text = made.graphs[0].text;
     EXPECT_EQ(compiler().format("graph", text).text, text) << "patina fmt changes it";
     CompileOptions options;
-    options.loader = [&](const std::string& path) -> std::optional<std::string> {
+    options.files.read = [&](const std::string& path) -> std::optional<std::string> {
         const auto is_it = [&](const BinaryFile& file) { return file.name == path; };
         return std::any_of(made.copies.begin(), made.copies.end(), is_it) ? std::optional("") : std::nullopt;
     };

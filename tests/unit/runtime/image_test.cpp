@@ -206,7 +206,8 @@ Texture texture(const std::string& name, TextureUsage usage, const std::string& 
     Texture result;
     result.name = name;
     result.usage = usage;
-    result.default_value = default_value;
+    result.default_texture = from_word<TextureDefault>(default_value).value_or(TextureDefault::File);
+    if (result.default_texture == TextureDefault::File) result.default_file = default_value;
     return result;
 }
 
@@ -232,7 +233,7 @@ TEST_F(ImageFile, ColorTexturesAreDecodedAndDataIsNot) {
     Reflection reflection;
     reflection.textures = {texture("color", TextureUsage::Color, "white"),
                            texture("data", TextureUsage::Data, path("t.png"))};
-    reflection.textures[1].default_value = "t.png";
+    reflection.textures[1].default_file = "t.png";
     const std::vector<LoadedTexture> loaded =
         load_textures(reflection, path(""), {{"color", path("t.png")}}, false).textures;
     ASSERT_EQ(loaded.size(), 2u);

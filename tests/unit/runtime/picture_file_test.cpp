@@ -282,7 +282,8 @@ TEST_F(PictureFile, ThatStatesAnotherColourSpaceIsAWarning) {
         Texture& texture = reflection.textures.emplace_back();
         texture.name = "_Map";
         texture.usage = usage;
-        texture.default_value = "./" + file;
+        texture.default_texture = TextureDefault::File;
+        texture.default_file = "./" + file;
         const LoadedTextures loaded = load_textures(reflection, folder.string(), {}, false, in_memory);
         EXPECT_TRUE(loaded.errors.empty()) << file;
         EXPECT_LE(loaded.warnings.size(), 1U);

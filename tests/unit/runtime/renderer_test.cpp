@@ -51,10 +51,10 @@ layout(set = 2, binding = 2) uniform sampler sampler_MainTex;
 layout(location = 0) out vec4 result;
 void main() { result = )";
 
-BlockMember member(std::string name, std::string type, std::uint32_t offset, std::uint32_t count = 0) {
+BlockMember member(std::string name, std::string_view type, std::uint32_t offset, std::uint32_t count = 0) {
     BlockMember result;
     result.name = std::move(name);
-    result.type = std::move(type);
+    result.type = from_word<ValueType>(type).value();
     result.offset = offset;
     result.array_count = count;
     result.array_stride = count ? 16 : 0;
@@ -104,7 +104,7 @@ Reflection make_reflection() {
     Texture texture;
     texture.name = "_MainTex";
     texture.tiling = "_MainTex_ST";
-    texture.default_value = "white";
+    texture.default_texture = TextureDefault::White;
     texture.set = 2;
     texture.binding = 1;
     texture.sampler_binding = 2;
@@ -113,7 +113,7 @@ Reflection make_reflection() {
     pass.name = "forward";
     pass.targets.resize(1);
     const char* inputs[] = {"positionOS", "normalOS", "tangentOS", "uv0", "vertexColor"};
-    for (std::uint32_t i = 0; i < 5; i++) pass.vertex_inputs.push_back({inputs[i], "float4", i, ""});
+    for (std::uint32_t i = 0; i < 5; i++) pass.vertex_inputs.push_back({inputs[i], ValueType::Float4, i, ""});
     pass.blocks = {"Camera", "Object", "Lights", "Material"};
     pass.textures = {"_MainTex"};
     r.passes = {pass};

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <set>
 
-#include "compiler/api/compiler_impl.h"
+#include "compiler/api/compile_source.h"
 #include "compiler/api/report.h"
 #include "compiler/base/text.h"
 #include "compiler/resolve/material.h"
@@ -124,11 +124,12 @@ void plan_listed(graph::Session& session, const graph::Material& material, const
 // A tree of choices: the next choice is the first property that is still read after the choices so far.
 class Reachable {
 public:
-    Reachable(const Compiler& compiler, const std::string& path, const CompileOptions& options,
+    Reachable(const CompilerImpl& compiler, const std::string& path, const CompileOptions& options, graph::Files& files,
               const std::vector<Axis>& axes, std::size_t most, std::function<void(std::size_t)> progress)
         : compiler_(compiler),
-          path_(path),
+          source_{.path = path},
           options_(options),
+          files_(files),
           axes_(axes),
           most_(most),
           progress_(std::move(progress)) {
@@ -144,7 +145,7 @@ public:
         if (chosen.size() == axes_.size()) return add(chosen);
         CompileOptions options = options_;
         options.switches.insert(options.switches.end(), chosen.begin(), chosen.end());
-        const Result result = compiler_.compile_file(path_, options);
+        const Result result = compile_source(compiler_, source_, options, files_);
         if (!result.ok) {
             diagnostics = result.diagnostics;
             return false;
@@ -190,19 +191,20 @@ private:
         return values;
     }
 
-    const Compiler& compiler_;
-    const std::string& path_;
+    const CompilerImpl& compiler_;
+    Source source_;
     CompileOptions options_;
+    graph::Files& files_;
     const std::vector<Axis>& axes_;
     std::size_t most_;
     std::function<void(std::size_t)> progress_;
 };
 
-void plan_reachable(const Compiler& compiler, graph::Session& session, const std::string& path,
+void plan_reachable(const CompilerImpl& compiler, graph::Session& session, const std::string& path,
                     const graph::Graph& graph, const std::vector<Axis>& axes, std::size_t limit,
                     const std::function<void(const VariantPlan&)>& progress, VariantPlan& made) {
     if (progress) progress(made);
-    Reachable reachable(compiler, path, session.options, axes, limit, [&](std::size_t count) {
+    Reachable reachable(compiler, path, session.options, session.files, axes, limit, [&](std::size_t count) {
         made.count = count;
         if (progress) progress(made);
     });
@@ -226,7 +228,7 @@ void plan_reachable(const Compiler& compiler, graph::Session& session, const std
     });
 }
 
-void plan(const Compiler& compiler, graph::Session& session, const std::string& path, VariantsWanted wanted,
+void plan(const CompilerImpl& compiler, graph::Session& session, const std::string& path, VariantsWanted wanted,
           std::size_t limit, const std::function<void(const VariantPlan&)>& progress, VariantPlan& made) {
     graph::find_path(session);
     const std::optional<std::uint32_t> base = graph::load_source(session, path, {});
@@ -279,7 +281,8 @@ VariantPlan Compiler::plan_variants(const std::string& path, VariantsWanted want
                                     std::size_t limit, const std::function<void(const VariantPlan&)>& progress) const {
     graph::Session session(*impl_->library, options);
     VariantPlan made;
-    plan(*this, session, path, wanted, std::min(limit, kMostVariants), progress, made);
+    if (made.diagnostics = impl_->overlay_errors; !made.diagnostics.empty()) return made;
+    plan(*impl_, session, path, wanted, std::min(limit, kMostVariants), progress, made);
     const std::vector<Diagnostic> own = to_public(session.diagnostics, session.sources);
     made.diagnostics.insert(made.diagnostics.end(), own.begin(), own.end());
     made.ok = std::none_of(made.diagnostics.begin(), made.diagnostics.end(),

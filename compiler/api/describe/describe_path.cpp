@@ -1,7 +1,7 @@
 // Makes the public description of a rendering path from its pass file, whose opening comment is the documentation.
 #include <algorithm>
 
-#include "compiler/api/describe.h"
+#include "compiler/api/describe/describe.h"
 
 namespace patina {
 namespace {

@@ -1,4 +1,4 @@
-#include "compiler/api/describe.h"
+#include "compiler/api/describe/describe.h"
 
 #include <algorithm>
 

@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "compiler/api/compiler_impl.h"
-#include "compiler/api/describe.h"
+#include "compiler/api/describe/describe.h"
 #include "patina/engine_values.h"
 
 namespace patina {

@@ -2,7 +2,7 @@
 // its documentation.
 #include <algorithm>
 
-#include "compiler/api/describe.h"
+#include "compiler/api/describe/describe.h"
 
 namespace patina {
 namespace {

@@ -1,0 +1,97 @@
+// Compiler::library_hash() and cache_key(): what must be equal for two results to be equal.
+#include "compiler/api/compiler_impl.h"
+#include "compiler/base/source_hash.h"
+#include "compiler/link/canonical_hash.h"
+#include "compiler/resolve/material.h"
+
+namespace patina {
+namespace {
+
+// A list of values as one text, which no other list has.
+class Fields {
+public:
+    Fields& add(std::string_view value) {
+        text_ += std::to_string(value.size());
+        text_ += ' ';
+        text_ += value;
+        return *this;
+    }
+    Fields& add_flag(bool value) { return add(value ? "1" : "0"); }
+    Fields& add(const std::vector<std::string>& values) {
+        add(std::to_string(values.size()));
+        for (const std::string& value : values) add(value);
+        return *this;
+    }
+    std::string hash() const { return link::hash_text(text_).text(); }
+
+private:
+    std::string text_;
+};
+
+void add_request(Fields& fields, const CompileOptions& options) {
+    fields.add(std::to_string(options.request.index()));
+    const graph::Request request(options);
+    fields.add(request.path).add(request.passes).add(request.functions.value_or("")).add(request.preview.value_or(""));
+}
+
+void add_options(Fields& fields, const CompileOptions& options) {
+    for (const Target& target : options.targets) fields.add("target").add(target.engine).add(target.language);
+    add_request(fields, options);
+    for (const auto& [name, value] : options.switches) fields.add("switch").add(name).add(value);
+    fields.add_flag(options.keep_variants).add(options.lighting).add_flag(options.accept_parts);
+    fields.add(options.include_dirs).add(options.dump).add_flag(options.keep_programs).add_flag(options.hashes);
+}
+
+// What is there, what is not, and the texts. Of a texture its bytes do not count.
+void add_files(Fields& fields, const graph::Files& files) {
+    for (const auto& [path, answer] : files.answers()) {
+        const bool is_there = answer.text.has_value() || answer.exists.value_or(false);
+        fields.add("file").add(path).add_flag(is_there).add(answer.why);
+        if (answer.text) fields.add(link::hash_text(*answer.text).text());
+    }
+}
+
+std::string key_of(const Compiler& compiler, const graph::Library& library, const std::string& path,
+                   const std::string* text, const CompileOptions& options) {
+    graph::Files files(options.files);
+    CompileOptions asked = options;
+    asked.targets.clear();
+    asked.limits.cancelled = nullptr;  // the key of a part would be that of another graph, too
+    if (text && asked.accept_parts) files.give_part(path, *text);
+    graph::Session session(library, asked, &files);
+    std::optional<std::uint32_t> base =
+        text ? std::optional(session.sources.add(path, *text)) : graph::load_source(session, path, {});
+    if (!session.request.functions) graph::find_path(session);
+    if (base) graph::read_material(session, *base, path);
+    Fields fields;
+    fields.add(compiler.library_hash()).add(path);
+    fields.add_flag(text != nullptr);
+    if (text) fields.add(*text);
+    add_options(fields, options);
+    add_files(fields, files);
+    return fields.hash();
+}
+
+}  // namespace
+
+std::string Compiler::library_hash() const {
+    std::call_once(impl_->hash_once, [&] {
+        const graph::Library& library = *impl_->library;
+        Fields fields;
+        fields.add(version()).add(source_hash());
+        for (const std::uint32_t file : library.files)
+            fields.add(library.sources.file(file)).add(library.sources.file_text(file));
+        impl_->hash = fields.hash();
+    });
+    return impl_->hash;
+}
+
+std::string Compiler::cache_key(const std::string& path, const CompileOptions& options) const {
+    return key_of(*this, *impl_->library, path, nullptr, options);
+}
+
+std::string Compiler::cache_key(const std::string& path, std::string text, const CompileOptions& options) const {
+    return key_of(*this, *impl_->library, path, &text, options);
+}
+
+}  // namespace patina

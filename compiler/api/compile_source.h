@@ -1,0 +1,17 @@
+// Compiles a graph, with files that several compilations share: for several engines, or of several variants.
+#pragma once
+
+#include "compiler/api/compiler_impl.h"
+#include "compiler/resolve/files.h"
+
+namespace patina {
+
+struct Source {
+    std::string path;
+    std::optional<std::string> text{};  // nothing: that of the file
+};
+
+Result compile_source(const CompilerImpl& compiler, const Source& source, const CompileOptions& options,
+                      graph::Files& files);
+
+}  // namespace patina

@@ -1,0 +1,245 @@
+// GraphBuilder: a graph in code becomes the text that its file would have, so that one reader checks both.
+#include "patina/graph_builder.h"
+
+#include <cmath>
+
+#include "compiler/base/text.h"
+#include "compiler/json/json_text.h"
+#include "patina/patina.h"
+
+namespace patina {
+namespace {
+
+class Writer {
+public:
+    explicit Writer(std::vector<GraphBuilder::Place>& places) : places_(places) {}
+
+    void key(std::string_view name) {
+        text += is_first_ ? "\n  " : ",\n  ";
+        is_first_ = false;
+        graph::append_quoted(text, name);
+        text += ": ";
+    }
+
+    // Nodes, properties or inputs, one a line; they name themselves by the value of their first key.
+    void list(std::string_view name, const std::vector<GraphMembers>& items) {
+        if (items.empty()) return;
+        key(name);
+        text += '[';
+        for (std::size_t i = 0; i < items.size(); ++i) {
+            text += i == 0 ? "\n    " : ",\n    ";
+            const std::string& own = items[i].front().value.text();
+            if (name == "nodes")
+                node(own, items[i]);
+            else
+                placed(name, own, [&] { members(items[i]); });
+        }
+        text += "\n  ]";
+    }
+
+    // "surface" and the like: one value a line.
+    void ports(std::string_view name, const GraphMembers& ports) {
+        if (ports.empty()) return;
+        key(name);
+        text += '{';
+        for (std::size_t i = 0; i < ports.size(); ++i) {
+            text += i == 0 ? "\n    " : ",\n    ";
+            placed(name, ports[i].key, [&] { member(ports[i]); });
+        }
+        text += "\n  }";
+    }
+
+    void value(const GraphValue& value) {
+        switch (value.kind()) {
+            // No number of JSON: the reader says that null is none.
+            case GraphValue::Kind::Number:
+                text += std::isfinite(value.number()) ? shortest(value.number()) : "null";
+                break;
+            case GraphValue::Kind::Bool: text += value.number() != 0 ? "true" : "false"; break;
+            case GraphValue::Kind::Text: graph::append_quoted(text, value.text()); break;
+            case GraphValue::Kind::List:
+            case GraphValue::Kind::Object: items(value); break;
+        }
+    }
+
+    std::string text = "{";
+
+private:
+    template <class Write>
+    void placed(std::string_view node, std::string_view port, Write write) {
+        const std::size_t index = places_.size();
+        places_.push_back({.begin = text.size(), .end = 0, .node = std::string(node), .port = std::string(port)});
+        write();
+        places_[index].end = text.size();
+    }
+
+    // The first members are its id, and what it is.
+    void node(const std::string& id, const GraphMembers& members) {
+        placed(id, {}, [&] {
+            text += "{ ";
+            for (std::size_t i = 0; i < members.size(); ++i) {
+                if (i > 0) text += ", ";
+                if (members[i].key == "in")
+                    inputs(id, members[i].value);
+                else
+                    member(members[i]);
+            }
+            text += " }";
+        });
+    }
+    void inputs(const std::string& id, const GraphValue& in) {
+        text += "\"in\": { ";
+        for (std::size_t i = 0; i < in.items().size(); ++i) {
+            if (i > 0) text += ", ";
+            placed(id, in.keys()[i], [&] { member({in.keys()[i], in.items()[i]}); });
+        }
+        text += " }";
+    }
+
+    void member(const GraphMember& member) {
+        graph::append_quoted(text, member.key);
+        text += ": ";
+        value(member.value);
+    }
+    void members(const GraphMembers& members) {
+        text += "{ ";
+        for (std::size_t i = 0; i < members.size(); ++i) {
+            if (i > 0) text += ", ";
+            member(members[i]);
+        }
+        text += " }";
+    }
+    void items(const GraphValue& list) {
+        const bool is_object = list.kind() == GraphValue::Kind::Object;
+        text += is_object ? "{ " : "[";
+        for (std::size_t i = 0; i < list.items().size(); ++i) {
+            if (i > 0) text += ", ";
+            if (is_object) {
+                graph::append_quoted(text, list.keys()[i]);
+                text += ": ";
+            }
+            value(list.items()[i]);
+        }
+        text += is_object ? " }" : "]";
+    }
+
+    std::vector<GraphBuilder::Place>& places_;
+    bool is_first_ = true;
+};
+
+GraphMembers with(GraphMembers members, GraphMembers more) {
+    for (GraphMember& each : more) members.push_back(std::move(each));
+    return members;
+}
+
+// The byte of the text at a line and a column, both from 1.
+std::size_t offset_of(std::string_view text, int line, int column) {
+    std::size_t at = 0;
+    for (; line > 1; --line) at = text.find('\n', at) + 1;
+    return at + static_cast<std::size_t>(column) - 1;
+}
+
+}  // namespace
+
+GraphValue GraphValue::list(std::vector<GraphValue> items) {
+    GraphValue made(0);
+    made.kind_ = Kind::List;
+    made.items_ = std::move(items);
+    return made;
+}
+
+GraphValue GraphValue::object(std::vector<GraphMember> members) {
+    GraphValue made(0);
+    made.kind_ = Kind::Object;
+    for (GraphMember& member : members) {
+        made.keys_.push_back(std::move(member.key));
+        made.items_.push_back(std::move(member.value));
+    }
+    return made;
+}
+
+GraphBuilder& GraphBuilder::set(std::string key, GraphValue value) {
+    keys_.push_back({std::move(key), std::move(value)});
+    return *this;
+}
+
+GraphBuilder& GraphBuilder::property(std::string name, PropertyType type, GraphValue value, GraphMembers more) {
+    properties_.push_back(
+        with({{"name", std::move(name)}, {"type", to_string(type)}, {"default", std::move(value)}}, std::move(more)));
+    return *this;
+}
+
+GraphBuilder& GraphBuilder::input(std::string name, std::string type, GraphMembers more) {
+    inputs_.push_back(with({{"name", std::move(name)}, {"type", std::move(type)}}, std::move(more)));
+    return *this;
+}
+
+GraphNode GraphBuilder::node(std::string id, std::string type, GraphMembers in, GraphMembers more) {
+    GraphMembers members = {{"id", id}, {"node", std::move(type)}};
+    if (!in.empty()) members.push_back({"in", GraphValue::object(std::move(in))});
+    nodes_.push_back(with(std::move(members), std::move(more)));
+    return {std::move(id)};
+}
+
+GraphNode GraphBuilder::expression(std::string id, std::string text, GraphMembers more) {
+    nodes_.push_back(with({{"id", id}, {"expr", std::move(text)}}, std::move(more)));
+    return {std::move(id)};
+}
+
+GraphBuilder& GraphBuilder::surface(std::string input, GraphValue value) {
+    surface_.push_back({std::move(input), std::move(value)});
+    return *this;
+}
+
+GraphBuilder& GraphBuilder::vertex(std::string output, GraphValue value) {
+    vertex_.push_back({std::move(output), std::move(value)});
+    return *this;
+}
+
+GraphBuilder& GraphBuilder::output(std::string name, GraphValue value) {
+    outputs_.push_back({std::move(name), std::move(value)});
+    return *this;
+}
+
+std::string GraphBuilder::text() const {
+    std::vector<Place> places;
+    return text(places);
+}
+
+std::string GraphBuilder::text(std::vector<Place>& places) const {
+    Writer writer(places);
+    writer.key("patina");
+    writer.text += '1';
+    for (const GraphMember& member : keys_) {
+        writer.key(member.key);
+        writer.value(member.value);
+    }
+    writer.list("properties", properties_);
+    writer.list("inputs", inputs_);
+    writer.list("nodes", nodes_);
+    writer.ports("vertex", vertex_);
+    writer.ports("surface", surface_);
+    writer.ports("outputs", outputs_);
+    return writer.text + "\n}\n";
+}
+
+Result Compiler::compile(const GraphBuilder& graph, const CompileOptions& options) const {
+    std::vector<GraphBuilder::Place> places;
+    const std::string text = graph.text(places);
+    Result result = compile_text(graph.path(), text, options);
+    for (Diagnostic& diagnostic : result.diagnostics) {
+        const bool is_known = !diagnostic.node.empty() && !diagnostic.port.empty();
+        if (is_known || diagnostic.line == 0 || diagnostic.file != graph.path()) continue;
+        const std::size_t at = offset_of(text, diagnostic.line, diagnostic.column);
+        // An inner place comes after the outer one.
+        for (const GraphBuilder::Place& place : places) {
+            if (at < place.begin || at >= place.end) continue;
+            if (!diagnostic.node.empty() && diagnostic.node != place.node) continue;
+            diagnostic.node = place.node;
+            diagnostic.port = place.port;
+        }
+    }
+    return result;
+}
+
+}  // namespace patina

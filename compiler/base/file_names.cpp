@@ -1,0 +1,63 @@
+#include "compiler/base/file_names.h"
+
+#include <algorithm>
+#include <filesystem>
+
+namespace patina {
+namespace {
+
+bool is_letter(char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+}
+
+bool may_stand_in_scheme(char c) {
+    return is_letter(c) || (c >= '0' && c <= '9') || c == '+' || c == '-' || c == '.';
+}
+
+// "wet/./a/../rust.png" -> "wet/rust.png"
+std::string without_dots(std::string_view path) {
+    std::string made;
+    while (!path.empty()) {
+        const std::size_t slash = std::min(path.find('/'), path.size());
+        const std::string_view part = path.substr(0, slash);
+        path.remove_prefix(std::min(slash + 1, path.size()));
+        if (part.empty() || part == ".") continue;
+        if (part == "..") {
+            const std::size_t parent = made.rfind('/');
+            made.resize(parent == made.npos ? 0 : parent);
+            continue;
+        }
+        if (!made.empty()) made += '/';
+        made += part;
+    }
+    return made;
+}
+
+}  // namespace
+
+std::string_view scheme_of(std::string_view path) {
+    const std::size_t colon = path.find("://");
+    if (colon == path.npos || colon == 0 || !is_letter(path[0])) return {};
+    const std::string_view scheme = path.substr(0, colon);
+    return std::all_of(scheme.begin(), scheme.end(), may_stand_in_scheme) ? path.substr(0, colon + 3)
+                                                                          : std::string_view();
+}
+
+bool is_file_name(std::string_view text) {
+    return text.starts_with("./") || text.starts_with("../") || text.starts_with('/') || !scheme_of(text).empty();
+}
+
+std::string join_names(const std::string& from, const std::string& name) {
+    namespace fs = std::filesystem;
+    if (!scheme_of(name).empty()) return name;
+    const std::string_view scheme = scheme_of(from);
+    if (scheme.empty()) {
+        if (fs::path(name).is_absolute()) return name;
+        return (fs::path(from).parent_path() / name).lexically_normal().generic_string();
+    }
+    std::string_view folder = std::string_view(from).substr(scheme.size());
+    folder = name.starts_with('/') ? std::string_view() : folder.substr(0, folder.rfind('/') + 1);
+    return std::string(scheme) + without_dots(std::string(folder) + name);
+}
+
+}  // namespace patina

@@ -1,0 +1,51 @@
+// Errors and warnings, with their places. They are values: no function of the library throws because of its input.
+//
+//   for (const patina::Diagnostic& d : result.diagnostics) std::puts(patina::to_text(d).c_str());
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "patina/export.h"
+
+namespace patina {
+
+// The place of a statement in a graph or a scene, for diagnostics of what only a renderer can check.
+struct FilePlace {
+    std::string file;
+    int line = 0, column = 0;  // from 1; columns in bytes
+    int end_line = 0, end_column = 0;
+    std::string source_line;  // empty if it is very long
+};
+
+enum class Severity { Error, Warning, Note };
+
+struct Diagnostic {
+    Severity severity = Severity::Error;
+    std::string code;  // "unknown-node"; stable, for programs
+    std::string message;
+    std::string file;  // empty: no place
+    int line = 0;      // from 1; 0: the file as a whole
+    int column = 0;    // from 1, in bytes
+    int end_line = 0;
+    int end_column = 0;
+    std::string source_line;  // empty if it has more than 64 KiB
+    // The place in the graph, if known: a node's id and its port; or "surface", "vertex", "outputs", "properties" or
+    // "inputs" and the name there.
+    std::string node, port;
+    std::vector<Diagnostic> notes;
+};
+// "file:3:14: error: there is no node 'Lrep' [unknown-node]", the line, a caret, and the notes. Colours are ANSI.
+PATINA_API std::string to_text(const Diagnostic& diagnostic, bool colors = false);
+// One JSON object on one line.
+PATINA_API std::string to_json(const Diagnostic& diagnostic);
+// A diagnostic at a place in a graph or a scene.
+PATINA_API Diagnostic diagnostic_at(const FilePlace& place, std::string code, std::string message);
+// "did you mean 'Lerp'?", or a list of the known words if it is short, or nothing. For words that a program reads
+// itself.
+PATINA_API std::string suggestion(std::string_view word, const std::vector<std::string>& known);
+// "did you mean 'models/suzi.glb'?" if a file of nearly this name is in its folder; else nothing.
+PATINA_API std::string file_suggestion(const std::string& path);
+
+}  // namespace patina

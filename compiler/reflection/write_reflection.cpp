@@ -1,0 +1,143 @@
+// Reflection::to_json(): pretty-printed, with keys in the order of describe.h.
+#include <rapidjson/prettywriter.h>
+#include <rapidjson/stringbuffer.h>
+
+#include <concepts>
+
+#include "compiler/base/text.h"
+#include "compiler/reflection/describe.h"
+#include "compiler/reflection/values.h"
+
+namespace patina::reflection {
+namespace {
+
+using Writer = rapidjson::PrettyWriter<rapidjson::StringBuffer>;
+
+template <class T>
+bool is_left_out(const T& value, const T& usual) {
+    if constexpr (requires(T list) { list.clear(); }) {  // text, lists
+        return value.empty();
+    } else if constexpr (requires { value.has_value(); }) {
+        return !value.has_value();
+    } else {
+        return value == usual;
+    }
+}
+
+class WriteFields {
+public:
+    static constexpr bool kWrites = true;
+
+    WriteFields(Writer& writer, const Reflection& reflection) : writer_(writer), reflection_(reflection) {}
+
+    template <class T>
+    void key(const char* name, const T& value, std::string_view) {
+        writer_.Key(name);
+        write(value);
+    }
+    template <class T>
+    void optional(const char* name, const T& value, const T& usual, std::string_view doc) {
+        if (!is_left_out(value, usual)) key(name, value, doc);
+    }
+    template <class T>
+    void key_if(bool is_there, const char* name, const T& value, std::string_view doc) {
+        if (is_there) key(name, value, doc);
+    }
+
+    void version(const char* name, int version, std::string_view doc) { key(name, version, doc); }
+    void meta(const std::string& json) {
+        if (json.empty()) return;
+        writer_.Key("meta");
+        raw(json);
+    }
+    void stencil_reference(bool is_used, const Stencil& stencil) {
+        if (!is_used) return;
+        if (stencil.is_of_lighting()) return key("stencilReference", stencil.reference, {});
+        key("stencilReference", stencil.value, {});
+    }
+    void texture_default(const Texture& texture) {
+        if (texture.default_texture == TextureDefault::None) return;
+        key("default", default_text(texture), {});
+    }
+    void property_default(const Property& property) {
+        if (is_texture(property.type)) {
+            for (const Texture& texture : reflection_.textures)
+                if (texture.name == property.name) texture_default(texture);
+        } else if (property.type == PropertyType::Bool) {
+            key("default", property.value[0] != 0, {});
+        } else if (property.type == PropertyType::Enum) {
+            const auto index = static_cast<std::size_t>(property.value[0]);
+            if (index < property.values.size()) key("default", property.values[index], {});
+            key("defaultIndex", property.value[0], {});
+        } else if (const std::size_t count = component_count(property.type); count == 1) {
+            key("default", property.value[0], {});
+        } else {
+            key("default", std::vector<double>(property.value.begin(), property.value.begin() + std::ptrdiff_t(count)),
+                {});
+        }
+    }
+
+private:
+    void raw(const std::string& json) { writer_.RawValue(json.data(), json.size(), rapidjson::kObjectType); }
+
+    void write(std::string_view text) { writer_.String(text.data(), static_cast<rapidjson::SizeType>(text.size())); }
+    void write(const std::string& text) { write(std::string_view(text)); }
+    void write(bool value) { writer_.Bool(value); }
+    template <class T>
+    requires(std::integral<T> || std::floating_point<T>) void write(T value) {
+        raw(shortest(static_cast<double>(value)));
+    }
+    void write(HasWords auto value) { write(to_string(value)); }
+    template <class T>
+    void write(const std::optional<T>& value) {
+        write(*value);
+    }
+    template <class T>
+    void write(const std::vector<T>& values) {
+        write_list(values);
+    }
+    template <class T, std::size_t kCount>
+    void write(const std::array<T, kCount>& values) {
+        write_list(values);
+    }
+    void write(const Bounds& bounds) {
+        if (bounds.box)
+            write(*bounds.box);
+        else
+            write(bounds.margin);
+    }
+    template <class T>
+    requires requires(WriteFields& fields, const T& value) { describe(fields, value); }
+    void write(const T& value) {
+        writer_.StartObject();
+        describe(*this, value);
+        writer_.EndObject();
+    }
+    void write_list(const auto& values) {
+        writer_.StartArray();
+        for (const auto& value : values) write(value);
+        writer_.EndArray();
+    }
+
+    Writer& writer_;
+    const Reflection& reflection_;
+};
+
+}  // namespace
+}  // namespace patina::reflection
+
+namespace patina {
+
+std::string Reflection::to_json() const {
+    rapidjson::StringBuffer buffer;
+    reflection::Writer writer(buffer);
+    writer.SetIndent(' ', 2);
+    writer.SetFormatOptions(rapidjson::kFormatSingleLineArray);
+    reflection::WriteFields fields(writer, *this);
+    writer.StartObject();
+    reflection::describe(fields, *this);
+    writer.EndObject();
+    return std::string(buffer.GetString(), buffer.GetSize()) + "\n";
+}
+
+}  // namespace patina

@@ -1,0 +1,234 @@
+// What the compiler asks of a program's own file system, and what it does with the answers.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <stdexcept>
+
+#include "patina/options.h"
+#include "patina/patina.h"
+
+namespace patina {
+namespace {
+
+using Texts = std::map<std::string, std::string>;
+
+constexpr const char* kWave = "/// A wave.\n[node(\"Test/Wave\")]\nfloat Wave(float2 uv = uv0) { return sin(uv.x); }\n";
+constexpr const char* kDeep = R"json({ "patina": 1, "kind": "subgraph",
+    "nodes": [ { "id": "wave", "node": "./wave.node.hlsl" } ], "outputs": { "value": "wave" } })json";
+constexpr const char* kGraph = R"json({
+    "patina": 1, "workflow": "unlit",
+    "properties": [ { "name": "_Rust", "type": "texture2d", "default": "./rust.png" } ],
+    "nodes": [ { "id": "a", "node": "./wave.node.hlsl" }, { "id": "b", "node": "./wave.node.hlsl" },
+               { "id": "deep", "node": "./deep.subgraph.json" },
+               { "id": "rust", "node": "SampleTexture2D", "in": { "texture": "$_Rust" } } ],
+    "surface": { "color": "= rust.rgb * (a + b + deep)" }
+})json";
+
+const Compiler& compiler() {
+    static const Compiler kCompiler;
+    return kCompiler;
+}
+
+std::optional<std::string> text_in(const Texts& texts, const std::string& path) {
+    const auto found = texts.find(path);
+    return found == texts.end() ? std::nullopt : std::optional(found->second);
+}
+
+std::string said(const Result& result) {
+    std::string all;
+    for (const Diagnostic& diagnostic : result.diagnostics) all += to_text(diagnostic) + "\n";
+    return all;
+}
+
+const Texture& texture_of(const Result& result, std::string_view name) {
+    const std::vector<Texture>& all = result.reflection.textures;
+    const auto found = std::find_if(all.begin(), all.end(), [&](const Texture& each) { return each.name == name; });
+    EXPECT_NE(found, all.end());
+    return *found;
+}
+
+// Counts what is asked for.
+struct Asked {
+    std::map<std::string, int> read, exists;
+
+    FileSystem over(const Texts& texts) {
+        return {.resolve = {},
+                .exists =
+                    [&](const std::string& path) {
+                        ++exists[path];
+                        return path.ends_with(".png") || texts.contains(path);
+                    },
+                .read =
+                    [&](const std::string& path) {
+                        ++read[path];
+                        return text_in(texts, path);
+                    }};
+    }
+};
+
+TEST(FileSystem, IsAskedOnceForEachFileAndNeverForTheBytesOfATexture) {
+    const Texts texts = {{"m/wave.node.hlsl", kWave}, {"m/deep.subgraph.json", kDeep}};
+    Asked asked;
+    CompileOptions options;
+    options.files = asked.over(texts);
+    options.targets = {Target::Glsl, Target::Hlsl, {"unity", "hlsl"}};
+    const Result result = compiler().compile_text("m/test.graph.json", kGraph, options);
+    EXPECT_TRUE(result.ok) << said(result);
+    EXPECT_EQ(asked.read, (std::map<std::string, int>{{"m/deep.subgraph.json", 1}, {"m/wave.node.hlsl", 1}}));
+    EXPECT_EQ(asked.exists, (std::map<std::string, int>{{"m/rust.png", 1}}));
+}
+
+TEST(FileSystem, WithReadAloneIsAskedOnceToo) {
+    const Texts texts = {{"wave.node.hlsl", kWave}, {"deep.subgraph.json", kDeep}, {"rust.png", "a picture"}};
+    std::map<std::string, int> asked;
+    CompileOptions options;
+    options.files.read = [&](const std::string& path) {
+        ++asked[path];
+        return text_in(texts, path);
+    };
+    const Result result = compiler().compile_text("test.graph.json", kGraph, options);
+    EXPECT_TRUE(result.ok) << said(result);
+    EXPECT_EQ(asked, (std::map<std::string, int>{{"deep.subgraph.json", 1}, {"rust.png", 1}, {"wave.node.hlsl", 1}}));
+}
+
+TEST(FileSystem, IncludeFoldersAreSearchedAfterTheFilesOwn) {
+    const Texts texts = {{"shared/wave.node.hlsl", kWave}, {"shared/deep.subgraph.json", kDeep}};
+    Asked asked;
+    CompileOptions options;
+    options.files = asked.over(texts);
+    options.include_dirs = {"none", "shared"};
+    const Result result = compiler().compile_text("m/test.graph.json", kGraph, options);
+    EXPECT_TRUE(result.ok) << said(result);
+    EXPECT_EQ(asked.read["m/wave.node.hlsl"], 1);
+    EXPECT_EQ(asked.read["none/wave.node.hlsl"], 1);
+    EXPECT_EQ(asked.read["shared/wave.node.hlsl"], 1);
+}
+
+// A graph, its parts and a texture that are URIs.
+TEST(FileSystem, UrisStayWhatTheyAre) {
+    const Texts texts = {{"pack://stone/wave.node.hlsl", kWave},
+                         {"pack://stone/wet/a.graph.json", R"json({ "patina": 1, "workflow": "unlit",
+        "properties": [ { "name": "_Rust", "type": "texture2d", "default": "tex://rust/../rust.png" } ],
+        "nodes": [ { "id": "wave", "node": "../wave.node.hlsl" }, { "id": "same", "node": "pack://stone/wave.node.hlsl" },
+                   { "id": "rust", "node": "SampleTexture2D", "in": { "texture": "$_Rust" } } ],
+        "surface": { "color": "= rust.rgb * wave * same" } })json"}};
+    CompileOptions options;
+    options.files.read = [&](const std::string& path) { return text_in(texts, path); };
+    options.files.exists = [](const std::string& path) { return path == "tex://rust/../rust.png"; };
+    const Result result = compiler().compile_file("pack://stone/wet/a.graph.json", options);
+    ASSERT_TRUE(result.ok) << said(result);
+    EXPECT_EQ(result.dependencies, (std::vector<std::string>{"pack://stone/wet/a.graph.json",
+                                                             "pack://stone/wave.node.hlsl", "tex://rust/../rust.png"}));
+    const Texture& rust = texture_of(result, "_Rust");
+    EXPECT_EQ(rust.default_texture, TextureDefault::File);
+    EXPECT_EQ(rust.default_file, "tex://rust/../rust.png");
+    EXPECT_EQ(result.shaders[0].file_name, "a.forward.vert.glsl");
+}
+
+// An engine whose assets have ids.
+TEST(FileSystem, WhatTheProgramResolvesIsPassedOnUnchanged) {
+    std::vector<std::pair<std::string, std::string>> resolved;
+    CompileOptions options;
+    options.include_dirs = {"library"};
+    options.files.resolve = [&](const std::string& from, const std::string& name) -> std::string {
+        resolved.emplace_back(from, name);
+        if (from == "library/") return "";
+        return name == "./wave.node.hlsl" ? "{7A..//1}" : name == "./deep.subgraph.json" ? "{7A..//2}" : "white";
+    };
+    options.files.exists = [](const std::string& path) { return path == "white"; };
+    options.files.read = [](const std::string& path) -> std::optional<std::string> {
+        if (path == "{7A..//1}") return kWave;
+        if (path == "{7A..//2}") return kDeep;
+        return {};
+    };
+    const Result result = compiler().compile_text("{7A..//0}", kGraph, options);
+    ASSERT_TRUE(result.ok) << said(result);
+    EXPECT_EQ(result.dependencies, (std::vector<std::string>{"{7A..//0}", "{7A..//1}", "{7A..//2}", "white"}));
+    const Texture& rust = texture_of(result, "_Rust");
+    EXPECT_EQ(rust.default_texture, TextureDefault::File);
+    EXPECT_EQ(rust.default_file, "white");
+    const auto has = [&](const char* from, const char* name) {
+        return std::count(resolved.begin(), resolved.end(), std::pair<std::string, std::string>(from, name)) > 0;
+    };
+    EXPECT_TRUE(has("{7A..//0}", "./wave.node.hlsl"));
+    EXPECT_TRUE(has("{7A..//2}", "./wave.node.hlsl"));
+    EXPECT_TRUE(has("library/", "./rust.png"));
+}
+
+// The diagnostic with this code at a line of the graph, or an empty one.
+Diagnostic at_line(const Result& result, std::string_view code, int line) {
+    for (const Diagnostic& each : result.diagnostics)
+        if (each.code == code && each.file == "test.graph.json" && each.line == line) return each;
+    return {};
+}
+
+TEST(FileSystem, WhatReadThrowsIsAnErrorWhereTheFileIsNamed) {
+    CompileOptions options;
+    options.files.exists = [](const std::string&) { return true; };
+    options.files.read = [](const std::string& path) -> std::optional<std::string> {
+        if (path == "wave.node.hlsl") throw std::runtime_error("the pack is locked");
+        if (path == "deep.subgraph.json") throw 7;
+        return {};
+    };
+    const Result result = compiler().compile_text("test.graph.json", kGraph, options);
+    EXPECT_FALSE(result.ok);
+    EXPECT_TRUE(result.shaders.empty());
+    EXPECT_EQ(at_line(result, "cannot-read", 4).message, "cannot read 'wave.node.hlsl': the pack is locked");
+    EXPECT_EQ(at_line(result, "cannot-read", 4).node, "a");
+    EXPECT_EQ(at_line(result, "cannot-read", 5).message,
+              "cannot read 'deep.subgraph.json': the program's file system failed");
+}
+
+TEST(FileSystem, WhatTheOthersThrowIsAnErrorWhereTheFileIsNamed) {
+    CompileOptions options;
+    options.files.read = [](const std::string&) { return std::optional<std::string>(kWave); };
+    options.files.exists = [](const std::string&) -> bool { throw std::runtime_error("offline"); };
+    const Result result = compiler().compile_text("test.graph.json", kGraph, options);
+    EXPECT_FALSE(result.ok);
+    EXPECT_EQ(at_line(result, "cannot-read", 3).message, "cannot read 'rust.png': offline");
+    EXPECT_EQ(at_line(result, "missing-file", 3).message, "");
+
+    options.files.resolve = [](const std::string&, const std::string& name) -> std::string {
+        throw std::runtime_error("no asset " + name);
+    };
+    const Result unresolved = compiler().compile_text("test.graph.json", kGraph, options);
+    EXPECT_FALSE(unresolved.ok);
+    EXPECT_EQ(at_line(unresolved, "cannot-read", 5).message,
+              "cannot read './deep.subgraph.json': no asset ./deep.subgraph.json");
+}
+
+TEST(FileSystem, AFileThatIsNotThereIsMissing) {
+    CompileOptions options;
+    options.files.read = [](const std::string&) { return std::optional<std::string>(); };
+    const Result result = compiler().compile_text("test.graph.json", kGraph, options);
+    EXPECT_EQ(at_line(result, "missing-file", 5).message, "there is no file './deep.subgraph.json'");
+    const Result no_graph = compiler().compile_file("none.graph.json", options);
+    EXPECT_EQ(said(no_graph), "error: there is no file 'none.graph.json' [missing-file]\n");
+}
+
+TEST(FileSystem, OfTheDiskSaysWhyAFileCannotBeRead) {
+    const FileSystem files = disk();
+    EXPECT_TRUE(files.exists("tests/unit/api/file_system_test.cpp"));
+    EXPECT_FALSE(files.exists("tests/unit/api"));
+    EXPECT_EQ(files.read("tests/unit/api/none"), std::nullopt);
+    EXPECT_TRUE(files.read("tests/unit/api/file_system_test.cpp")->starts_with("// What the compiler asks"));
+    try {
+        files.read("tests/unit/api");
+        ADD_FAILURE() << "a folder was read";
+    } catch (const std::runtime_error& error) {
+        EXPECT_STREQ(error.what(), "it is a folder");
+    }
+    const auto resolved = [&](const char* from, const char* name) { return files.resolve(from, name); };
+    EXPECT_EQ(resolved("m/wet/a.graph.json", "../rust.png"), "m/rust.png");
+    EXPECT_EQ(resolved("m/", "./rust.png"), "m/rust.png");
+    EXPECT_EQ(resolved("a.graph.json", "/textures/rust.png"), "/textures/rust.png");
+    EXPECT_EQ(resolved("pack://stone/wet/a.graph.json", "../rust.png"), "pack://stone/rust.png");
+    EXPECT_EQ(resolved("pack://stone/", "./a/./b/../rust.png"), "pack://stone/a/rust.png");
+    EXPECT_EQ(resolved("pack://a.graph.json", "../../rust.png"), "pack://rust.png");
+    EXPECT_EQ(resolved("pack://stone/a.graph.json", "/rust.png"), "pack://rust.png");
+    EXPECT_EQ(resolved("m/a.graph.json", "pack://stone/../rust.png"), "pack://stone/../rust.png");
+}
+
+}  // namespace
+}  // namespace patina
