@@ -8,6 +8,7 @@ namespace patina::cli {
 
 struct Template {
     std::string_view kind;     // "metal"
+    std::string_view ending;   // of its file's name: ".graph.json"
     std::string_view summary;  // one line for --help
     std::string_view text;
 };

@@ -205,6 +205,7 @@ constexpr std::array kScene = {
 constexpr std::array kCamera = {
     KeyInfo{"position", kPosition.help, ObjectKind::Free, true},
     KeyInfo{"target", "the point that the camera looks at; default: [0, 0, 0]"},
+    KeyInfo{"up", "the direction that is up in the picture, of any length; default: [0, 1, 0]"},
     KeyInfo{"fov", "the vertical field of view in degrees, 1 to 170; default: 30"},
     KeyInfo{"orthographic", "orthographic projection, instead of fov: the height of the picture in metres"},
     KeyInfo{"near", "the distance of the near plane in metres; default: 0.05"},

@@ -86,8 +86,8 @@ std::vector<Mirrored> mirrored_directions(float roughness, int count, int size) 
 
 float roughness_of_level(int level) {
     // The root of r (1.7 - 0.7 r) = level / (levels - 1).
-    float share = float(level) / float(kEnvironmentLevels - 1);
-    return (1.7f - std::sqrt(1.7f * 1.7f - 4 * 0.7f * share)) / 1.4f;
+    const double share = double(level) / double(kEnvironmentLevels - 1);
+    return float((1.7 - std::sqrt(1.7 * 1.7 - 4 * 0.7 * share)) / 1.4);
 }
 
 TextureData sampled(const Radiance& radiance, int size, int samples) {

@@ -61,10 +61,9 @@ double exposure_for(const Scene& scene) {
 
 glm::mat4 world_to_view(const Camera& camera) {
     if (camera.clip_space) return glm::mat4(1);
-    glm::vec3 forward = camera.target - camera.position;
     // Straight up or down, "up" is the way that was forward.
-    bool vertical = forward.x == 0 && forward.z == 0;
-    return glm::lookAtRH(camera.position, camera.target, vertical ? glm::vec3(0, 0, -1) : glm::vec3(0, 1, 0));
+    const bool is_along_view = glm::cross(camera.target - camera.position, camera.up) == glm::vec3(0);
+    return glm::lookAtRH(camera.position, camera.target, is_along_view ? glm::vec3(0, 0, -1) : camera.up);
 }
 
 glm::mat4 view_to_clip(const Camera& camera, float aspect) {

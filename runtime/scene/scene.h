@@ -25,6 +25,7 @@ namespace patina::runtime {
 struct Camera {
     glm::vec3 position{0, 0, 4};
     glm::vec3 target{0};
+    glm::vec3 up{0, 1, 0};                       // what is up in the picture; any length but 0; along the view, -z is
     float fov = 30;                              // degrees, vertical
     std::optional<float> orthographic_height{};  // world units; set: parallel projection
     bool clip_space = false;                     // positions are clip space already; all matrices are identity

@@ -309,6 +309,8 @@ Outcome<Camera> parse_camera(std::string_view text, const Camera& base) {
     Settings settings(std::move(words.value), "the camera");
     settings.vector("position", camera.position, true);
     settings.vector("target", camera.target, true);
+    const bool has_up = settings.has("up");
+    settings.vector("up", camera.up, false);
     settings.number("fov", camera.fov, 1, 170);
     bool orthographic = settings.has("orthographic");
     float height = 2;
@@ -319,6 +321,8 @@ Outcome<Camera> parse_camera(std::string_view text, const Camera& base) {
     if (std::string error = settings.error(); !error.empty()) return Failure{error};
     if (camera.far_plane <= camera.near_plane) return Failure{"the camera: far must be larger than near"};
     if (camera.position == camera.target) return Failure{"the camera: position and target must differ"};
+    if (has_up && glm::cross(camera.target - camera.position, camera.up) == glm::vec3(0))
+        return Failure{"the camera: up must be a direction across the view"};
     return camera;
 }
 

@@ -34,6 +34,7 @@ std::optional<float> number(std::optional<double> value) {
 Camera make_camera(const SceneCamera& camera) {
     return {.position = vector(camera.position),
             .target = vector(camera.target),
+            .up = vector(camera.up),
             .fov = float(camera.fov),
             .orthographic_height = number(camera.orthographic),
             .near_plane = float(camera.near_plane),

@@ -172,7 +172,7 @@ struct WholeKey {
 constexpr WholeKey kWholeKeys[] = {{"size", &RenderRequest::size, 1, 8192},
                                    {"samples", &RenderRequest::samples, 1, 16},
                                    {"segments", &RenderRequest::segments, kLeastSegments, kMostSegments}};
-constexpr std::string_view kCameraKeys[] = {"position", "target", "fov", "orthographic", "near", "far"};
+constexpr std::string_view kCameraKeys[] = {"position", "target", "up", "fov", "orthographic", "near", "far"};
 
 // Keys whose value is an object, and what one looks like.
 struct ObjectKey {

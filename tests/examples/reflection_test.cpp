@@ -113,23 +113,22 @@ TEST(ReflectionJson, KeepsEveryMember) {
     made.most_instances = 7;
     made.sets = {{.set = 2, .hash = "abc"}};
     made.meta = R"({ "a": [1, 2.50] })";
-    made.properties = {
-        {.name = "_Kind",
-         .identifier = "_Kind",
-         .type = PropertyType::Enum,
-         .value = {1},
-         .binding = Binding::Specialization,
-         .constant_id = 0,
-         .range = std::array{0.0, 1.0},
-         .hard = true,
-         .values = {"A", "B"},
-         .label = "l",
-         .group = "g",
-         .help = "h",
-         .block = "Material",
-         .offset = 16,
-         .size = 4,
-         .instance_stride = 32}};
+    made.properties = {{.name = "_Kind",
+                        .identifier = "_Kind",
+                        .type = PropertyType::Enum,
+                        .value = {1},
+                        .binding = Binding::Specialization,
+                        .constant_id = 0,
+                        .range = std::array{0.0, 1.0},
+                        .hard = true,
+                        .values = {"A", "B"},
+                        .label = "l",
+                        .group = "g",
+                        .help = "h",
+                        .block = "Material",
+                        .offset = 16,
+                        .size = 4,
+                        .instance_stride = 32}};
     Property on, tint;
     on.name = on.identifier = "_On";
     on.type = PropertyType::Bool;

@@ -1,4 +1,6 @@
 // patina new: writes a file to start from.
+#include <algorithm>
+#include <filesystem>
 #include <memory>
 
 #include "compiler/cli/commands/commands.h"
@@ -27,21 +29,26 @@ std::string kind_help() {
     return help;
 }
 
+// "pipe" is pipe.graph.json; a name that has an ending keeps it.
+std::string file_name(const std::string& output, std::string_view ending) {
+    const bool has_ending = is_standard_output(output) || std::filesystem::path(output).has_extension();
+    return has_ending ? output : output + std::string(ending);
+}
+
 Exit write_template(const Console& console, const Arguments& arguments) {
-    std::string_view text;
-    for (const Template& each : templates()) {
-        if (each.kind == arguments.kind) text = each.text;
-    }
+    const auto chosen = std::ranges::find(templates(), arguments.kind, &Template::kind);
     if (arguments.output.empty()) {
-        print(text);
+        print(chosen->text);
         return Exit::Ok;
     }
-    if (!is_standard_output(arguments.output) && is_taken(arguments.output)) {
-        complain(console, Complaint::FileExists, {arguments.output});
+    const std::string path = file_name(arguments.output, chosen->ending);
+    for (const std::string& each : {arguments.output, path}) {
+        if (is_standard_output(each) || !is_taken(each)) continue;
+        complain(console, Complaint::FileExists, {each});
         return Exit::Wrong;
     }
     OutputFiles files;
-    files.add(arguments.output, std::string(text));
+    files.add(path, std::string(chosen->text));
     if (!Outputs(console).write(arguments.kind, files)) return Exit::Wrong;
     say(console, files);
     return Exit::Ok;
@@ -50,10 +57,10 @@ Exit write_template(const Console& console, const Arguments& arguments) {
 }  // namespace
 
 void add_new(Program& program) {
-    CLI::App& command = add_command(program, "new",
-                                    {"patina new metal -o pipe.graph.json", "patina new toon -o hero.graph.json",
-                                     "patina new scene -o room.scene.json", "patina new node -o rings.node.hlsl",
-                                     "patina new unlit    # prints it"});
+    CLI::App& command = add_command(
+        program, "new",
+        {"patina new metal -o pipe.graph.json", "patina new toon -o hero.graph.json", "patina new scene -o room",
+         "patina new node -o rings.node.hlsl", "patina new unlit    # prints it"});
     auto arguments = std::make_shared<Arguments>();
     command.add_option("KIND", arguments->kind, kind_help())
         ->required()
@@ -61,7 +68,8 @@ void add_new(Program& program) {
         ->check(one_of("a kind of file", kinds()));
     command
         .add_option("-o,--output", arguments->output,
-                    "File to write, which must not exist yet; default, and -: print it")
+                    "File to write, which must not exist yet; a name without an ending gets the kind's; default, and "
+                    "-: print it")
         ->type_name("FILE");
     set_work(program, command, [arguments](const Console& console) { return write_template(console, *arguments); });
 }

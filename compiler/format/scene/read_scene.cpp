@@ -18,6 +18,16 @@ bool is_same_point(const SceneVector& a, const SceneVector& b) {
                       [](double x, double y) { return static_cast<float>(x) == static_cast<float>(y); });
 }
 
+// In floats, as the renderer takes them.
+bool is_along(const SceneVector& a, const SceneVector& b) {
+    const auto product = [](double x, double y) { return static_cast<float>(x) * static_cast<float>(y); };
+    for (std::size_t i = 0; i < 3; ++i) {
+        const std::size_t j = (i + 1) % 3;
+        if (product(a[i], b[j]) != product(a[j], b[i])) return false;
+    }
+    return true;
+}
+
 SceneCamera read_camera(Reading& reading, const Json& json) {
     SceneCamera camera;
     if (!expect(reading, json, Json::Kind::Object, "'camera'")) return camera;
@@ -25,6 +35,7 @@ SceneCamera read_camera(Reading& reading, const Json& json) {
     const std::size_t errors_before = reading.diagnostics.error_count();
     read_vector(reading, json, "position", -kFarthest, kFarthest, camera.position);
     read_vector(reading, json, "target", -kFarthest, kFarthest, camera.target);
+    read_vector(reading, json, "up", -kFarthest, kFarthest, camera.up);
     read_number(reading, json, "fov", 1, 170, camera.fov);
     double height = 0;
     if (read_number(reading, json, "orthographic", 1e-3, kFarthest, height)) camera.orthographic = height;
@@ -38,6 +49,10 @@ SceneCamera read_camera(Reading& reading, const Json& json) {
     if (is_same_point(camera.position, camera.target)) {
         report_impossible(reading, json, json.find("target") ? "target" : "position",
                           json.find("target") ? "another point than 'position'" : "another point than 'target'");
+    } else if (json.find("up")) {
+        SceneVector forward{};
+        for (std::size_t i = 0; i < 3; ++i) forward[i] = camera.target[i] - camera.position[i];
+        if (is_along(forward, camera.up)) report_impossible(reading, json, "up", "a direction across the view");
     }
     if (static_cast<float>(camera.near_plane) >= static_cast<float>(camera.far_plane)) {
         if (json.find("far")) {

@@ -53,6 +53,7 @@ std::vector<SchemaRow> scene_rows() {
         {Free, "objects", list_of("sceneObject")},
         {Free, "position", text(kVector)},
         {Free, "target", text(kVector)},
+        {Free, "up", text(kVector)},
         {Free, "fov", between("number", 1, 170)},
         {Free, "orthographic", text(kPositive)},
         {Free, "near", text(kPositive)},

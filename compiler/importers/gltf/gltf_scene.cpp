@@ -7,6 +7,7 @@
 #include <limits>
 #include <map>
 #include <numbers>
+#include <optional>
 
 #include "compiler/base/text.h"
 #include "patina/scene.h"
@@ -28,7 +29,7 @@ constexpr float kPi = std::numbers::pi_v<float>;
 constexpr int kDecimals = 6;
 Value rounded(float value, int decimals) {
     const double unit = std::pow(10.0, decimals);
-    return number(std::round(static_cast<double>(value) * unit) / unit);
+    return number(std::round(static_cast<double>(value) * unit) / unit + 0.0);  // 0, not -0
 }
 Value vector(const glm::vec3& v, int decimals = kDecimals) {
     return list({rounded(v.x, decimals), rounded(v.y, decimals), rounded(v.z, decimals)});
@@ -61,6 +62,16 @@ glm::vec3 forward_of(const glm::mat4& place) {
     return -glm::normalize(glm::vec3(place[2]));
 }
 
+// What is up for a camera that is turned about its view; nothing for one that is upright.
+std::optional<glm::vec3> roll_of(const ModelCamera& camera) {
+    const glm::vec3 forward = forward_of(camera.camera_to_world), up(0, 1, 0);
+    const glm::vec3 own = glm::normalize(glm::vec3(camera.camera_to_world[1]));
+    const glm::vec3 side = glm::cross(forward, glm::length(glm::cross(forward, up)) > 1e-6f ? up : glm::vec3(0, 0, -1));
+    const bool is_upright =
+        std::abs(glm::dot(side, own)) < 1e-5f * glm::length(side) && glm::dot(glm::cross(side, forward), own) > 0;
+    return is_upright ? std::nullopt : std::optional(own);
+}
+
 Value camera_value(const Extent& extent, const ModelCamera* camera) {
     std::vector<Member> members;
     if (!camera) {
@@ -81,6 +92,7 @@ Value camera_value(const Extent& extent, const ModelCamera* camera) {
     const float distance = std::max(glm::dot(extent.middle - position, forward), 1.0f);
     members.push_back({"position", vector(position)});
     members.push_back({"target", vector(position + forward * distance)});
+    if (const std::optional<glm::vec3> up = roll_of(*camera)) members.push_back({"up", vector(*up)});
     if (camera->is_orthographic)
         members.push_back({"orthographic", number(camera->height)});
     else
@@ -219,13 +231,6 @@ void report_view(const Context& context, const GltfModel& model, const ModelCame
                                                  each.node),
                            from.json());
         if (!is_seen) continue;
-        const glm::vec3 forward = forward_of(each.camera_to_world),
-                        up = glm::normalize(glm::vec3(each.camera_to_world[1]));
-        const glm::vec3 side = glm::cross(forward, glm::vec3(0, 1, 0));
-        if (glm::length(side) > 1e-4f && std::abs(glm::dot(glm::normalize(side), up)) > 1e-3f) {
-            context.report.add(Remark::Kind::Changed, from.path(),
-                               "its roll about the view: a scene's camera is upright", from.json());
-        }
         Object lens = from.child(each.is_orthographic ? "orthographic" : "perspective");
         lens.changed("aspectRatio", "the picture's width and height decide");
         lens.changed("xmag", "the picture's width and height decide");

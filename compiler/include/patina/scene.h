@@ -31,6 +31,7 @@ inline constexpr std::size_t kMostSceneShadows = 4;
 
 struct SceneCamera {
     SceneVector position{0, 0, 4}, target{};  // they must differ
+    SceneVector up{0, 1, 0};                  // what is up in the picture; across the view; [0, 1, 0] may be along it
     double fov = 30;                          // vertical, 1 to 170
     std::optional<double> orthographic{};     // height of the picture in metres; if set, the projection is parallel
     double near_plane = 0.05, far_plane = 100;

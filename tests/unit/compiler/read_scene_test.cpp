@@ -85,6 +85,8 @@ TEST(ReadScene, Camera) {
     EXPECT_EQ(own.fov, 35);
     EXPECT_EQ(own.near_plane, 0.5);
     EXPECT_EQ(own.far_plane, 20);
+    EXPECT_EQ(plain.up, (SceneVector{0, 1, 0}));
+    EXPECT_EQ(good(R"("camera":{"position":[1,2,3],"up":[0,0,-2]})").camera.up, (SceneVector{0, 0, -2}));
     EXPECT_EQ(good(R"("camera":{"position":[1,2,3],"orthographic":2.2})").camera.orthographic, 2.2);
 }
 

@@ -86,6 +86,19 @@ TEST(GltfImport, TheFirstCameraIsTheScenes) {
               std::string::npos);
 }
 
+// A turn of 30 degrees about the view, which is along -z: what was up is (-sin 30, cos 30, 0).
+TEST(GltfImport, ACameraKeepsItsRoll) {
+    const std::string path =
+        save_gltf({.nodes = R"([{"mesh":0},{"name":"rolled","camera":0,"translation":[0,0,5],
+                                 "rotation":[0,0,0.25881905,0.96592583]},
+                      {"name":"hanging","camera":0,"translation":[0,0,5],"rotation":[0,0,1,0]},
+                      {"name":"upright","camera":0,"translation":[0,3,5],"rotation":[-0.25881905,0,0,0.96592583]}])",
+                   .more = R"("cameras":[{"type":"perspective","perspective":{"yfov":0.5,"znear":0.25,"zfar":50}}])"});
+    expect_near(scene_of(import(path, {.camera = "rolled"})).camera.up, {-0.5, 0.8660254037844386, 0});
+    expect_near(scene_of(import(path, {.camera = "hanging"})).camera.up, {0, -1, 0});
+    EXPECT_EQ(import(path, {.camera = "upright"}).scene.find("\"up\""), std::string::npos);
+}
+
 // A white diffuse surface sends out E / pi; a candela is a lux at one metre.
 TEST(GltfImport, LightsAreInTheUnitsOfScenes) {
     const double pi = std::acos(-1.0);

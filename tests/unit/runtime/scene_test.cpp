@@ -95,6 +95,15 @@ TEST(Camera, StraightDownIsNoSingularity) {
     EXPECT_NEAR(right.z, -5, 1e-5);
 }
 
+// The picture turns clockwise by what the camera turns counter-clockwise.
+TEST(Camera, UpTurnsThePicture) {
+    const glm::mat4 to_view = world_to_view({.position = {0, 0, 4}, .up = {-3, 0, 0}});
+    const glm::vec4 above = to_view * glm::vec4(0, 1, 0, 1);
+    EXPECT_NEAR(above.x, 1, 1e-6);
+    EXPECT_NEAR(above.y, 0, 1e-6);
+    EXPECT_NEAR(above.z, -4, 1e-6);
+}
+
 TEST(DefaultScene, FramesEveryMesh) {
     for (std::string_view name : mesh_names()) {
         Scene scene = default_scene(name);

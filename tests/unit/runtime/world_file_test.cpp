@@ -37,7 +37,7 @@ protected:
 
     // For a scene with these keys, a camera and a material "plain".
     WorldFile read(const std::string& keys) const {
-        write("t.scene.json", R"({"patina":1,"kind":"scene","camera":{"position":[0,1,5]},
+        write("t.scene.json", R"({"patina":1,"kind":"scene","camera":{"position":[0,1,5],"up":[0,1,1]},
 "materials":[{"name":"plain","graph":"plain.graph.json","set":{"_A":[1,0.5,0],"_B":"map.png"}}],
 )" + keys + (keys.find("\"objects\"") == keys.npos ? R"(,"objects":[]})" : "}"));
         return read_world(compiler(), path("t.scene.json"), {});
@@ -161,6 +161,7 @@ TEST_F(WorldOfFile, DefaultsAreTheRuntimes) {
     EXPECT_EQ(light.cookie, nullptr);
     const Camera camera;
     EXPECT_EQ(made.view.camera.target, camera.target);
+    EXPECT_EQ(made.view.camera.up, glm::vec3(0, 1, 1));
     EXPECT_EQ(made.view.camera.fov, camera.fov);
     EXPECT_EQ(made.view.camera.near_plane, camera.near_plane);
     EXPECT_EQ(made.view.camera.far_plane, camera.far_plane);
