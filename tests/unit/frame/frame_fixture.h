@@ -133,7 +133,7 @@ inline HandMaterial hand_material(unsigned outputs, bool reads = false) {
     pass.depth_write = false;
     for (std::uint32_t i = 0; i < outputs; i++)
         pass.targets.push_back({.name = "t" + std::to_string(i), .location = i});
-    pass.vertex_inputs = {{"positionOS", "float3", 0, ""}};
+    pass.vertex_inputs = {{"positionOS", ValueType::Float3, 0, ""}};
     if (reads) {
         Texture texture;
         texture.name = "earlier";
