@@ -13,7 +13,7 @@ function(run)
   set(output "${text}" PARENT_SCOPE)
 endfunction()
 
-# run_and_find(PROGRAM... WORDS...): runs a program, which must print each of the words.
+# run_and_find(RUN PROGRAM... PRINTS WORDS...): runs a program, which must print each of the words; sets `output`.
 function(run_and_find)
   cmake_parse_arguments(arg "" "" "RUN;PRINTS" ${ARGN})
   run(${arg_RUN})
@@ -23,6 +23,7 @@ function(run_and_find)
       message(FATAL_ERROR "${arg_RUN} does not print '${wanted}':\n${output}")
     endif()
   endforeach()
+  set(output "${output}" PARENT_SCOPE)
 endfunction()
 set(shaders "dotted.forward.vert.glsl" "dotted.forward.frag.glsl" "#version 450" "_Tint" "void main()")
 
