@@ -13,13 +13,15 @@
 
 namespace patina {
 
+// What is wrong: the name of a row of complaints.def.
 enum class Complaint {
 #define COMPLAINT(name, code, message) name,
 #include "patina/complaints.def"
 #undef COMPLAINT
 };
 
-PATINA_API std::string_view code_of(Complaint what);  // "cannot-read"
+// The code of a diagnostic: "cannot-read".
+PATINA_API std::string_view code_of(Complaint what);
 // An error without a place. `words` fill the {} of the message in order, or {0}, {1} by number.
 PATINA_API Diagnostic complaint(Complaint what, std::initializer_list<std::string_view> words);
 // Every code of the table once, in its order.

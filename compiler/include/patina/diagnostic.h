@@ -13,28 +13,30 @@ namespace patina {
 
 // The place of a statement in a graph or a scene, for diagnostics of what only a renderer can check.
 struct FilePlace {
-    std::string file;
-    int line = 0, column = 0;  // from 1; columns in bytes
-    int end_line = 0, end_column = 0;
-    std::string source_line;  // empty if it is very long
+    std::string file;                  // its path; empty: there is no place
+    int line = 0, column = 0;          // from 1; columns in bytes
+    int end_line = 0, end_column = 0;  // behind the last byte
+    std::string source_line;           // the text of `line`; empty if it has more than 64 KiB
 };
 
+// How bad it is. A note is only in Diagnostic::notes.
 enum class Severity { Error, Warning, Note };
 
+// An error or a warning, or a note that belongs to one.
 struct Diagnostic {
-    Severity severity = Severity::Error;
-    std::string code;  // "unknown-node"; stable, for programs
-    std::string message;
-    std::string file;  // empty: no place
-    int line = 0;      // from 1; 0: the file as a whole
-    int column = 0;    // from 1, in bytes
-    int end_line = 0;
-    int end_column = 0;
-    std::string source_line;  // empty if it has more than 64 KiB
+    Severity severity = Severity::Error;  // a result with an error is not ok
+    std::string code;                     // "unknown-node"; stable, for programs
+    std::string message;                  // lower case, without a full stop; names are in quotation marks
+    std::string file;                     // its path; empty: no place
+    int line = 0;                         // from 1; 0: the file as a whole
+    int column = 0;                       // from 1, in bytes
+    int end_line = 0;                     // from 1
+    int end_column = 0;                   // from 1, in bytes: behind the last byte
+    std::string source_line;              // the text of `line`; empty if it has more than 64 KiB
     // The place in the graph, if known: a node's id and its port; or "surface", "vertex", "outputs", "properties" or
     // "inputs" and the name there.
     std::string node, port;
-    std::vector<Diagnostic> notes;
+    std::vector<Diagnostic> notes;  // what to do, and other places
 };
 // "file:3:14: error: there is no node 'Lrep' [unknown-node]", the line, a caret, and the notes. Colours are ANSI.
 PATINA_API std::string to_text(const Diagnostic& diagnostic, bool colors = false);

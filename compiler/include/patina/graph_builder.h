@@ -25,7 +25,7 @@ struct GraphMember;
 
 // A node of a graph that is being built. As a value it is a link to its output.
 struct GraphNode {
-    std::string id;
+    std::string id;  // unique in the graph, or a link to a part of a node: "noise.rgb"
 
     // A link to another output or to components: noise["rgb"].
     GraphNode operator[](std::string_view part) const { return {id + "." + std::string(part)}; }
@@ -35,23 +35,32 @@ struct GraphNode {
 // "./rust.png", a word), a list or an object.
 class PATINA_API GraphValue {
 public:
+    // The kinds of JSON but null.
     enum class Kind { Number, Bool, Text, List, Object };
 
+    // A number, or true or false. The format has no number for an infinity and none for NaN: that is an error of the
+    // graph.
     template <class T>
     requires std::is_arithmetic_v<T> GraphValue(T value)
         : kind_(std::is_same_v<T, bool> ? Kind::Bool : Kind::Number), number_(static_cast<double>(value)) {}
+    // A text: a link, an expression, a property, a semantic, a colour, a file, a word.
     GraphValue(std::string text) : kind_(Kind::Text), text_(std::move(text)) {}
+    // The same.
     GraphValue(std::string_view text) : GraphValue(std::string(text)) {}
+    // The same, of a text that ends with a zero byte.
     GraphValue(const char* text) : GraphValue(std::string(text)) {}
+    // A link to the node.
     GraphValue(const GraphNode& node) : GraphValue(node.id) {}
+    // [0, 1]
     static GraphValue list(std::vector<GraphValue> items);
+    // { "range": [0, 1] }
     static GraphValue object(std::vector<GraphMember> members);
 
-    Kind kind() const { return kind_; }
-    double number() const { return number_; }  // also 1 for true
-    const std::string& text() const { return text_; }
-    const std::vector<GraphValue>& items() const { return items_; }  // of a list; of an object, the values
-    const std::vector<std::string>& keys() const { return keys_; }   // of an object
+    Kind kind() const { return kind_; }                              // says which of the following it has
+    double number() const { return number_; }                        // also 1 for true
+    const std::string& text() const { return text_; }                // of a text
+    const std::vector<GraphValue>& items() const { return items_; }  // of a list; of an object: its values
+    const std::vector<std::string>& keys() const { return keys_; }   // of an object, in the order of its values
 
 private:
     Kind kind_;
@@ -61,12 +70,16 @@ private:
     std::vector<std::string> keys_{};
 };
 
+// A key of an object with its value; an input of a node with what it reads.
 struct GraphMember {
-    std::string key;
-    GraphValue value;
+    std::string key;   // as the format spells it: "range", or the name of an input
+    GraphValue value;  // of the key
 };
+// An object, or a part of one, in its order.
 using GraphMembers = std::vector<GraphMember>;
 
+// A graph that grows by each call, in the order of the calls. A key, an input or an id that is given twice is an error
+// of the graph. It is not for two threads at once.
 class PATINA_API GraphBuilder {
 public:
     // `path` names the graph in messages and output files; relative files are searched in its folder.
@@ -74,28 +87,32 @@ public:
 
     // A key of the graph itself: "workflow", "lighting", "render", "precision", "kind".
     GraphBuilder& set(std::string key, GraphValue value);
-    // `more`: further keys of the property, as {"range", GraphValue::list({0, 1})}.
+    // A property of the material with its default. `more`: further keys, as {"range", GraphValue::list({0, 1})}.
     GraphBuilder& property(std::string name, PropertyType type, GraphValue value, GraphMembers more = {});
-    // Of a sub-graph.
+    // An input of a sub-graph. `type`: "float3", "floatN". `more`: further keys, as {"default", 0.5}.
     GraphBuilder& input(std::string name, std::string type, GraphMembers more = {});
     // A node of the library, or of a file. `in`: its inputs. `more`: further keys, as {"stage", "vertex"}.
     GraphNode node(std::string id, std::string type, GraphMembers in = {}, GraphMembers more = {});
+    // A node that is an expression over other nodes and properties: "mask * $_Tint.rgb".
     GraphNode expression(std::string id, std::string text, GraphMembers more = {});
+    // What an input of the workflow's surface reads: "baseColor".
     GraphBuilder& surface(std::string input, GraphValue value);
+    // What the vertex stage gives: "positionOS".
     GraphBuilder& vertex(std::string output, GraphValue value);
-    // Of a sub-graph or a lighting graph.
+    // An output of a sub-graph, or of a lighting graph: "direct".
     GraphBuilder& output(std::string name, GraphValue value);
 
-    const std::string& path() const { return path_; }
+    const std::string& path() const { return path_; }  // what the constructor was given
     // The graph as a file: the lines and columns of diagnostics are in this text.
     std::string text() const;
 
     // A value of text(), and what diagnostics call it: the node and its port; or "surface", "vertex", "outputs",
     // "properties" or "inputs" and a name.
     struct Place {
-        std::size_t begin = 0, end = 0;  // in the text
-        std::string node, port;
+        std::size_t begin = 0, end = 0;  // bytes of the text; `end` is behind the last
+        std::string node, port;          // as in Diagnostic
     };
+    // The same text. Appends the places of its values, each after those that it lies in.
     std::string text(std::vector<Place>& places) const;
 
 private:

@@ -9,33 +9,38 @@
 
 namespace patina {
 
+// A text of a graph or a scene.
 struct GraphVersion {
     std::string name;  // for messages
     std::string text;  // empty: the file did not exist
 };
 
+// What happened to a value.
 enum class GraphChangeKind {
-    Added,
-    Removed,
-    Changed,
+    Added,      // it is only in the new version
+    Removed,    // it is only in the old one
+    Changed,    // it is another one
     Renamed,    // the path has the new name, `before` and `after` are the names; what reads it has not changed
     Reordered,  // a list whose order has a meaning: properties, passes
 };
 
+// A value that is not the same in both.
 struct GraphChange {
-    GraphChangeKind kind = GraphChangeKind::Changed;
+    GraphChangeKind kind = GraphChangeKind::Changed;  // what happened to it
     // {"nodes", "rust", "in", "level"}: keys, and the ids and names of the objects in lists.
     std::vector<std::string> path{};
     std::string before{}, after{};            // JSON on one line; empty: there is none
     FilePlace before_place{}, after_place{};  // line 0: there is none
 };
 
+// All changes between two versions.
 struct GraphDiff {
-    bool ok = false;  // both are graphs or scenes
-    std::vector<GraphChange> changes{};
-    std::vector<Diagnostic> diagnostics{};
+    bool ok = false;                        // both are graphs or scenes
+    std::vector<GraphChange> changes{};     // renames first
+    std::vector<Diagnostic> diagnostics{};  // why one of them is no graph and no scene
 };
 
+// The changes that make `after` of `before`. A text that did not exist has no values.
 PATINA_API GraphDiff diff_graphs(const GraphVersion& before, const GraphVersion& after);
 
 }  // namespace patina

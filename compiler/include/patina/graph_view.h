@@ -8,8 +8,9 @@
 
 namespace patina {
 
+// An input or an output of a box.
 struct GraphPort {
-    std::string name;
+    std::string name;  // "baseColor"; of an expression: "expr" and "out"
     std::string type;  // "float3"; if the graph does not compile: as it is declared, "floatN", or empty
     // Of an input that is set to something else than a node: "0.5", "@uv0", "mask.r". Of one that is not set: the
     // semantic that it reads by default.
@@ -17,25 +18,29 @@ struct GraphPort {
 };
 // A node; or a list of values that the graph gives to something: "surface", "vertex", "outputs".
 struct GraphBox {
-    std::string id;     // of the node; else the key of the list, or "pass outline"
-    std::string title;  // the node's type, or "= expression"
-    std::string note;
-    bool is_node = true;
-    std::vector<GraphPort> inputs, outputs;
+    std::string id;                          // of the node; else the key of the list, or "pass outline"
+    std::string title;                       // the node's type, or "= expression"
+    std::string note;                        // the node's key "note"
+    bool is_node = true;                     // else a list of values
+    std::vector<GraphPort> inputs, outputs;  // as they are declared; a list of values has no outputs
 };
-// From an output of a box to an input: indices.
+// A line from an output of a box to an input of another one.
 struct GraphEdge {
-    std::size_t from = 0, from_port = 0, to = 0, to_port = 0;
+    std::size_t from = 0, from_port = 0;  // indices into GraphView::boxes and its `outputs`
+    std::size_t to = 0, to_port = 0;      // indices into GraphView::boxes and its `inputs`
 };
+// What is drawn of a graph.
 struct GraphView {
-    bool ok = false;
-    std::string name, kind;  // "material", "subgraph", "lighting", "workflow"
-    std::vector<GraphBox> boxes;
-    std::vector<GraphEdge> edges;  // each once
-    std::vector<Diagnostic> diagnostics;
+    bool ok = false;                        // there are no errors; else there are no boxes
+    std::string name;                       // the graph's own, or that of its file
+    std::string kind;                       // "material", "subgraph", "lighting", "workflow"
+    std::vector<GraphBox> boxes;            // nodes in the order of the graph, then the lists of values
+    std::vector<GraphEdge> edges;           // each once
+    std::vector<Diagnostic> diagnostics;    // errors and warnings of the graph
     std::vector<std::string> dependencies;  // files that were read
 };
-// Of the options, only `include_dirs`, `files` and `limits` count. A file of every kind of graph.
+// Reads a graph and finds its types. Of the options, only `include_dirs`, `files` and `limits` count. A file of every
+// kind of graph.
 PATINA_API GraphView view_graph(const Compiler& compiler, const std::string& path, const CompileOptions& options = {});
 
 }  // namespace patina

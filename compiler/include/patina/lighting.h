@@ -17,6 +17,7 @@
 
 #include "patina/export.h"
 
+// Light from the surroundings.
 namespace patina::lighting {
 
 // A picture of everything around a point, in linear light: equirectangular (width : height is 2:1), a cross of a cube's

@@ -20,12 +20,14 @@ namespace patina {
 // A target: a language as an engine takes it. The engine says where values come from and what holds a shader; the
 // language says how a stage is spelled. `patina engines` and Compiler::engines() list all of them.
 struct Target {
-    std::string engine;    // empty: the default engine
-    std::string language;  // "glsl"
+    std::string engine;    // EngineInfo::name; empty: the default engine
+    std::string language;  // one of EngineInfo::languages: "glsl"
 
     // The target's name: the language, or the engine if it is not the default one.
     const std::string& name() const { return engine.empty() ? language : engine; }
+    // True for the same engine and language. The default engine by its name is another one than "".
     friend bool operator==(const Target&, const Target&) = default;
+    // An order for sorted containers: by engine, then by language.
     friend bool operator<(const Target& a, const Target& b) {
         return a.engine != b.engine ? a.engine < b.engine : a.language < b.language;
     }
@@ -63,6 +65,7 @@ PATINA_API FileSystem disk();
 
 // What a program allows a compilation. One that needs more ends with the error `over-budget`.
 struct Limits {
+    // No limit.
     static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
     // The nodes of a graph; each use of a sub-graph counts all of its nodes. The error names the node that passes it.
@@ -87,26 +90,29 @@ struct PassesRequest {
 // Asks for the material's functions for an engine's own shaders, and no passes. All other declarations begin with the
 // prefix ("Rust_"); the reflection lists them.
 struct FunctionsRequest {
-    std::string prefix;
+    std::string prefix;  // an identifier in every shading language
 };
 
 // Asks for a material that shows a port, unlit, instead of the graph's surface: "mask", "rust.amount", "layers/mask"
 // inside the sub-graph of the node "layers", or an input of the surface, "surface.roughness".
 struct PreviewRequest {
-    std::string port;
-    PassesRequest passes{};
+    std::string port;        // what is shown
+    PassesRequest passes{};  // what draws it
 };
 
+// What a compilation is asked for, and where it finds its files. By default: GLSL and HLSL of the path "forward", with
+// files of the disk.
 struct CompileOptions {
     // --- what is made
+    // Each once; a repeated one has no effect. None: the graph is checked, and nothing is written.
     std::vector<Target> targets = {Target::Glsl, Target::Hlsl};
-    using Passes = PassesRequest;
-    using Functions = FunctionsRequest;
-    using Preview = PreviewRequest;
-    std::variant<Passes, Functions, Preview> request{};
+    using Passes = PassesRequest;                        // shaders of a rendering path
+    using Functions = FunctionsRequest;                  // functions for shaders of your own
+    using Preview = PreviewRequest;                      // shaders that show a port
+    std::variant<Passes, Functions, Preview> request{};  // one of the three
     // The passes of the request; null if it asks for functions.
     Passes* passes();
-    const Passes* passes() const;
+    const Passes* passes() const;  // the same
 
     // --- of which values
     // Values of switches (optional parts of the passes), of the graph's variants and specialization constants, and of
@@ -127,7 +133,7 @@ struct CompileOptions {
     std::vector<std::string> include_dirs{};  // searched after the folder of the file that names another
 
     // --- what is allowed
-    Limits limits{};
+    Limits limits{};  // default: none
 
     // --- what the result also has
     // The steps whose text goes to Result::dumps: "graph", "ir", "linked", "tidy", "rates".

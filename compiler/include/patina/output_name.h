@@ -11,6 +11,8 @@
 
 namespace patina {
 
+// The last part of the path, without an ending of a graph or a scene: ".graph.json", ".subgraph.json",
+// ".lighting.json", ".workflow.json", ".scene.json" or ".json".
 PATINA_API std::string output_name(std::string_view path);
 
 }  // namespace patina

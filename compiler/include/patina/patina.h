@@ -28,21 +28,25 @@
 #include "patina/scene.h"
 #include "patina/version.h"
 
+// The compiler library.
 namespace patina {
 
 // The place in the sources that a line of emitted text comes from.
 struct LineOrigin {
-    int line = 0;  // of the shader, from 1
-    std::string node;
-    std::string file;
-    int source_line = 0, source_column = 0, source_end_column = 0;
-    std::string source_text;  // the source line; empty if it is very long
+    int line = 0;                            // of the shader, from 1
+    std::string node;                        // id path of the node: "rust", "layers/mask"; empty: no node
+    std::string file;                        // of the graph, or of the library
+    int source_line = 0, source_column = 0;  // from 1; columns in bytes; 0: there is no such place
+    int source_end_column = 0;               // behind the last byte; 0: on another line
+    std::string source_text;                 // the source line; empty if it is very long
 };
 
+// A text for a shader compiler or an engine: a stage of a pass, a file with all passes, or functions.
 struct Shader {
     std::string pass;  // "forward"; empty for a file that holds all passes
+    // Of the pass, or where the functions can be called. It has no meaning for a file that holds all passes.
     Stage stage = Stage::Vertex;
-    Target target = Target::Glsl;
+    Target target = Target::Glsl;                 // what it was written for
     std::string file_name;                        // "rust.forward.frag.glsl"
     std::string text;                             // the entry point is `main`; functions have none
     std::vector<LineOrigin> line_map;             // ascending by line
@@ -55,27 +59,30 @@ struct Shader {
     std::string hash{};
 };
 
+// A step of a compilation as text, for people: its form may change.
 struct Dump {
     std::string stage;  // "ir", "forward.fragment.tidy"
-    std::string text;
+    std::string text;   // of the graph or the IR after the step
 };
 
 struct Program;  // the unoptimised stages, for patina/interpret.h
 
+// What a compilation makes.
 struct Result {
-    bool ok = false;  // there are no errors; `shaders` and `reflection` are complete
-    std::vector<Diagnostic> diagnostics;
-    std::vector<Shader> shaders;
-    Reflection reflection;
-    std::vector<std::string> dependencies;  // files that were read, the graph first
-    std::vector<Dump> dumps;
+    bool ok = false;                      // there are no errors; `shaders` and `reflection` are complete
+    std::vector<Diagnostic> diagnostics;  // errors and warnings, file by file in the order of the text
+    std::vector<Shader> shaders;  // engine by engine, then pass by pass, then target by target; none after an error
+    Reflection reflection;        // for the first engine that draws the library's paths, else for the first one
+    std::vector<std::string> dependencies;   // files that were read, the graph first
+    std::vector<Dump> dumps;                 // of the steps in CompileOptions::dump
     std::shared_ptr<const Program> program;  // null unless keep_programs
 };
 
+// What Compiler::read_scene() gives.
 struct SceneResult {
-    bool ok = false;
-    SceneFile scene;  // what could be read
-    std::vector<Diagnostic> diagnostics;
+    bool ok = false;                        // there are no errors; `scene` is complete
+    SceneFile scene;                        // what could be read
+    std::vector<Diagnostic> diagnostics;    // errors and warnings, in the order of the text
     std::vector<std::string> dependencies;  // files that were read: the scene
 };
 
@@ -87,101 +94,115 @@ struct EngineInfo {
     std::string title;  // "Vulkan"
     std::string doc;    // a sentence on the files that it gets
     std::string file;   // how stages become files: "stages" for one each, else the format of the one file
-    std::vector<std::string> languages;
-    bool is_default = false;
-    bool has_own_passes = false;  // it draws its own rendering paths instead of the library's
+    std::vector<std::string> languages;  // that its shaders can be written in: "glsl", "hlsl"
+    bool is_default = false;             // a target without an engine means this one
+    bool has_own_passes = false;         // it draws its own rendering paths instead of the library's
     // Of its own passes: those that CompileOptions::Passes::path can name; the first is the default.
     std::vector<std::string> paths;
     bool is_one_file = false;  // one file holds all passes of a material
     std::string folder;        // the folder that defines it: "nodes/engines/vulkan"
 };
 
+// A value of an enum of the node language.
 struct EnumeratorInfo {
-    std::string name, doc;
+    std::string name, doc;  // the word in graphs; what it means
 };
+// An input or an output of a node.
 struct PortInfo {
-    std::string name;
-    std::string type;  // "float", "floatN", "Texture2D", or an enum's name
-    bool is_output = false;
-    std::string default_value;  // as written: "0.5", "@uv0"; empty: must be linked (inputs)
-    std::optional<std::array<double, 2>> range;
-    std::string unit;
-    std::string doc;
-    std::vector<EnumeratorInfo> enumerators;
+    std::string name;                            // as graphs write it; "out" is what the node returns
+    std::string type;                            // "float", "floatN", "Texture2D", or an enum's name
+    bool is_output = false;                      // else an input
+    std::string default_value;                   // as written: "0.5", "@uv0"; empty: must be linked (inputs)
+    std::optional<std::array<double, 2>> range;  // the lowest and the highest value that make sense
+    std::string unit;                            // "m"; empty: it has none
+    std::string doc;                             // one line; may be empty
+    std::vector<EnumeratorInfo> enumerators;     // of an enum, by index
 };
+// A node: what graphs name by "node".
 struct NodeInfo {
-    std::string name;               // as "node" names it
-    std::string category;           // "Lighting/Distribution"
-    std::vector<std::string> also;  // its names in other languages and programs: "Mix"
-    std::string doc;                // paragraphs, plain text
-    std::string formula;
-    std::string source;              // the paper
+    std::string name;                // as "node" names it
+    std::string category;            // "Lighting/Distribution"
+    std::vector<std::string> also;   // its names in other languages and programs: "Mix"
+    std::string doc;                 // paragraphs, plain text
+    std::string formula;             // an equation; may be empty
+    std::string source;              // the paper; may be empty
     std::vector<PortInfo> ports;     // inputs in order, then outputs, the primary one first
     std::string file;                // where it is defined
     std::vector<std::string> tests;  // "Lerp(0, 10, 0.25) == 2.5"
 };
+// A value that graphs read with '@': of the mesh, the camera, the engine or, in a lighting graph, of the surface and
+// the light.
 struct SemanticInfo {
-    std::string name, type, doc, rate;
+    std::string name;  // without '@': "uv0", "surface.roughness"
+    std::string type;  // "float3"
+    std::string doc;   // what it is
+    std::string rate;  // how often it changes: "vertex", "pixel", "uniform"; "lighting": given to a lighting graph
 };
 // An input of a workflow or a lighting model: an input of the surface, or a property.
 struct ModelInputInfo {
-    std::string name, type;
+    std::string name;           // as graphs write it
+    std::string type;           // "float3"; of a property, the word of a PropertyType
     std::string default_value;  // as written: "[0.5, 0.5, 0.5]", "\"@geometryNormalWS\""; empty: none
-    std::string doc;
-    std::optional<std::array<double, 2>> range{};
-    std::vector<std::string> values{};  // of an enum
-    std::string gives{};                // this input is an alternative to that one: "normalWS"
-    bool is_variant = false;            // a property that is known when the graph is compiled
+    std::string doc;            // what it is
+    std::optional<std::array<double, 2>> range{};  // the lowest and the highest value that make sense
+    std::vector<std::string> values{};             // of an enum
+    std::string gives{};                           // this input is an alternative to that one: "normalWS"
+    bool is_variant = false;                       // a property that is known when the graph is compiled
 };
+// A node of the graph of a workflow or a lighting model.
 struct ModelNodeInfo {
-    std::string id;
-    std::string node;  // its name in the library; empty: an expression
-    std::string expr;
+    std::string id;                                           // unique in its graph
+    std::string node;                                         // its name in the library; empty: an expression
+    std::string expr;                                         // the expression, if it is one
     std::vector<std::pair<std::string, std::string>> inputs;  // port, and the value as written
     std::string doc;                                          // the comment above it
 };
 // A workflow or a lighting model. Its documentation is the comment above its graph, with the keywords of a node's.
 struct ModelInfo {
-    std::string name;   // as "workflow" and "lighting" name it
-    std::string title;  // "Blinn-Phong"
-    std::string doc;    // paragraphs, plain text
-    std::string formula, source;
-    std::string use;  // when to use it
-    std::string file;
-    std::vector<ModelInputInfo> inputs;      // of the surface; a lighting model's own
-    std::vector<ModelInputInfo> properties;  // of a lighting model
-    std::vector<ModelNodeInfo> nodes;
+    std::string name;                                          // as "workflow" and "lighting" name it
+    std::string title;                                         // "Blinn-Phong"
+    std::string doc;                                           // paragraphs, plain text
+    std::string formula, source;                               // an equation, and the paper; both may be empty
+    std::string use;                                           // when to use it
+    std::string file;                                          // where it is defined
+    std::vector<ModelInputInfo> inputs;                        // of the surface; a lighting model's own
+    std::vector<ModelInputInfo> properties;                    // of a lighting model
+    std::vector<ModelNodeInfo> nodes;                          // in the order of its file
     std::vector<std::pair<std::string, std::string>> outputs;  // "direct" and so on, and the value as written
 };
 
 // A pass of a rendering path, as its file states it.
 struct PassInfo {
     Pass state{};  // the state that no material changes
+    // How surfaces of one kind are blended.
     struct SurfaceBlend {
         std::optional<SurfaceKind> surface{};  // the kind that is drawn; nothing: every kind
-        Blend blend{};
+        Blend blend{};                         // how their pixels are mixed with the target
     };
     std::vector<SurfaceBlend> blends{};  // of pass.targets; empty: every surface is drawn, and replaces the pixel
     bool is_optional = false;            // left out for a material that it cannot draw
 };
+// A rendering path: the passes that draw a material.
 struct PathInfo {
-    std::string name;  // as CompileOptions::Passes::path names it
-    std::string doc;   // the comment that opens its file: paragraphs, plain text
-    std::string source;
-    std::string file;
-    std::vector<PassInfo> passes;
+    std::string name;              // as CompileOptions::Passes::path names it
+    std::string doc;               // the comment that opens its file: paragraphs, plain text
+    std::string source;            // the paper; may be empty
+    std::string file;              // where it is defined
+    std::vector<PassInfo> passes;  // in the order in which they are drawn
 };
 
 // --- a program's own part of the library
 
+// A file of a LibraryOverlay.
 struct LibraryFile {
     // Names the file in diagnostics. Its ending says what it holds:
+    //
     //   .node.hlsl       nodes, functions that nodes call, and semantics
     //   .pass.hlsl       a rendering path, named by the file
     //   .lighting.json   a lighting model, named by the file
     //   .workflow.json   a workflow, named by the file
     std::string name;
-    std::string text;
+    std::string text;  // all of the file
 };
 
 // Nodes, semantics, workflows, lighting models and rendering paths of a program's own, beside those of the library.
@@ -190,17 +211,18 @@ struct LibraryFile {
 //   const patina::Compiler compiler(patina::LibraryOverlay{.files = {{"mine/dots.node.hlsl", text}}});
 //   for (const patina::Diagnostic& d : compiler.library_diagnostics()) ...   // a name twice, text that does not parse
 struct LibraryOverlay {
-    std::vector<LibraryFile> files;
+    std::vector<LibraryFile> files;  // in any order
     // An engine of the program's own will be a member here. Until then there are the library's.
 };
 
 // A `test:` line of a node's comment: `call` should equal `expected` within the tolerances.
 struct NodeTest {
-    std::string node;
-    std::string text;  // the line
-    std::string file;
-    int line = 0;
-    double relative = 0, absolute = 0;
+    std::string node;                   // whose comment has it
+    std::string text;                   // the line; of a line that cannot run: why
+    std::string file;                   // where the line is
+    int line = 0;                       // from 1
+    double relative = 0, absolute = 0;  // allowed difference: this share of the expected value, and this number
+    // An input of the call.
     struct Argument {
         std::string name, type;      // "float3", or the enum's name
         std::vector<double> values;  // its components; enum: index
@@ -208,34 +230,36 @@ struct NodeTest {
     };
     std::vector<Argument> arguments;  // given ones only
     std::string output;               // port
-    std::vector<double> expected;
-    std::vector<double> actual;  // the CPU interpreter, in double
+    std::vector<double> expected;     // components, as the line states them
+    std::vector<double> actual;       // the CPU interpreter, in double
 };
 
 // The result of a check of a user's .node.hlsl file: its errors, and its test lines.
 struct NodeFileResult {
-    bool ok = false;  // the file is valid; tests may still have failed
-    std::vector<Diagnostic> diagnostics;
-    NodeInfo node;
-    std::vector<NodeTest> tests;
+    bool ok = false;                      // the file is valid; tests may still have failed
+    std::vector<Diagnostic> diagnostics;  // errors and warnings, in the order of the text
+    NodeInfo node;                        // what the file declares
+    std::vector<NodeTest> tests;          // its test lines, run
 };
 // True if `actual` is within the test's tolerances of `expected`, NaN matching NaN.
 PATINA_API bool passed(const NodeTest& test);
 
+// One output of what was evaluated.
 struct EvalOutput {
-    std::string name, type;
-    std::vector<double> values;
+    std::string name, type;      // the port, "out" of an expression; "float3"
+    std::vector<double> values;  // components; matrices row by row; bool 0 or 1
 };
+// What an evaluation gives.
 struct EvalResult {
-    bool ok = false;
-    std::vector<Diagnostic> diagnostics;
-    std::vector<EvalOutput> outputs;  // the primary one first
+    bool ok = false;                      // there are no errors
+    std::vector<Diagnostic> diagnostics;  // of the arguments or the expression, with places in their texts
+    std::vector<EvalOutput> outputs;      // the primary one first
 };
 
 // A number or vector (one to four components) that expressions may read by its name.
 struct NamedValue {
-    std::string name;
-    std::vector<double> values;
+    std::string name;            // an identifier
+    std::vector<double> values;  // one to four
 };
 
 class GraphBuilder;  // patina/graph_builder.h
@@ -244,24 +268,31 @@ struct VariantProgram;
 struct VariantSet;
 enum class VariantsWanted;
 
+// The compiler with its node library. Its functions do not throw because of their input, and any number of threads may
+// call them at once.
 class PATINA_API Compiler {
 public:
+    // Loads the library. Keep the object: each one has a library of its own.
     Compiler();
-    // If the overlay has errors, library_diagnostics() has them, and so has each result, which is not ok.
+    // Also loads a program's own part. If that has errors, library_diagnostics() has them, and so has each result,
+    // which is not ok.
     explicit Compiler(const LibraryOverlay& overlay);
     ~Compiler();
-    Compiler(Compiler&&) noexcept;
-    Compiler& operator=(Compiler&&) noexcept;
+    Compiler(Compiler&&) noexcept;             // what was moved from can only be assigned to or destroyed
+    Compiler& operator=(Compiler&&) noexcept;  // no other thread may use either of the two
 
+    // Compiles the graph in a file. If it cannot be read, that is an error of the result.
     Result compile_file(const std::string& path, const CompileOptions& options = {}) const;
-    // `path` names the text in messages and output files; relative files are searched in its folder.
+    // Compiles a graph. `path` names the text in messages and output files; relative files are searched in its folder.
     Result compile_text(const std::string& path, std::string text, const CompileOptions& options = {}) const;
+    // Compiles a graph that was built in code. Each diagnostic names the node and the port, where there is one.
     Result compile(const GraphBuilder& graph, const CompileOptions& options = {}) const;
 
     // Counts the combinations of a material's variants before anything is compiled; more than `limit` are refused.
     // `progress` is called with the axes, and then with each new count for Reachable, which takes time.
     VariantPlan plan_variants(const std::string& path, VariantsWanted wanted, const CompileOptions& options,
                               std::size_t limit, const std::function<void(const VariantPlan&)>& progress = {}) const;
+    // Compiles the combinations of a plan, with the path and options that it was made with.
     // `progress` is called with the index of the next combination. `finished` is called with each different program as
     // soon as it is compiled: VariantSet::programs then keeps only its hash, so that few are in memory at a time. What
     // either throws ends the work with the error `cancelled`.
@@ -269,7 +300,8 @@ public:
                                 const std::function<void(std::size_t)>& progress = {},
                                 const std::function<void(VariantProgram)>& finished = {}) const;
 
-    // A scene; its graphs are found, not compiled. Of the options only `include_dirs`, `files` and `limits` count.
+    // Reads a scene; its graphs are found, not compiled. Of the options only `include_dirs`, `files` and `limits`
+    // count.
     SceneResult read_scene(const std::string& path, const CompileOptions& options = {}) const;
 
     // The hash of the library, the overlay and the compiler itself: 32 hexadecimal digits. Compilers with the same hash
@@ -279,22 +311,24 @@ public:
     // finds, and the options without Limits. Two requests with the same key have the same result, if that is ok. It
     // reads the graph, and compiles nothing.
     std::string cache_key(const std::string& path, const CompileOptions& options = {}) const;
+    // The same, for compile_text().
     std::string cache_key(const std::string& path, std::string text, const CompileOptions& options) const;
 
     // Errors of the library and the overlay, which are read completely for this.
     std::vector<Diagnostic> library_diagnostics() const;
-    const std::vector<NodeInfo>& nodes() const;  // by category, then name
-    const NodeInfo* node(std::string_view name) const;
+    const std::vector<NodeInfo>& nodes() const;         // by category, then name
+    const NodeInfo* node(std::string_view name) const;  // null if there is none of this name
     // For a name that is no node's: "did you mean 'Lerp'?", "'Mix' is the node 'Lerp' here", or nothing.
     std::string node_advice(std::string_view name) const;
-    const std::vector<SemanticInfo>& semantics() const;
-    const std::vector<ModelInfo>& workflows() const;
-    const std::vector<ModelInfo>& lighting_models() const;
-    const std::vector<PathInfo>& paths() const;      // by name
-    const std::vector<EngineInfo>& engines() const;  // the default one first, then by name
+    const std::vector<SemanticInfo>& semantics() const;     // in the order of the library's files
+    const std::vector<ModelInfo>& workflows() const;        // by name
+    const std::vector<ModelInfo>& lighting_models() const;  // by name
+    const std::vector<PathInfo>& paths() const;             // by name
+    const std::vector<EngineInfo>& engines() const;         // the default one first, then by name
     // The targets that a word stands for: a language of the default engine ("glsl"), or an engine with all its
     // languages ("unity"). Empty if the word is unknown.
     std::vector<Target> targets(std::string_view word) const;
+    // The test lines of a node of the library, run on the CPU; see passed(). None if there is no such node.
     std::vector<NodeTest> tests(std::string_view node) const;
 
     // Reads a node file, describes its node and runs its test lines on the CPU.
@@ -311,12 +345,13 @@ public:
 
     // JSON Schema (draft 2020-12) of the graph format, with the library's nodes, ports and words.
     std::string schema() const;
-    // Canonical text of a graph: key order, spacing, comments kept. Not ok if it cannot be read.
+    // What format() gives.
     struct Formatted {
-        bool ok = false;
-        std::string text;
-        std::vector<Diagnostic> diagnostics;
+        bool ok = false;                      // the text could be read
+        std::string text;                     // the canonical form
+        std::vector<Diagnostic> diagnostics;  // why it could not be read
     };
+    // Canonical text of a graph: key order, spacing, comments kept. `path` names it in messages.
     Formatted format(const std::string& path, std::string text) const;
 
 private:
@@ -326,6 +361,7 @@ private:
     std::unique_ptr<Impl> impl_;
 };
 
-PATINA_API std::string_view version();  // "0.1.0"
+// The version of the library that runs: "0.1.0". PATINA_VERSION_STRING is that of the headers.
+PATINA_API std::string_view version();
 
 }  // namespace patina

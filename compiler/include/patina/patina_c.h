@@ -70,7 +70,7 @@ typedef struct patina_library_file {
 // each result.
 PATINA_API patina_status patina_compiler_create(uint32_t abi, const patina_library_file* files, size_t count,
                                                 patina_compiler** compiler);
-// Its results may live on. Null is allowed.
+// Frees a compiler. Its results may live on. Null is allowed.
 PATINA_API void patina_compiler_free(patina_compiler* compiler);
 
 // --- files of the program's own
@@ -103,6 +103,7 @@ PATINA_API void patina_reply_error(patina_reply* reply, const char* reason);
 // from there.
 //
 // `options` is a JSON object, or null. All keys may be left out:
+//
 //   "targets"       list of languages and engines: "glsl", "hlsl", "unity"; without it GLSL and HLSL
 //   "path"          the rendering path: "forward", "deferred", a file
 //   "passes"        list of passes, instead of all of the path
@@ -115,6 +116,7 @@ PATINA_API void patina_reply_error(patina_reply* reply, const char* reason);
 //   "acceptParts"   true: also compiles a lighting graph or a sub-graph
 //   "hashes"        true: the reflection has the hash of each pass
 //   "limits"        object: the most "nodes", "sourceBytes" and "shaderBytes"
+//
 // patina::CompileOptions says more about each. Errors have places in a file that is called "options".
 //
 // `callbacks` may be null. A result is made if the status is PATINA_OK or PATINA_HAS_ERRORS; otherwise it is null.
@@ -124,7 +126,7 @@ PATINA_API patina_status patina_compile(const patina_compiler* compiler, const c
 // The same, with the text of the file that `path` names.
 PATINA_API patina_status patina_compile_file(const patina_compiler* compiler, const char* path, const char* options,
                                              const patina_callbacks* callbacks, patina_result** result);
-// Null is allowed.
+// Frees a result with all that it has given. Null is allowed.
 PATINA_API void patina_result_free(patina_result* result);
 
 // --- results
@@ -145,9 +147,9 @@ typedef struct patina_shader {
     const char* language;   // "glsl"
 } patina_shader;
 
-// 0 if there are errors.
+// The number of shaders; 0 if there are errors.
 PATINA_API size_t patina_result_shader_count(const patina_result* result);
-// Null if there is no such shader. It lives as long as the result.
+// One of the shaders, which lives as long as the result; null if there is no such shader.
 PATINA_API const patina_shader* patina_result_shader(const patina_result* result, size_t index);
 // The reflection as JSON, as NAME.reflect.json has it; empty if there are errors.
 PATINA_API const char* patina_result_reflection(const patina_result* result);

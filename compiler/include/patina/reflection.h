@@ -15,105 +15,113 @@
 
 namespace patina {
 
+// A member of a uniform block.
 struct BlockMember {
-    std::string name;
+    std::string name;                   // in the shaders
     ValueType type = ValueType::Float;  // of one element of an array
     std::uint32_t offset = 0;       // bytes from the start of the block; the same in GLSL std140 and in an HLSL cbuffer
     std::uint32_t size = 0;         // bytes, of the whole array if it is one
     std::uint32_t array_count = 0;  // 0: not an array
-    std::uint32_t array_stride = 0;
-    bool is_of_instance = false;  // an array with an element for each instance of a draw
+    std::uint32_t array_stride = 0;  // bytes from one element of the array to the next
+    bool is_of_instance = false;     // an array with an element for each instance of a draw
 };
 
+// A uniform block: std140 in GLSL, a cbuffer in HLSL.
 struct Block {
-    std::string name;
+    std::string name;                             // in the shaders
     bool is_material = false;                     // the graph's own properties; other blocks are the engine's
     std::uint32_t set = 0;                        // Vulkan descriptor set = HLSL register space
     std::uint32_t binding = 0;                    // Vulkan binding, of GLSL and of HLSL after the shifts
     std::string hlsl_register;                    // "b0, space1"
     std::uint32_t size = 0;                       // bytes, a multiple of 16
     MatrixOrder matrices = MatrixOrder::Columns;  // what stands in 16 bytes each
-    std::vector<BlockMember> members;
+    std::vector<BlockMember> members;             // in the order of their offsets
 };
 
+// How a texture is read.
 struct Sampler {
-    Wrap wrap = Wrap::Repeat;
-    Filter filter = Filter::Linear;
-    int anisotropy = 1;  // 1 to 16
+    Wrap wrap = Wrap::Repeat;        // beyond its edges, in every direction
+    Filter filter = Filter::Linear;  // between its texels and its levels
+    int anisotropy = 1;              // 1 to 16
+    // True if all three are equal.
     friend bool operator==(const Sampler&, const Sampler&) = default;
 };
 
+// A texture with its sampler: a property of the graph, or the engine's own.
 struct Texture {
-    std::string name;        // the property's
+    std::string name;        // the property's, or the engine's
     std::string identifier;  // in the shaders: the name, or another where a language or a block has it already
-    TextureDimension dimension = TextureDimension::Flat;
-    TextureUsage usage = TextureUsage::Color;
+    TextureDimension dimension = TextureDimension::Flat;  // how its texels are arranged
+    TextureUsage usage = TextureUsage::Color;             // what its texels hold
     // The shaders apply the next two to every texel that they read, so the picture is bound as its file has it.
     Handedness handedness = Handedness::OpenGL;  // of a normal map
     std::string swizzle{};                       // four of r, g, b, a, 0 and 1; empty: the channels of the file
     std::array<int, 2> grid{1, 1};  // of an array and a volume: columns and rows of layers in a picture's file
-    TextureDefault default_texture = TextureDefault::None;
+    TextureDefault default_texture = TextureDefault::None;  // what is bound if a material gives it none
     // Of TextureDefault::File: its path from the compiled graph's folder, or, if it is a URI or FileSystem::resolve is
     // the program's, its path as the compiler found it.
     std::string default_file{};
-    bool is_material = true;  // false: the engine's own, which has no default
-    std::string reads{};      // the target of another pass that is to be bound here: "gbufferNormal", "depth"
-    std::uint32_t set = 0;
-    std::uint32_t binding = 0;
-    std::string hlsl_register;  // "t0, space1"
-    std::string sampler_name;   // textures that share a sampler have the same name and binding
-    std::uint32_t sampler_binding = 0;
-    std::string sampler_register;  // "s0, space1"
-    std::string tiling;            // member of the material's block: float4 scale and offset; empty: has none
+    bool is_material = true;            // false: the engine's own, which has no default
+    std::string reads{};                // the target of another pass that is to be bound here: "gbufferNormal", "depth"
+    std::uint32_t set = 0;              // Vulkan descriptor set = HLSL register space
+    std::uint32_t binding = 0;          // Vulkan binding, of GLSL and of HLSL after the shifts
+    std::string hlsl_register;          // "t0, space1"
+    std::string sampler_name;           // textures that share a sampler have the same name and binding
+    std::uint32_t sampler_binding = 0;  // in the same set
+    std::string sampler_register;       // "s0, space1"
+    std::string tiling;                 // member of the material's block: float4 scale and offset; empty: has none
     std::array<double, 4> tiling_default{1, 1, 0, 0};  // what that member starts as
-    Sampler sampler;
-    FilePlace place{};  // of the property in its graph; not in the JSON
+    Sampler sampler;                                   // as the graph states it
+    FilePlace place{};                                 // of the property in its graph; not in the JSON
 };
 
+// A value of the graph that a program can set.
 struct Property {
-    std::string name;
+    std::string name;        // in the graph: "_Tint"
     std::string identifier;  // in the shaders: the name, or another where a language or a block has it already
-    PropertyType type = PropertyType::Float;
-    std::array<double, 4> value{};  // default; colours linear; bool 0 or 1; enum: index
+    PropertyType type = PropertyType::Float;  // of the value
+    std::array<double, 4> value{};            // default; colours linear; bool 0 or 1; enum: index
     // Specialization: a constant that is set when a pipeline is made. Variant: the shaders are compiled for `value`,
     // and hold no other.
     Binding binding = Binding::Uniform;
     std::optional<std::uint32_t> constant_id{};  // of a specialization constant; the same in all passes and variants
-    std::optional<std::array<double, 2>> range;
-    bool hard = false;                // the range is a limit, not a hint
-    std::vector<std::string> values;  // enumerators
-    std::string label, group, help;
+    std::optional<std::array<double, 2>> range;  // the lowest and the highest value
+    bool hard = false;                           // the range is a limit, not a hint
+    std::vector<std::string> values;             // of an enum: its words, by index
+    std::string label, group, help;              // for an editor: its title, the heading above it, a tip
     std::string block;         // block that holds it; empty for textures, specialization constants and variants
-    std::uint32_t offset = 0;  // in that block
-    std::uint32_t size = 0;
+    std::uint32_t offset = 0;  // bytes from the start of that block
+    std::uint32_t size = 0;    // bytes in that block
     std::uint32_t instance_stride = 0;  // bytes to the next instance's value; 0: there is one for all
 };
 
+// What the vertex stage reads of the mesh.
 struct VertexInput {
     std::string name;  // positionOS, normalOS, tangentOS (w: handedness of the bitangent), uv0.., vertexColor
-    ValueType type = ValueType::Float;
-    std::uint32_t location = 0;
-    std::string hlsl_semantic;
+    ValueType type = ValueType::Float;  // in the stage
+    std::uint32_t location = 0;         // of GLSL, and of HLSL in Vulkan
+    std::string hlsl_semantic;          // "TEXCOORD0"
 };
 
 // How a pixel is mixed with what is in the target.
 struct Blend {
     BlendFactor source = BlendFactor::One, destination = BlendFactor::Zero;              // of the colour
     BlendFactor source_alpha = BlendFactor::One, destination_alpha = BlendFactor::Zero;  // of alpha
+    // True if all factors are equal.
     friend bool operator==(const Blend&, const Blend&) = default;
-    // Else a pixel replaces what is there.
+    // False if a pixel replaces what is there.
     bool is_on() const { return *this != Blend{}; }
 };
 
 // An image that a pass draws into. Passes that name the same target draw into the same image.
 struct RenderTarget {
-    std::string name;  // "color": what is shown in the end
-    std::uint32_t location = 0;
-    TargetFormat format = TargetFormat::Rgba16F;
-    Blend blend{};
+    std::string name;                             // "color": what is shown in the end
+    std::uint32_t location = 0;                   // of the fragment stage's output
+    TargetFormat format = TargetFormat::Rgba16F;  // how it holds a pixel
+    Blend blend{};                                // how a pixel is mixed with what is there
 };
 
-// Both faces are alike.
+// The stencil test of a pass, which is the same for both faces.
 struct Stencil {
     Compare test = Compare::Always;                         // (reference & read_mask) to (what is there & read_mask)
     StencilOp pass = StencilOp::Keep;                       // what happens where both tests pass
@@ -122,7 +130,9 @@ struct Stencil {
     StencilOp depth_fail = StencilOp::Keep;                 // where only the depth test fails
     int value = 0, read_mask = 255, write_mask = 255;       // 0 to 255
 
+    // True if the reference is a number that the materials of one lighting pass share.
     bool is_of_lighting() const { return reference == StencilReference::Lighting; }
+    // False if it neither rejects a pixel nor changes the stencil.
     bool is_used() const {
         return test != Compare::Always || pass != StencilOp::Keep || fail != StencilOp::Keep ||
                depth_fail != StencilOp::Keep || is_of_lighting();
@@ -137,34 +147,34 @@ struct Bounds {
 
 // A file that holds a stage of a pass.
 struct ShaderFile {
-    Stage stage = Stage::Vertex;
-    std::string language;  // "glsl"
-    std::string file;      // its name: "rust.forward.frag.glsl"
+    Stage stage = Stage::Vertex;  // what it holds
+    std::string language;         // "glsl"
+    std::string file;             // its name: "rust.forward.frag.glsl"
 };
 
 // A pass of the material: two stages and the fixed-function state that goes with them.
 struct Pass {
-    std::string name;
-    bool is_extra = false;  // an extra pass of the material; it is drawn by its own queue
-    PassDraws draws = PassDraws::Objects;
-    PassEach each = PassEach::Once;
-    PassLights lights = PassLights::All;
-    PassCamera camera = PassCamera::Any;  // with another camera, the path `fallback` is needed
-    std::string fallback;                 // a path; empty if there is none
-    Cull cull = Cull::Back;
-    std::string depth_target = "depth";
-    bool depth_write = true;
-    Compare depth_test = Compare::LessEqual;
+    std::string name;                             // "forward", unique in the material
+    bool is_extra = false;                        // an extra pass of the material; it is drawn by its own queue
+    PassDraws draws = PassDraws::Objects;         // what it draws
+    PassEach each = PassEach::Once;               // how often
+    PassLights lights = PassLights::All;          // those that it is given
+    PassCamera camera = PassCamera::Any;          // with another camera, the path `fallback` is needed
+    std::string fallback;                         // a path; empty if there is none
+    Cull cull = Cull::Back;                       // the faces that are not drawn; front faces are counter-clockwise
+    std::string depth_target = "depth";           // the image that holds the depth
+    bool depth_write = true;                      // its depth replaces what is there
+    Compare depth_test = Compare::LessEqual;      // its depth to what is there
     double depth_bias = 0, depth_slope_bias = 0;  // as Vulkan's: in units of the depth format, and times the slope
-    Stencil stencil;
-    int queue = 2000;
+    Stencil stencil;                              // the material's, or the pass's own
+    int queue = 2000;                             // lower ones are drawn first
     // It reads a target that has the size of the picture at another place than its own pixel, or may do so: the picture
     // cannot be drawn in tiles.
     bool reads_elsewhere = false;
-    bool moves_vertices = false;        // in the graph's vertex stage: the drawn bounds are not the mesh's own
-    std::optional<Bounds> bounds{};     // for an extra pass: as in Reflection
-    std::vector<RenderTarget> targets;  // empty: depth only
-    std::vector<VertexInput> vertex_inputs;
+    bool moves_vertices = false;             // in the graph's vertex stage: the drawn bounds are not the mesh's own
+    std::optional<Bounds> bounds{};          // for an extra pass: as in Reflection
+    std::vector<RenderTarget> targets;       // empty: depth only
+    std::vector<VertexInput> vertex_inputs;  // of its vertex stage
     std::vector<ShaderFile> shaders{};  // its stages in the languages that were compiled; empty: another file has all
     std::vector<std::string> blocks;    // names of the blocks that either stage reads
     std::vector<std::string> textures;  // names of the textures that either stage reads
@@ -180,57 +190,60 @@ struct ShaderFunction {
     std::string name;               // prefix included
     Stage stage = Stage::Fragment;  // where it can be called
     bool is_engines = false;        // the engine provides it
-    std::string result;
+    std::string result;             // its type
+    // What it is called with.
     struct Parameter {
-        std::string name, type;
+        std::string name, type;  // as the text has them
     };
-    std::vector<Parameter> parameters;
+    std::vector<Parameter> parameters;  // in order
 };
 
 // An optional part of the passes: shadows, fog.
 struct Switch {
-    std::string name;
-    bool value = false;
+    std::string name;    // in CompileOptions::switches: "shadows"
+    bool value = false;  // what the shaders were compiled for
 };
 
 // A descriptor set: equal hash, equal blocks and bindings in it.
 struct SetLayout {
-    std::uint32_t set = 0;
-    std::string hash;
+    std::uint32_t set = 0;  // Vulkan descriptor set = HLSL register space
+    std::string hash;       // 16 hexadecimal digits
 };
 
 struct ReadReflection;
 
+// All that a renderer must know of a compiled material.
 struct PATINA_API Reflection {
-    std::string name;
-    std::string workflow, lighting;
-    SurfaceKind surface = SurfaceKind::Opaque;
-    std::string path = "forward";    // the rendering path that the passes belong to
-    bool moves_vertices = false;     // in the graph's vertex stage: the drawn bounds are not the mesh's own
-    std::optional<Bounds> bounds{};  // the bounds that are drawn, if the graph states them
+    std::string name;                           // the graph's
+    std::string workflow, lighting;             // as the graph, or CompileOptions::lighting, names them
+    SurfaceKind surface = SurfaceKind::Opaque;  // how it covers what is behind it
+    std::string path = "forward";               // the rendering path that the passes belong to
+    bool moves_vertices = false;                // in the graph's vertex stage: the drawn bounds are not the mesh's own
+    std::optional<Bounds> bounds{};             // the bounds that are drawn, if the graph states them
     // The order of depth in the camera's view. The passes' depth tests and biases agree with it; shadow maps are near
     // to far.
     ClipDepth clip_depth = ClipDepth::NearToFar;
     std::uint32_t most_instances = 0;  // how many instances one draw can hold; 0: a draw draws one object
-    std::vector<Switch> switches{};
-    std::vector<Property> properties;
+    std::vector<Switch> switches{};    // the optional parts of the passes
+    std::vector<Property> properties;  // in the order of the graph
     // The lighting model's variants, with the values that the shaders were compiled for: CompileOptions::switches sets
     // them. No runtime can, so they are not in the JSON.
     std::vector<Property> lighting_options{};
-    std::vector<Block> blocks;
-    std::vector<Texture> textures;
-    std::vector<Pass> passes;
+    std::vector<Block> blocks;                // of all passes
+    std::vector<Texture> textures;            // of all passes: the material's, then the engine's
+    std::vector<Pass> passes;                 // in the order in which they are drawn
     std::vector<ShaderFunction> functions{};  // replace the passes
     std::string layout_hash;                  // of blocks and bindings: equal hash, equal layout
     std::vector<SetLayout> sets{};            // that have a block or a texture, ascending
-    // Per set: glslang binding shifts that turn HLSL registers into `binding`. textures: t, samplers: s, buffers: b.
+    // What glslang adds to the HLSL registers of a set to get bindings.
     struct Shifts {
-        std::uint32_t set = 0, textures = 0, samplers = 0, buffers = 0;
+        std::uint32_t set = 0;                                  // Vulkan descriptor set = HLSL register space
+        std::uint32_t textures = 0, samplers = 0, buffers = 0;  // to registers t, s and b
     };
-    std::vector<Shifts> hlsl_shifts;
-    std::string meta;  // raw JSON that the graph carries through, or empty
+    std::vector<Shifts> hlsl_shifts;  // for each set
+    std::string meta;                 // raw JSON that the graph carries through, or empty
 
-    // All but Texture::place and `lighting_options`.
+    // The text of NAME.reflect.json: all but Texture::place and `lighting_options`.
     std::string to_json() const;
     // Reads what to_json() has written; a later version may have more keys. `file` names the text in diagnostics.
     static ReadReflection from_json(std::string_view text, std::string file = "reflection");
@@ -240,10 +253,11 @@ struct PATINA_API Reflection {
     static constexpr int kVersion = 1;
 };
 
+// What Reflection::from_json() gives.
 struct ReadReflection {
-    bool ok = false;
-    Reflection reflection;
-    std::vector<Diagnostic> diagnostics;
+    bool ok = false;                      // there are no errors
+    Reflection reflection;                // complete if it is ok
+    std::vector<Diagnostic> diagnostics;  // what is wrong, with its place in the text
 };
 
 }  // namespace patina

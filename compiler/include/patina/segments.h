@@ -3,7 +3,7 @@
 
 namespace patina {
 
-inline constexpr int kLeastSegments = 3;
-inline constexpr int kMostSegments = 512;
+inline constexpr int kLeastSegments = 3;   // the lowest number of segments
+inline constexpr int kMostSegments = 512;  // the highest number of segments
 
 }  // namespace patina

@@ -12,10 +12,12 @@
 
 namespace patina {
 
+// A line of the differences.
 struct DiffLine {
-    enum class Kind { Same, Removed, Added, Gap } kind = Kind::Same;
-    int old_line = 0, new_line = 0;  // from 1; 0: the text does not have it
-    std::string text{};              // of a Gap: nothing. Lines without difference are left out there
+    // Which text has it: both, the old one, or the new one; or a gap, where equal lines are left out.
+    enum class Kind { Same, Removed, Added, Gap } kind = Kind::Same;  // which of them it is
+    int old_line = 0, new_line = 0;                                   // from 1; 0: the text does not have it
+    std::string text{};                                               // without its line break; of a gap: empty
 };
 
 inline constexpr int kDiffContext = 3;  // lines before and after a difference

@@ -11,24 +11,26 @@
 
 namespace patina {
 
+// What another compiler makes of a shader.
 struct Validated {
-    bool ok = false;
-    std::vector<std::uint32_t> spirv;  // for Vulkan 1.3; entry point "main"
-    std::vector<Diagnostic> diagnostics;
-    std::string log;  // the output of glslang and spirv-val
+    bool ok = false;                      // glslang and spirv-val accept it
+    std::vector<std::uint32_t> spirv;     // for Vulkan 1.3; entry point "main"
+    std::vector<Diagnostic> diagnostics;  // at the graph's own lines, where they are known
+    std::string log;                      // the output of glslang and spirv-val
 };
 
 // How the HLSL reads textures: with separate samplers, or through DirectX 9's sampler2D, which joins a texture and its
 // sampler. In that case glslang chooses the bindings that the text leaves open.
 enum class HlslSamplers { Separate, Combined };
 
-// Thread-safe.
+// Checks a stage of a pass, or functions, which are put into the smallest shader. A language that glslang does not read
+// is not ok. Any thread may call it.
 Validated validate(const Shader& shader, HlslSamplers samplers = HlslSamplers::Separate);
 
 // The output of `spirv-opt -O`; empty if the input is not valid.
 std::vector<std::uint32_t> optimised(const std::vector<std::uint32_t>& spirv);
 
-// Readable SPIR-V.
+// SPIR-V as text, with the names of the shader; empty if the input is not valid.
 std::string disassemble(const std::vector<std::uint32_t>& spirv);
 
 }  // namespace patina

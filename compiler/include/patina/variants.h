@@ -12,35 +12,38 @@ namespace patina {
 
 // A variant that CompileOptions::switches leave open, and its values: "false" and "true", or an enum's words.
 struct VariantAxis {
-    std::string property;
-    std::vector<std::string> values;
-    std::size_t otherwise = 0;  // the default: index into `values`
-    bool is_bool = false;       // otherwise an enum
+    std::string property;             // its name in the graph: "_Mode"
+    std::vector<std::string> values;  // in the order of the graph
+    std::size_t otherwise = 0;        // the default: index into `values`
+    bool is_bool = false;             // otherwise an enum
 };
 // Property and value, in the order of the axes.
 using VariantValues = std::vector<std::pair<std::string, std::string>>;
 
+// Which combinations are compiled.
 enum class VariantsWanted {
     All,       // every value with every other
     Listed,    // the combinations that the graph lists under "variants"; missing values are the defaults
     Reachable  // only properties that make different shaders, given the values of the others
 };
-PATINA_API std::string_view to_string(VariantsWanted wanted);  // "all", "listed", "reachable"
+// What is wanted as a word: "all", "listed", "reachable".
+PATINA_API std::string_view to_string(VariantsWanted wanted);
 
-inline constexpr std::size_t kVariantLimit = 1024;
+inline constexpr std::size_t kVariantLimit = 1024;       // the usual limit of their number
 inline constexpr std::size_t kMostVariants = 1'000'000;  // the highest limit that can be set
 
+// The combinations of a material, before they are compiled.
 struct PATINA_API VariantPlan {
-    bool ok = false;
-    std::vector<Diagnostic> diagnostics;
-    std::vector<VariantAxis> axes;
-    std::size_t fixed = 0;  // number of variants that the options give a value
-    std::size_t count = 0;  // number of combinations
+    bool ok = false;                      // there are no errors; more combinations than the limit are one
+    std::vector<Diagnostic> diagnostics;  // of the graph; for too many combinations, how each variant adds to them
+    std::vector<VariantAxis> axes;        // in the order of the graph
+    std::size_t fixed = 0;                // number of variants that the options give a value
+    std::size_t count = 0;                // number of combinations; 0 if not ok
     // Listed, Reachable: the combinations. All: empty, because they follow from the axes.
     std::vector<VariantValues> picked;
 
-    // The values of one combination: of every axis or, for Reachable, of the properties that count. Exactly one
-    // combination matches any choice of values.
+    // The values of one combination, 0 to count - 1: of every axis or, for Reachable, of the properties that count.
+    // Exactly one combination matches any choice of values.
     VariantValues combination(std::size_t index) const;
 };
 // The number of combinations of all axes; may be more than a plan can hold.
@@ -52,11 +55,12 @@ struct VariantProgram {
     Result result;     // with hashes; the reflection states the variants' default values
 };
 
+// All combinations of a plan, compiled.
 struct VariantSet {
-    bool ok = false;
+    bool ok = false;                        // there are no errors
     std::vector<Diagnostic> diagnostics;    // each diagnostic once
     std::vector<VariantProgram> programs;   // if each was handed over as it was compiled: their hashes alone
-    std::vector<std::size_t> program_of;    // by VariantPlan::combination
+    std::vector<std::size_t> program_of;    // index into `programs`, by that of VariantPlan::combination
     std::vector<std::string> dependencies;  // files that were read, the graph first
 };
 

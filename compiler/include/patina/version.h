@@ -4,9 +4,9 @@
 //   #if PATINA_VERSION >= PATINA_MAKE_VERSION(0, 2, 0)
 #pragma once
 
-#define PATINA_VERSION_MAJOR 0
-#define PATINA_VERSION_MINOR 1
-#define PATINA_VERSION_PATCH 0
+#define PATINA_VERSION_MAJOR 0  // grows with changes that programs must follow
+#define PATINA_VERSION_MINOR 1  // grows with additions; until 1.0, also with such changes
+#define PATINA_VERSION_PATCH 0  // grows with corrections
 // The three numbers as text: "0.1.0"; patina::version() is that of the library that runs.
 #define PATINA_VERSION_STRING "0.1.0"
 

@@ -15,23 +15,26 @@
 
 namespace patina {
 
+// A row of a table: how a value of an enum is written.
 template <class E>
 struct Word {
-    std::string_view text;
-    E value;
+    std::string_view text;  // as files and messages have it: "lessEqual"
+    E value;                // what it stands for
 };
 
-// The table of an enum: an array of Word<E>. An enum that has no words has no table.
+// Takes the place of the table of an enum that has none.
 struct NoWords {};
+// The table of an enum: a std::array of Word<E>.
 template <class E>
 inline constexpr NoWords kWords{};
 
+// An enum with a table.
 template <class E>
 concept HasWords = requires {
     kWords<E>.size();
 };
 
-// Empty for a value that stands for the absence of a word.
+// The word of a value; empty for a value that stands for the absence of a word.
 template <HasWords E>
 constexpr std::string_view to_string(E value) {
     for (const Word<E>& word : kWords<E>) {
@@ -40,6 +43,7 @@ constexpr std::string_view to_string(E value) {
     return {};
 }
 
+// The value of a word; nothing if the table has no such word. Case counts.
 template <HasWords E>
 constexpr std::optional<E> from_word(std::string_view text) {
     for (const Word<E>& word : kWords<E>) {
@@ -50,6 +54,7 @@ constexpr std::optional<E> from_word(std::string_view text) {
 
 // --- properties and textures
 
+// The type of a property. A Color is four components, and linear; an Enum is the index of its word.
 enum class PropertyType {
     Float,
     Float2,
@@ -64,6 +69,7 @@ enum class PropertyType {
     Texture2DArray,
     Texture3D
 };
+// True for the four types that are textures.
 constexpr bool is_texture(PropertyType type) {
     return type >= PropertyType::Texture2D;
 }
@@ -94,7 +100,8 @@ inline constexpr auto kWords<Binding> = std::to_array<Word<Binding>>({
     {"instance", Binding::Instance},
 });
 
-// Color: sRGB, decoded when it is sampled. Data: linear. Normal: tangent space, 2x - 1.
+// What the texels of a texture hold. Color: sRGB, decoded when it is sampled. Data: linear. Normal: in tangent
+// space, 2x - 1.
 enum class TextureUsage { Color, Data, Normal };
 template <>
 inline constexpr auto kWords<TextureUsage> = std::to_array<Word<TextureUsage>>({
@@ -122,6 +129,7 @@ inline constexpr auto kWords<TextureDefault> = std::to_array<Word<TextureDefault
     {"bump", TextureDefault::Bump},
 });
 
+// How the texels of a texture are arranged: one image, the six faces of a cube, layers, or a volume.
 enum class TextureDimension { Flat, Cube, Array, Volume };
 template <>
 inline constexpr auto kWords<TextureDimension> = std::to_array<Word<TextureDimension>>({
@@ -131,6 +139,7 @@ inline constexpr auto kWords<TextureDimension> = std::to_array<Word<TextureDimen
     {"3d", TextureDimension::Volume},
 });
 
+// What is beyond the edges of a texture: the texture again, its outermost texels, or the texture mirrored.
 enum class Wrap { Repeat, Clamp, Mirror };
 template <>
 inline constexpr auto kWords<Wrap> = std::to_array<Word<Wrap>>({
@@ -139,7 +148,7 @@ inline constexpr auto kWords<Wrap> = std::to_array<Word<Wrap>>({
     {"mirror", Wrap::Mirror},
 });
 
-// Linear is trilinear.
+// What is between texels. Linear is trilinear. Nearest: the nearest texel of the nearest level.
 enum class Filter { Linear, Nearest };
 template <>
 inline constexpr auto kWords<Filter> = std::to_array<Word<Filter>>({
@@ -149,7 +158,7 @@ inline constexpr auto kWords<Filter> = std::to_array<Word<Filter>>({
 
 // --- values in shaders
 
-// Types are spelled as in HLSL: a vector by its components, a matrix by rows and columns.
+// A type of a value in shaders, spelled as in HLSL: a vector by its components, a matrix by rows and columns.
 enum class ValueType {
     Float,
     Float2,
@@ -190,9 +199,11 @@ inline constexpr auto kWords<ValueType> = std::to_array<Word<ValueType>>({
     {"float3x3", ValueType::Float3x3}, {"float4x4", ValueType::Float4x4}, {"half2x2", ValueType::Half2x2},
     {"half3x3", ValueType::Half3x3},   {"half4x4", ValueType::Half4x4},
 });
+// True for a type with columns.
 constexpr bool is_matrix(ValueType type) {
     return type >= ValueType::Float2x2;
 }
+// True if the components are floating-point numbers, of 32 or 16 bits.
 constexpr bool is_float(ValueType type) {
     return type <= ValueType::Half4 || is_matrix(type);
 }
@@ -204,6 +215,7 @@ constexpr unsigned rows_of(ValueType type) {
 
 // --- the fixed-function state of a pass
 
+// The stages of a pass.
 enum class Stage { Vertex, Fragment };
 template <>
 inline constexpr auto kWords<Stage> = std::to_array<Word<Stage>>({
@@ -211,6 +223,9 @@ inline constexpr auto kWords<Stage> = std::to_array<Word<Stage>>({
     {"fragment", Stage::Fragment},
 });
 
+// How a surface covers what is behind it. Cutout: pixels with little alpha are not drawn. Fade: all of it is weighted
+// by alpha. Transparent: only its diffuse colour is. Additive: it is added to what is there. Multiply: it is multiplied
+// with it.
 enum class SurfaceKind { Opaque, Cutout, Fade, Transparent, Additive, Multiply };
 template <>
 inline constexpr auto kWords<SurfaceKind> = std::to_array<Word<SurfaceKind>>({
@@ -256,7 +271,7 @@ inline constexpr auto kWords<MatrixOrder> = std::to_array<Word<MatrixOrder>>({
     {"rows", MatrixOrder::Rows},
 });
 
-// The new depth to the depth that is there, or (reference & read mask) to the stencil that is there.
+// Compares the new depth to the depth that is there, or (reference & read mask) to the stencil that is there.
 enum class Compare { Never, Less, Equal, LessEqual, Greater, NotEqual, GreaterEqual, Always };
 template <>
 inline constexpr auto kWords<Compare> = std::to_array<Word<Compare>>({
@@ -270,7 +285,8 @@ inline constexpr auto kWords<Compare> = std::to_array<Word<Compare>>({
     {"always", Compare::Always},
 });
 
-// Increment and Decrement stop at 255 and at 0; the others of that name go on at the other end.
+// What happens to a stencil. Increment and Decrement stop at 255 and at 0; IncrementWrap and DecrementWrap go on at the
+// other end.
 enum class StencilOp { Keep, Zero, Replace, Increment, Decrement, Invert, IncrementWrap, DecrementWrap };
 template <>
 inline constexpr auto kWords<StencilOp> = std::to_array<Word<StencilOp>>({
@@ -334,6 +350,7 @@ inline constexpr auto kWords<TargetFormat> = std::to_array<Word<TargetFormat>>({
 
 // --- what a pass draws
 
+// What a pass draws: the objects of the scene; the whole picture; or a volume around each light that ends.
 enum class PassDraws { Objects, Fullscreen, LightVolumes };
 template <>
 inline constexpr auto kWords<PassDraws> = std::to_array<Word<PassDraws>>({
@@ -342,7 +359,7 @@ inline constexpr auto kWords<PassDraws> = std::to_array<Word<PassDraws>>({
     {"light-volumes", PassDraws::LightVolumes},
 });
 
-// Light: once for each of its lights, which is then the only one that it sees.
+// How often a pass draws. Light: once for each of its lights, which is then the only one that it sees.
 enum class PassEach { Once, Light };
 template <>
 inline constexpr auto kWords<PassEach> = std::to_array<Word<PassEach>>({
@@ -376,6 +393,7 @@ inline constexpr auto kWords<PassCamera> = std::to_array<Word<PassCamera>>({
 
 // --- scenes
 
+// Where a light is: infinitely far away, at a point, or at a point within a cone.
 enum class LightKind { Directional, Point, Spot };
 template <>
 inline constexpr auto kWords<LightKind> = std::to_array<Word<LightKind>>({
@@ -409,7 +427,8 @@ inline constexpr auto kWords<SceneBackdrop> = std::to_array<Word<SceneBackdrop>>
     {"blur", SceneBackdrop::Blurred},
 });
 
-// None: there is no fog; it has no word.
+// How fog gets denser with the distance: in proportion from a start to an end, as e^(-density distance), or as
+// e^(-(density distance)^2). None: there is no fog; it has no word.
 enum class FogMode { None, Linear, Exponential, ExponentialSquared };
 template <>
 inline constexpr auto kWords<FogMode> = std::to_array<Word<FogMode>>({
