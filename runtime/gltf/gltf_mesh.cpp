@@ -59,52 +59,67 @@ public:
         : model_(model), primitive_(primitive), attributes_(primitive.attributes) {}
 
     Outcome<Mesh> run(const std::string& where, const std::vector<double>& weights,
-                      const std::vector<glm::mat4>& joints, bool makes_tangents) {
+                      const std::vector<glm::mat4>& joints, MeshDetail detail) {
         const std::vector<glm::vec3> positions = vectors<3>(model_, attributes_.at("POSITION"));
         mesh_.vertices.resize(positions.size());
         for (std::size_t i = 0; i < positions.size(); ++i) mesh_.vertices[i].position = positions[i];
-        std::vector<std::uint32_t> corners(positions.size());
-        std::iota(corners.begin(), corners.end(), 0u);
+        std::vector<std::uint32_t> corners;
         if (primitive_.indices >= 0) corners = indices_of(model_, primitive_.indices);
         for (const std::uint32_t corner : corners) {
             if (corner >= positions.size())
                 return Failure{where + ".indices: vertex " + std::to_string(corner) + ", and there are " +
                                std::to_string(positions.size())};
         }
-        mesh_.indices = triangles_of(corners, primitive_.mode);
-        take<2>("TEXCOORD_0", [](Vertex& v, const glm::vec2& uv) { v.uv0 = v.uv1 = uv; });
-        take<2>("TEXCOORD_1", [](Vertex& v, const glm::vec2& uv) { v.uv1 = uv; });
-        take<4>(
-            "COLOR_0", [](Vertex& v, const glm::vec4& color) { v.color = color; }, 1);
-        const bool has_normals = take<3>("NORMAL", [](Vertex& v, const glm::vec3& normal) { v.normal = normal; });
-        const bool has_tangents = has_normals && take<4>("TANGENT", [](Vertex& v, const glm::vec4& tangent) {
-                                      v.tangent = {glm::vec3(tangent), tangent.w < 0 ? -1 : 1};
-                                  });
-        morph(weights);
+        const bool is_whole = detail == MeshDetail::Whole;
+        const bool has_normals = is_whole && has("NORMAL"), has_tangents = has_normals && has("TANGENT");
+        if (is_whole) {
+            if (primitive_.indices < 0) {
+                corners.resize(positions.size());
+                std::iota(corners.begin(), corners.end(), 0u);
+            }
+            mesh_.indices = triangles_of(corners, primitive_.mode);
+            take_attributes();
+        }
+        morph(weights, is_whole);
         if (!joints.empty()) {
             if (std::string error = bend(where, joints); !error.empty()) return Failure{error};
         }
         for (const Vertex& vertex : mesh_.vertices) {
             if (!is_finite(vertex.position)) return Failure{where + ".attributes.POSITION: a number is not finite"};
         }
+        if (!is_whole) return std::move(mesh_);
         if (!has_normals) mesh_ = flat(mesh_);
         make_units();
-        if (!has_tangents && makes_tangents) mesh_ = with_tangents(mesh_);
+        if (!has_tangents) mesh_ = with_tangents(mesh_);
         return std::move(mesh_);
     }
 
 private:
+    bool has(const std::string& name) const { return find(attributes_, name).has_value(); }
+
     template <int N, class Set>
-    bool take(const std::string& name, const Set& set, float missing = 0) {
+    void take(const std::string& name, const Set& set, float missing = 0) {
         const std::optional<int> accessor = find(attributes_, name);
-        if (!accessor) return false;
+        if (!accessor) return;
         const auto values = vectors<N>(model_, *accessor, missing);
         for (std::size_t i = 0; i < std::min(values.size(), mesh_.vertices.size()); ++i)
             set(mesh_.vertices[i], values[i]);
-        return true;
     }
 
-    void morph(const std::vector<double>& weights) {
+    // A tangent without a normal has no meaning.
+    void take_attributes() {
+        take<2>("TEXCOORD_0", [](Vertex& v, const glm::vec2& uv) { v.uv0 = v.uv1 = uv; });
+        take<2>("TEXCOORD_1", [](Vertex& v, const glm::vec2& uv) { v.uv1 = uv; });
+        take<4>(
+            "COLOR_0", [](Vertex& v, const glm::vec4& color) { v.color = color; }, 1);
+        take<3>("NORMAL", [](Vertex& v, const glm::vec3& normal) { v.normal = normal; });
+        if (!has("NORMAL")) return;
+        take<4>("TANGENT", [](Vertex& v, const glm::vec4& tangent) {
+            v.tangent = {glm::vec3(tangent), tangent.w < 0 ? -1 : 1};
+        });
+    }
+
+    void morph(const std::vector<double>& weights, bool is_whole) {
         for (std::size_t t = 0; t < std::min(weights.size(), primitive_.targets.size()); ++t) {
             const auto weight = static_cast<float>(weights[t]);
             if (weight == 0) continue;
@@ -116,6 +131,7 @@ private:
                     to(mesh_.vertices[i], weight * moves[i]);
             };
             add("POSITION", [](Vertex& v, const glm::vec3& by) { v.position += by; });
+            if (!is_whole) continue;
             add("NORMAL", [](Vertex& v, const glm::vec3& by) { v.normal += by; });
             add("TANGENT", [](Vertex& v, const glm::vec3& by) { v.tangent += glm::vec4(by, 0); });
         }
@@ -185,8 +201,8 @@ bool has_triangles(const tinygltf::Primitive& primitive) {
 
 Outcome<Mesh> primitive_mesh(const tinygltf::Model& model, const std::string& where,
                              const tinygltf::Primitive& primitive, const std::vector<double>& weights,
-                             const std::vector<glm::mat4>& joints, bool makes_tangents) {
-    return Reading(model, primitive).run(where, weights, joints, makes_tangents);
+                             const std::vector<glm::mat4>& joints, MeshDetail detail) {
+    return Reading(model, primitive).run(where, weights, joints, detail);
 }
 
 }  // namespace patina::runtime

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "runtime/gltf/gltf_model.h"
 #include "runtime/mesh/mesh.h"
 #include "runtime/outcome.h"
 
@@ -19,9 +20,9 @@ bool has_triangles(const tinygltf::Primitive& primitive);
 
 // `weights`: one for each morph target; missing ones are 0. `joints`: from the mesh's space to that of the joint's
 // pose, for each joint of the skin; empty: no skin. `where` begins the errors: an index past the end, a joint that the
-// skin lacks, a number that is not finite. Without `makes_tangents`, those that the file lacks are (1, 0, 0).
+// skin lacks, a number that is not finite.
 Outcome<Mesh> primitive_mesh(const tinygltf::Model& model, const std::string& where,
                              const tinygltf::Primitive& primitive, const std::vector<double>& weights,
-                             const std::vector<glm::mat4>& joints, bool makes_tangents = true);
+                             const std::vector<glm::mat4>& joints, MeshDetail detail = MeshDetail::Whole);
 
 }  // namespace patina::runtime

@@ -36,7 +36,7 @@ void turn_round(Mesh& mesh) {
 
 class Reading {
 public:
-    Reading(const tinygltf::Model& file, bool has_tangents) : file_(file), has_tangents_(has_tangents) {}
+    Reading(const tinygltf::Model& file, MeshDetail detail) : file_(file), detail_(detail) {}
 
     Outcome<GltfModel> run() {
         for (std::size_t i = 0; i < file_.nodes.size(); ++i) made_.nodes.push_back({.name = name_of(i), .parent = {}});
@@ -116,7 +116,7 @@ private:
             std::shared_ptr<const Mesh> own;
             std::shared_ptr<const Mesh>& known = is_own ? own : known_[{node.mesh, static_cast<int>(i), is_mirrored}];
             if (!known) {
-                Outcome<Mesh> read = primitive_mesh(file_, where, primitive, weights, joints, has_tangents_);
+                Outcome<Mesh> read = primitive_mesh(file_, where, primitive, weights, joints, detail_);
                 if (!read) return read.error;
                 if (is_mirrored) turn_round(read.value);
                 known = std::make_shared<const Mesh>(std::move(read.value));
@@ -178,7 +178,7 @@ private:
 
     const tinygltf::Model& file_;
     std::vector<glm::mat4> places_;  // of the nodes, in the world
-    bool has_tangents_;
+    MeshDetail detail_;
     std::map<std::tuple<int, int, bool>, std::shared_ptr<const Mesh>> known_;  // by mesh, primitive and is_mirrored
     GltfModel made_;
 };
@@ -226,8 +226,8 @@ std::vector<bool> below(const GltfModel& model, const std::vector<std::size_t>& 
 
 }  // namespace
 
-Outcome<GltfModel> model_of(const tinygltf::Model& file, bool has_tangents) {
-    return Reading(file, has_tangents).run();
+Outcome<GltfModel> model_of(const tinygltf::Model& file, MeshDetail detail) {
+    return Reading(file, detail).run();
 }
 
 Outcome<GltfModel> read_model(const std::string& path) {

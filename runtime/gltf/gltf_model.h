@@ -20,6 +20,9 @@ class Model;
 
 namespace patina::runtime {
 
+// What is read of a mesh. Places: the positions of the vertices and nothing else, without triangles.
+enum class MeshDetail { Whole, Places };
+
 struct ModelPart {
     std::string node;                           // its name; "node 3" if it has none
     std::size_t node_index = 0, primitive = 0;  // in the file; the latter of the node's mesh
@@ -66,9 +69,8 @@ struct GltfModel {
 
 // Errors name the file and the place in it.
 Outcome<GltfModel> read_model(const std::string& path);
-// Of a file that has been opened (gltf_file.h); errors name the place in it. Meshes without tangents of their own need
-// time for them: `has_tangents` false leaves them out.
-Outcome<GltfModel> model_of(const tinygltf::Model& file, bool has_tangents = true);
+// Of a file that has been opened (gltf_file.h); errors name the place in it.
+Outcome<GltfModel> model_of(const tinygltf::Model& file, MeshDetail detail = MeshDetail::Whole);
 
 // One mesh of all that the file shows, or of one node and what is below it, in the space of the file's scene. Materials
 // are not told apart. "Seat/1" is primitive 1 of the node alone, and "node 3/0" that of a node by its number. Without

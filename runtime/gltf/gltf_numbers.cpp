@@ -50,22 +50,24 @@ std::size_t size_of(int component_type) {
     return static_cast<std::size_t>(tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(component_type)));
 }
 
+// Writes the first of the `width` numbers of each element, `columns` apart. Without bytes they are 0.
 template <class Number, class NumberAt>
-std::vector<Number> read_all(const tinygltf::Model& model, const tinygltf::Accessor& accessor, std::size_t width,
-                             const NumberAt& number_at) {
-    const std::size_t unit = size_of(accessor.componentType);
-    std::vector<Number> values(accessor.count * width);
+void read_all(const tinygltf::Model& model, const tinygltf::Accessor& accessor, std::size_t width, std::size_t columns,
+              const NumberAt& number_at, Number* to) {
+    const std::size_t unit = size_of(accessor.componentType), taken = std::min(width, columns);
     const auto take = [&](std::size_t element, const unsigned char* at) {
-        for (std::size_t c = 0; c < width; ++c)
-            values[element * width + c] = number_at(at + c * unit, accessor.componentType);
+        for (std::size_t c = 0; c < taken; ++c)
+            to[element * columns + c] = number_at(at + c * unit, accessor.componentType);
     };
     if (accessor.bufferView >= 0) {
         const std::size_t said = model.bufferViews[static_cast<std::size_t>(accessor.bufferView)].byteStride;
         const std::size_t stride = said == 0 ? width * unit : said;
         const unsigned char* at = bytes_of(model, accessor.bufferView, accessor.byteOffset);
         for (std::size_t i = 0; i < accessor.count; ++i) take(i, at + i * stride);
+    } else {
+        for (std::size_t i = 0; i < accessor.count; ++i) std::fill_n(to + i * columns, taken, Number{});
     }
-    if (!accessor.sparse.isSparse) return values;
+    if (!accessor.sparse.isSparse) return;
     const auto& sparse = accessor.sparse;
     const unsigned char* index =
         bytes_of(model, sparse.indices.bufferView, static_cast<std::size_t>(sparse.indices.byteOffset));
@@ -76,7 +78,6 @@ std::vector<Number> read_all(const tinygltf::Model& model, const tinygltf::Acces
             whole_at(index + i * size_of(sparse.indices.componentType), sparse.indices.componentType);
         if (element < accessor.count) take(element, value + i * width * unit);
     }
-    return values;
 }
 
 std::size_t width_of(const tinygltf::Accessor& accessor) {
@@ -85,17 +86,25 @@ std::size_t width_of(const tinygltf::Accessor& accessor) {
 
 }  // namespace
 
+void read_columns(const tinygltf::Model& model, int index, std::size_t columns, float* to) {
+    const tinygltf::Accessor& accessor = model.accessors[static_cast<std::size_t>(index)];
+    const auto number_at = [&](const unsigned char* at, int type) { return float_at(at, type, accessor.normalized); };
+    read_all(model, accessor, width_of(accessor), columns, number_at, to);
+}
+
 Numbers numbers_of(const tinygltf::Model& model, int index) {
     const tinygltf::Accessor& accessor = model.accessors[static_cast<std::size_t>(index)];
-    Numbers made{.values = {}, .width = width_of(accessor)};
-    made.values = read_all<float>(model, accessor, made.width, [&](const unsigned char* at, int type) {
-        return float_at(at, type, accessor.normalized);
-    });
+    const std::size_t width = width_of(accessor);
+    Numbers made{.values = std::vector<float>(accessor.count * width), .width = width};
+    read_columns(model, index, width, made.values.data());
     return made;
 }
 
 std::vector<std::uint32_t> indices_of(const tinygltf::Model& model, int index) {
-    return read_all<std::uint32_t>(model, model.accessors[static_cast<std::size_t>(index)], 1, whole_at);
+    const tinygltf::Accessor& accessor = model.accessors[static_cast<std::size_t>(index)];
+    std::vector<std::uint32_t> made(accessor.count);
+    read_all(model, accessor, 1, 1, whole_at, made.data());
+    return made;
 }
 
 }  // namespace patina::runtime

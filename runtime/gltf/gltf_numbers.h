@@ -24,15 +24,16 @@ Numbers numbers_of(const tinygltf::Model& model, int accessor);
 // Whole numbers of one component.
 std::vector<std::uint32_t> indices_of(const tinygltf::Model& model, int accessor);
 
+// Writes the first `columns` components of each element, one element after the other. `to` keeps the components that
+// the accessor lacks.
+void read_columns(const tinygltf::Model& model, int accessor, std::size_t columns, float* to);
+
 // Elements of N numbers; components that the accessor lacks are `missing`.
 template <int N>
 std::vector<glm::vec<N, float>> vectors(const tinygltf::Model& model, int accessor, float missing = 0) {
-    const Numbers numbers = numbers_of(model, accessor);
-    std::vector<glm::vec<N, float>> made(numbers.count(), glm::vec<N, float>(missing));
-    for (std::size_t i = 0; i < made.size(); ++i) {
-        for (std::size_t c = 0; c < std::min<std::size_t>(N, numbers.width); ++c)
-            made[i][static_cast<int>(c)] = numbers.values[i * numbers.width + c];
-    }
+    std::vector<glm::vec<N, float>> made(model.accessors[static_cast<std::size_t>(accessor)].count,
+                                         glm::vec<N, float>(missing));
+    if (!made.empty()) read_columns(model, accessor, N, &made[0][0]);
     return made;
 }
 

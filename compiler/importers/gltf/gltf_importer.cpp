@@ -172,7 +172,7 @@ Imported read(const Source& source, const Options& options) {
     const GltfText text = read_gltf_text(source.path);
     if (!text.root) return {.error = text.error};
     if (std::string mistake = shape_mistake(text, source.path); !mistake.empty()) return {.error = std::move(mistake)};
-    const runtime::Outcome<runtime::GltfModel> model = runtime::model_of(file.value, false);
+    const runtime::Outcome<runtime::GltfModel> model = runtime::model_of(file.value, runtime::MeshDetail::Places);
     if (!model) return {.error = located_mistake(source.path, source.path + ": " + model.error)};
     Report report(source.path, text.is_binary ? nullptr : &text.sources);
     const Context context{
