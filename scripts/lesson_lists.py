@@ -37,6 +37,11 @@ def curves_of(panel):
                    for key, text in curve.items()}
 
 
+def has_legend(panels, index):
+    """One legend serves panels with the same curves."""
+    return index == len(panels) - 1 or "legend" in panels[index]
+
+
 def commands_of(figure):
     """What patina is given for a figure: "render ..." and "eval ...", without sizes and output."""
     if "render" in figure:
