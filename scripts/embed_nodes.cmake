@@ -1,6 +1,6 @@
 # Writes nodes/** as one C++ file of raw string literals: cmake -D OUT=... -D DIR=... -D FILES=a;b -P embed_nodes.cmake
 set(text "// Generated from nodes/ by scripts/embed_nodes.cmake. Do not edit.\n#include \"compiler/nodelang/embedded.h\"\n\n")
-string(APPEND text "namespace patina::nodelang {\nnamespace {\nconst EmbeddedFile kFiles[] = {\n")
+string(APPEND text "namespace patina::nodelang {\nnamespace {\nconstinit const EmbeddedFile kFiles[] = {\n")
 foreach(file IN LISTS FILES)
   file(READ "${DIR}/${file}" hex HEX)
   string(REGEX REPLACE "(..)" "\\\\x\\1" bytes "${hex}")

@@ -95,7 +95,8 @@ Drawing run_graphviz(const std::string& dot) {
     const std::scoped_lock lock(graphviz);
     const auto silent = [](char*) { return 0; };
     agseterrf(silent);
-    GVC_t* context = gvContext();
+    // Never freed: Graphviz's Pango plugin keeps a pointer to a font of the last context that it has seen.
+    static GVC_t* const context = gvContext();
     if (!context) return {.error = "Graphviz cannot be started"};
     Drawing made;
     Agraph_t* graph = agmemread(dot.c_str());
@@ -107,7 +108,6 @@ Drawing run_graphviz(const std::string& dot) {
         gvFreeLayout(context, graph);
     }
     if (graph) agclose(graph);
-    gvFreeContext(context);
     if (made.svg.empty()) {
         const char* reason = aglasterr();
         made.error = fmt::format("Graphviz cannot draw it{}{}", reason ? ": " : "", reason ? reason : "");

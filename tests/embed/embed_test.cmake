@@ -56,6 +56,7 @@ foreach(shared IN ITEMS OFF ON)
   run_and_find(RUN ${folder}/programs/embed PRINTS ${shaders})
   run_and_find(RUN ${folder}/programs/embed_c PRINTS ${shaders})
   run_and_find(RUN ${folder}/programs/lighting PRINTS "lighting 6 64")
+  run_and_find(RUN ${folder}/programs/global_compiler PRINTS "global Lerp, 4 shaders")
 endforeach()
 # A project in C alone, by the shared library.
 run(${CMAKE_COMMAND} -S ${WORK}/embed_c -B ${WORK}/c ${configure})

@@ -99,7 +99,7 @@ public:
     GraphBuilder& surface(std::string input, GraphValue value);
     // What the vertex stage gives: "positionOS".
     GraphBuilder& vertex(std::string output, GraphValue value);
-    // An output of a sub-graph, or of a lighting graph: "direct".
+    // An output of a sub-graph. Those of a lighting graph are keys of their own: set("direct", ...).
     GraphBuilder& output(std::string name, GraphValue value);
 
     const std::string& path() const { return path_; }  // what the constructor was given
