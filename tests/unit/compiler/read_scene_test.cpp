@@ -251,8 +251,8 @@ INSTANTIATE_TEST_SUITE_P(
     Cameras, WrongScene,
     ::testing::Values(
         Wrong{R"("camera":^{})", "a camera needs the key 'position'"},
-        Wrong{R"("camera":{"position":[0,0,1],"^up":[0,1,0]})",
-              "unknown key 'up' in a camera | these exist: position, target, fov, orthographic, near and far"},
+        Wrong{R"("camera":{"position":[0,0,1],"^lens":[0,1,0]})",
+              "unknown key 'lens' in a camera | these exist: position, target, up, fov, orthographic, near and far"},
         Wrong{R"("camera":{"position":^[0,1]})", "'position' must be an array of 3 numbers, not an array of 2"},
         Wrong{R"("camera":{"position":[0,^"1",2]})", "a component of 'position' must be a number, not a string"},
         Wrong{R"("camera":{"position":[0,^1e7,2]})", "1e7 is outside the range -1e+06 to 1e+06 of 'position'"},

@@ -89,7 +89,7 @@ TEST(GltfImport, TheFirstCameraIsTheScenes) {
 // A turn of 30 degrees about the view, which is along -z: what was up is (-sin 30, cos 30, 0).
 TEST(GltfImport, ACameraKeepsItsRoll) {
     const std::string path =
-        save_gltf({.nodes = R"([{"mesh":0},{"name":"rolled","camera":0,"translation":[0,0,5],
+        save_gltf({.nodes = R"([{"mesh":0,"children":[1,2,3]},{"name":"rolled","camera":0,"translation":[0,0,5],
                                  "rotation":[0,0,0.25881905,0.96592583]},
                       {"name":"hanging","camera":0,"translation":[0,0,5],"rotation":[0,0,1,0]},
                       {"name":"upright","camera":0,"translation":[0,3,5],"rotation":[-0.25881905,0,0,0.96592583]}])",
