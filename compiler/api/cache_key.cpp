@@ -42,7 +42,7 @@ void add_options(Fields& fields, const CompileOptions& options) {
     fields.add(options.include_dirs).add(options.dump).add_flag(options.keep_programs).add_flag(options.hashes);
 }
 
-// What is there, what is not, and the texts. Of a texture its bytes do not count.
+// Each file that was asked for: whether it is there, and its text. The bytes of a texture were not asked for.
 void add_files(Fields& fields, const graph::Files& files) {
     for (const auto& [path, answer] : files.answers()) {
         const bool is_there = answer.text.has_value() || answer.exists.value_or(false);

@@ -9,24 +9,6 @@
 namespace patina::graph {
 namespace {
 
-std::size_t component_count(PropertyType type) {
-    switch (type) {
-        case PropertyType::Float2: return 2;
-        case PropertyType::Float3: return 3;
-        case PropertyType::Float4:
-        case PropertyType::Color: return 4;
-        case PropertyType::Float:
-        case PropertyType::Int:
-        case PropertyType::Bool:
-        case PropertyType::Enum:
-        case PropertyType::Texture2D:
-        case PropertyType::TextureCube:
-        case PropertyType::Texture2DArray:
-        case PropertyType::Texture3D: return 1;
-    }
-    return 1;
-}
-
 // The number of components that a range limits. Alpha is coverage and has no range.
 std::size_t ranged_count(PropertyType type) {
     switch (type) {

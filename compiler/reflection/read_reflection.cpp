@@ -6,7 +6,6 @@
 
 #include "compiler/json/json.h"
 #include "compiler/reflection/describe.h"
-#include "compiler/reflection/values.h"
 
 namespace patina::reflection {
 namespace {

@@ -6,7 +6,6 @@
 
 #include "compiler/base/text.h"
 #include "compiler/reflection/describe.h"
-#include "compiler/reflection/values.h"
 
 namespace patina::reflection {
 namespace {
@@ -57,7 +56,7 @@ public:
     }
     void texture_default(const Texture& texture) {
         if (texture.default_texture == TextureDefault::None) return;
-        key("default", default_text(texture), {});
+        key("default", texture.default_text(), {});
     }
     void property_default(const Property& property) {
         if (is_texture(property.type)) {

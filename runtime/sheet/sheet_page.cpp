@@ -62,11 +62,6 @@ std::string limits(const Property& property) {
     return text;
 }
 
-std::string default_of(const Texture& texture) {
-    return texture.default_texture == TextureDefault::File ? texture.default_file
-                                                           : std::string(to_string(texture.default_texture));
-}
-
 std::string properties(const Reflection& reflection) {
     std::string rows;
     for (const Property& property : reflection.properties) {
@@ -74,7 +69,7 @@ std::string properties(const Reflection& reflection) {
         const bool is_texture = texture != reflection.textures.end();
         const std::string help = property.help.empty() ? property.label : property.help;
         rows += "<tr>" + cell(escaped(property.name)) + cell(std::string(to_string(property.type))) +
-                cell(is_texture ? escaped(default_of(*texture)) : value_of(property), true) +
+                cell(is_texture ? escaped(texture->default_text()) : value_of(property), true) +
                 cell(is_texture ? std::string(to_string(texture->usage)) : limits(property)) + cell(escaped(help)) +
                 "</tr>\n";
     }

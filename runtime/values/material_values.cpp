@@ -23,27 +23,9 @@ std::string list(const Range& range, Name name) {
     return text.empty() ? "none" : text;
 }
 
-int components(PropertyType type) {
-    switch (type) {
-        case PropertyType::Float2: return 2;
-        case PropertyType::Float3: return 3;
-        case PropertyType::Float4:
-        case PropertyType::Color: return 4;
-        case PropertyType::Float:
-        case PropertyType::Int:
-        case PropertyType::Bool:
-        case PropertyType::Enum:
-        case PropertyType::Texture2D:
-        case PropertyType::TextureCube:
-        case PropertyType::Texture2DArray:
-        case PropertyType::Texture3D: return 1;
-    }
-    return 1;
-}
-
 // The forms that its value can have.
 std::string forms(const Property& property, Spelling spelling) {
-    const int count = components(property.type);
+    const int count = static_cast<int>(component_count(property.type));
     if (spelling == Spelling::Json) {
         if (property.type == PropertyType::Int) return "a whole number";
         if (property.type == PropertyType::Color) return "\"#rrggbb\", a number or an array of 3 or 4 numbers";
@@ -54,7 +36,7 @@ std::string forms(const Property& property, Spelling spelling) {
 }
 
 Outcome<Numbers> parse_vector(const Property& property, const std::string& text, Spelling spelling) {
-    int wanted = components(property.type);
+    int wanted = static_cast<int>(component_count(property.type));
     Failure wrong{property.name + " must be " + forms(property, spelling) + ", not '" + text + "'"};
 
     if (text.starts_with('#')) {
@@ -97,7 +79,8 @@ std::string outside_range(const Property& property, const Numbers& value) {
     if (!property.range) return "";
     const auto [lowest, highest] = *property.range;
     // Alpha, which is coverage, has no range.
-    for (int i = 0; i < (property.type == PropertyType::Color ? 3 : components(property.type)); i++) {
+    for (int i = 0; i < (property.type == PropertyType::Color ? 3 : static_cast<int>(component_count(property.type)));
+         i++) {
         // The words were read as floats, and the ends of the range are compared as such.
         if (float(value[i]) >= float(lowest) && float(value[i]) <= float(highest)) continue;
         return fmt::format("{} is outside the {}range {} to {} of '{}'", float(value[i]), property.hard ? "" : "usual ",

@@ -83,7 +83,7 @@ Outcome<LoadedTexture> load_texture(const Texture& texture, const std::string& s
 
 // The default as a name or as a file that can be opened.
 std::string default_source(const Texture& texture, const std::string& graph_folder) {
-    if (texture.default_texture != TextureDefault::File) return std::string(to_string(texture.default_texture));
+    if (texture.default_texture != TextureDefault::File) return texture.default_text();
     return (std::filesystem::path(graph_folder) / texture.default_file).lexically_normal().generic_string();
 }
 

@@ -42,9 +42,8 @@ Exit write_template(const Console& console, const Arguments& arguments) {
         return Exit::Ok;
     }
     const std::string path = file_name(arguments.output, chosen->ending);
-    for (const std::string& each : {arguments.output, path}) {
-        if (is_standard_output(each) || !is_taken(each)) continue;
-        complain(console, Complaint::FileExists, {each});
+    if (!is_standard_output(path) && is_taken(path)) {
+        complain(console, Complaint::FileExists, {path});
         return Exit::Wrong;
     }
     OutputFiles files;

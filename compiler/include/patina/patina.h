@@ -314,7 +314,8 @@ public:
     // The same, for compile_text().
     std::string cache_key(const std::string& path, std::string text, const CompileOptions& options) const;
 
-    // Errors of the library and the overlay, which are read completely for this.
+    // Errors of the library and the overlay: all texts are parsed, and the bodies of functions are checked. What a
+    // lighting model or a pass reads and calls is checked when a material uses it.
     std::vector<Diagnostic> library_diagnostics() const;
     const std::vector<NodeInfo>& nodes() const;         // by category, then name
     const NodeInfo* node(std::string_view name) const;  // null if there is none of this name

@@ -61,6 +61,10 @@ struct Texture {
     // Of TextureDefault::File: its path from the compiled graph's folder, or, if it is a URI or FileSystem::resolve is
     // the program's, its path as the compiler found it.
     std::string default_file{};
+    // The default as the JSON writes it: "white", or the path of the file; empty: none.
+    std::string default_text() const {
+        return default_texture == TextureDefault::File ? default_file : std::string(to_string(default_texture));
+    }
     bool is_material = true;            // false: the engine's own, which has no default
     std::string reads{};                // the target of another pass that is to be bound here: "gbufferNormal", "depth"
     std::uint32_t set = 0;              // Vulkan descriptor set = HLSL register space

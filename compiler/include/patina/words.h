@@ -73,6 +73,24 @@ enum class PropertyType {
 constexpr bool is_texture(PropertyType type) {
     return type >= PropertyType::Texture2D;
 }
+// How many numbers a value has: 4 for a colour; 1 for an enum, whose number is an index, and for what has no numbers.
+constexpr std::size_t component_count(PropertyType type) {
+    switch (type) {
+        case PropertyType::Float2: return 2;
+        case PropertyType::Float3: return 3;
+        case PropertyType::Float4:
+        case PropertyType::Color: return 4;
+        case PropertyType::Float:
+        case PropertyType::Int:
+        case PropertyType::Bool:
+        case PropertyType::Enum:
+        case PropertyType::Texture2D:
+        case PropertyType::TextureCube:
+        case PropertyType::Texture2DArray:
+        case PropertyType::Texture3D: break;
+    }
+    return 1;
+}
 template <>
 inline constexpr auto kWords<PropertyType> = std::to_array<Word<PropertyType>>({
     {"float", PropertyType::Float},
