@@ -34,7 +34,7 @@ LoweredMaterial::LoweredMaterial(std::string text, const std::string& path, ir::
         graph_ = graph::read_graph(*json, path, session_.sources, session_.ast, session_.diagnostics,
                                    graph::GraphKind::Material);
     }
-    if (graph_) material_ = graph::resolve_material(session_, graph_, "");
+    if (graph_) material_ = graph::resolve_material(session_, graph_, std::nullopt);
     if (material_) lowered_ = graph::lower(session_, *material_, build);
     for (const DiagnosticRecord& record : session_.diagnostics.records()) {
         if (session_.diagnostics.has_errors()) ADD_FAILURE() << path << ": " << record.message;
