@@ -109,7 +109,11 @@ TEST(GltfImport, LightsAreInTheUnitsOfScenes) {
                    .more = R"("extensions":{"KHR_lights_punctual":{"lights":[{"type":"directional","intensity":6},
                      {"type":"point","color":[1,0.5,0.25],"intensity":30,"range":7},
                      {"type":"spot","spot":{"innerConeAngle":0.2,"outerConeAngle":0.4}}]}})"});
-    const SceneFile scene = scene_of(import(path));
+    const Imported made = import(path);
+    const auto text = std::ranges::find(made.graphs, made.scene, &TextFile::name);
+    ASSERT_NE(text, made.graphs.end());
+    EXPECT_EQ(text->text.find("-0,"), std::string::npos) << text->text;  // a negative zero of the matrices
+    const SceneFile scene = scene_of(made);
     ASSERT_EQ(scene.lights.size(), 3u);
     EXPECT_EQ(scene.lights[0].type, LightKind::Directional);
     expect_near(scene.lights[0].direction, {0, 0, 1});  // towards the light, which shines along -z

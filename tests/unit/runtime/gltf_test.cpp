@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "runtime/gltf/gltf_file.h"
 #include "runtime/gltf/gltf_model.h"
 
 namespace patina::runtime {
@@ -49,10 +50,13 @@ public:
     int points(const std::vector<float>& numbers) { return floats(numbers, "VEC3", 3); }
 
     // `rest`: meshes, nodes and all else.
-    std::string save(const std::string& rest) const {
+    std::string save(const std::string& rest) const { return save_with("", rest); }
+    // `last`: one more accessor.
+    std::string save_with(const std::string& last, const std::string& rest) const {
         return save_text(R"({"asset":{"version":"2.0"},"buffers":[{"byteLength":)" + std::to_string(bytes_.size()) +
                          R"(,"uri":"data:application/octet-stream;base64,)" + base64(bytes_) +
-                         R"("}],"bufferViews":[)" + views_ + R"(],"accessors":[)" + accessors_ + "]," + rest + "}");
+                         R"("}],"bufferViews":[)" + views_ + R"(],"accessors":[)" + accessors_ +
+                         (last.empty() ? "" : ",") + last + "]," + rest + "}");
     }
     static std::string save_text(const std::string& text) {
         static int number = 0;
@@ -80,6 +84,16 @@ Mesh read(const std::string& path, const std::string& node = "") {
     Outcome<Mesh> made = read_mesh(path, node);
     EXPECT_TRUE(made) << made.error;
     return made.value;
+}
+
+// Where the vertices of the first part are, read without the rest.
+std::vector<Vertex> places(const std::string& path) {
+    const Outcome<tinygltf::Model> file = open_gltf(path);
+    EXPECT_TRUE(file) << file.error;
+    const Outcome<GltfModel> model = model_of(file.value, MeshDetail::Places);
+    EXPECT_TRUE(model) << model.error;
+    EXPECT_TRUE(model.value.parts.at(0).mesh->indices.empty());
+    return model.value.parts.at(0).mesh->vertices;
 }
 
 void expect_near(const glm::vec3& a, const glm::vec3& b) {
@@ -165,6 +179,23 @@ TEST(Gltf, NodesPlaceWhatIsBelowThem) {
     EXPECT_EQ(read_mesh(path, "inmost").error, path + " has no node 'inmost'; there are: outer, inner, empty");
 }
 
+// glTF 2.0, section 3.6.2.3: without a view of its own a sparse accessor starts as zeros. A colour of three numbers is
+// opaque.
+TEST(Gltf, WhatASparseAccessorDoesNotHaveIsZero) {
+    File file;
+    const int positions = file.points(kTriangle), which = file.add<std::uint8_t>({1}, 5121, "SCALAR", 1);
+    const int values = file.points({0.5f, 0.25f, 1});
+    const std::string colors = R"({"componentType":5126,"type":"VEC3","count":3,"sparse":{"count":1,"indices":{)" +
+                               at("bufferView", which) + R"(,"componentType":5121},"values":{)" +
+                               at("bufferView", values) + "}}}";
+    const Mesh made = read(file.save_with(
+        colors, mesh(at("POSITION", positions) + "," + at("COLOR_0", values + 1)) + R"(,"nodes":[{"mesh":0}])"));
+    ASSERT_EQ(made.vertices.size(), 3u);
+    EXPECT_EQ(made.vertices[0].color, glm::vec4(0, 0, 0, 1));
+    EXPECT_EQ(made.vertices[1].color, glm::vec4(0.5f, 0.25f, 1, 1));
+    EXPECT_EQ(made.vertices[2].color, glm::vec4(0, 0, 0, 1));
+}
+
 TEST(Gltf, MorphTargetsHaveTheirWeights) {
     File file;
     const int positions = file.points(kTriangle), moves = file.points({0, 0, 1, 0, 0, 2, 0, 0, 4});
@@ -175,6 +206,7 @@ TEST(Gltf, MorphTargetsHaveTheirWeights) {
     const Mesh half = read(path, "half"), all = read(path, "all");
     EXPECT_NEAR(half.vertices[half.indices[2]].position.z, 2, 1e-6);
     EXPECT_NEAR(all.vertices[all.indices[2]].position.z, 4, 1e-6);
+    expect_near(places(path).at(2).position, {0, 1, 2});
 }
 
 // The second joint stands two above the place where the mesh was bound to it. The node of the mesh does not count.
@@ -195,6 +227,7 @@ TEST(Gltf, SkinsFollowTheirJoints) {
     expect_near(made.vertices[made.indices[0]].position, {0, 0, 0});
     expect_near(made.vertices[made.indices[1]].position, {1, 2, 0});
     expect_near(made.vertices[made.indices[2]].position, {0, 2, 0});  // half of the way from 1 to 3
+    expect_near(places(path).at(1).position, {1, 2, 0});
 }
 
 TEST(Gltf, HasCamerasAndLights) {
