@@ -8,7 +8,7 @@ target_compile_definitions(patina_received PRIVATE
 # The files of 'patina env', read back.
 add_executable(env_test cli/env_test.cpp)
 target_link_libraries(env_test PRIVATE patina_received patina_pictures)
-add_dependencies(env_test patina_cli patina_import)
+add_dependencies(env_test patina_cli patina_render)
 add_test(NAME env_test COMMAND env_test)
 
 foreach(name IN ITEMS diagnostics graphs docs)

@@ -1,7 +1,5 @@
 // The `patina` command. For some subcommands it turns into patina-import or patina-render; commands/commands.def says
 // for which, and why.
-#include <unistd.h>
-
 #include <algorithm>
 #include <filesystem>
 #include <string_view>
@@ -12,16 +10,6 @@
 namespace {
 
 using namespace patina::cli;
-
-// Turns into a program that lies in the folder of this one. Returns only if that fails.
-int turn_into(const std::string& name, char** argv) {
-    std::error_code failure;
-    std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", failure);
-    if (failure) self = argv[0];
-    execv((self.parent_path() / name).c_str(), argv);
-    complain(open_console(), patina::Complaint::MissingProgram, {name, argv[1]});
-    return static_cast<int>(Exit::Machine);
-}
 
 // Scenes are checked by patina-render. A folder or a list may hold some.
 bool may_name_scenes(std::string_view word) {
@@ -41,11 +29,7 @@ int main(int argc, char** argv) {
     Home home = command ? command->home : Home::Patina;
     if (first == "check" && std::any_of(argv, argv + argc, may_name_scenes)) home = Home::Render;
     if (first == "diff" && std::any_of(argv, argv + argc, asks_for_picture)) home = Home::Render;
-    switch (home) {
-        case Home::Import: return turn_into("patina-import", argv);
-        case Home::Render: return turn_into("patina-render", argv);
-        case Home::Patina: break;
-    }
+    if (home != Home::Patina) return static_cast<int>(turn_into(home, argv));
     Program program;
 #define COMMAND(name, home, summary)                \
     if constexpr (Home::home == Home::Patina) {     \

@@ -1,10 +1,12 @@
 #include "compiler/cli/program.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cctype>
 #include <cstdio>
+#include <filesystem>
 #include <map>
 
 #include "patina/name_value.h"
@@ -63,6 +65,16 @@ int complain_of_usage(const CLI::App* command, std::string_view message) {
 }
 
 }  // namespace
+
+Exit turn_into(Home home, char** argv) {
+    const std::string name = home == Home::Import ? "patina-import" : "patina-render";
+    std::error_code failure;
+    std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", failure);
+    if (failure) self = argv[0];
+    execv((self.parent_path() / name).c_str(), argv);
+    complain(open_console(), Complaint::MissingProgram, {name, argv[1]});
+    return Exit::Machine;
+}
 
 const CommandInfo* find_command(std::string_view name) {
     const auto found = std::find_if(std::begin(kCommands), std::end(kCommands),
@@ -227,6 +239,7 @@ void refuse_equal_outputs(const std::vector<std::string>& graphs, std::string_vi
 }
 
 int run(Program& program, int argc, char** argv) {
+    program.argv = argv;
     CLI::App& app = program.app;
     auto chosen = [&]() -> const CLI::App* {
         const std::vector<CLI::App*> parsed = app.get_subcommands();

@@ -25,6 +25,11 @@
 #include <vector>
 
 #include "compiler/cli/console.h"
+#include "runtime/outcome.h"
+
+namespace patina::runtime {
+struct Image;
+}
 
 namespace patina::cli {
 
@@ -35,6 +40,9 @@ struct CommandInfo {
     Home home;
     std::string_view summary;
 };
+// Turns this process into the program, which lies in the folder of this one, with the same command line. Returns only
+// if that fails, and has told it.
+Exit turn_into(Home home, char** argv);
 // A row of commands.def, or null.
 const CommandInfo* find_command(std::string_view name);
 
@@ -48,14 +56,19 @@ struct PictureChange;
 using PictureComparison = std::optional<PictureChange> (*)(const Console&, const Version& before, const Version& after,
                                                            const PictureWish&);
 
+// The bytes of a picture's file; the ending of its name is the format.
+using PictureEncoder = runtime::Outcome<std::string> (*)(const std::string& name, const runtime::Image&);
+
 struct Program {
     Program();
 
     CLI::App app;
     Console console;
+    char** argv = nullptr;  // run() knows it
     // In patina-render alone.
     SceneCheck check_scene = nullptr;
     PictureComparison compare_pictures = nullptr;
+    PictureEncoder encode_picture = nullptr;
     struct Command {
         CLI::App* app;
         std::function<Exit(const Console&)> work;

@@ -1,15 +1,19 @@
-// patina-render: the commands that need Vulkan and OpenImageIO, the check of scenes, and
-// pictures of `patina diff`. `patina` turns into it.
+// patina-render: the commands that need Vulkan and OpenImageIO, the check of scenes,
+// pictures of `patina diff`, and imports that write pictures. `patina` turns into it.
 #include "compiler/cli/commands/commands.h"
 #include "compiler/cli/diff/report.h"
+#include "runtime/picture/image.h"
 
 int main(int argc, char** argv) {
+    using namespace patina;
     using namespace patina::cli;
     Program program;
     program.check_scene = check_scene;
     program.compare_pictures = compare_pictures;
+    program.encode_picture = runtime::encode_image;
     add_check(program);
     add_diff(program);
+    add_import(program);
 #define COMMAND(name, home, summary) \
     if constexpr (Home::home == Home::Render) add_##name(program);
 #include "compiler/cli/commands/commands.def"

@@ -77,6 +77,7 @@ struct Importer {
     std::string_view name;     // "merl"
     std::string_view reads;    // for --help: "measured BRDFs of the MERL database (.binary)"
     std::string_view example;  // for --help: "patina import gold-paint.binary"
+    bool makes_pictures;       // if it returns none, `patina import` need not load OpenImageIO
     bool (*recognises)(const Source& source);
     Imported (*read)(const Source& source, const Options& options);
 };

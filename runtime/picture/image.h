@@ -1,7 +1,8 @@
 // The room `picture`: pixels in memory, their files and their comparison. It knows no scene, material or device.
 //
-// Pictures in memory as float RGBA, and the files they come from and go to (OpenImageIO). Colour encoding is explicit:
-// load_image and save_exr keep the numbers as they are, save_png encodes linear light to sRGB. Not a texture: see
+// Pictures in memory as float RGBA (image.cpp, which needs no other library), and the files they come from and go to
+// (read_image.cpp and write_image.cpp: OpenImageIO). Colour encoding is explicit: load_image and save_exr keep the
+// numbers as they are, save_png encodes linear light to sRGB. Not a texture: see
 // mip_chain.h for mip levels, and values/textures.h for GPU formats.
 //
 //   Outcome<Image> image = load_image("rust.png");           // the file's own numbers, 8 bits as n / 255
@@ -40,6 +41,8 @@ float srgb_decode(float encoded);
 void encode_srgb(Image& image);
 void decode_srgb(Image& image);
 
+// Within 0..1; NaN becomes 0.
+float to_unit_range(float value);
 // What an 8-bit file keeps of encoded values: clamped to 0..1 and rounded to n / 255; NaN becomes 0.
 Image quantized(const Image& encoded);
 

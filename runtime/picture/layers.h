@@ -18,7 +18,7 @@ struct Layer {
     Image image{};  // as large as the picture
 };
 
-// 32-bit floats, the numbers as they are. Equal pictures have equal bytes. (image.cpp)
+// 32-bit floats, the numbers as they are. Equal pictures have equal bytes. (write_image.cpp)
 Outcome<std::string> encode_layers(const Image& picture, std::span<const Layer> layers);
 
 }  // namespace patina::runtime

@@ -2,6 +2,7 @@
 // compiler/importers; this file knows none of them.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <memory>
@@ -31,6 +32,11 @@ importers::Source source_of(const std::string& path) {
     file.read(source.start.data(), static_cast<std::streamsize>(source.start.size()));
     source.start.resize(static_cast<std::size_t>(file.gcount()));
     return source;
+}
+
+bool makes_pictures(const std::string& path) {
+    const Importer* const importer = importers::importer_of(source_of(path));
+    return importer && importer->makes_pictures;
 }
 
 // "measured BRDFs (.binary); glTF (.gltf, .glb)"
@@ -77,11 +83,11 @@ std::string json_of(const std::string& file, const OutputFiles& written, std::sp
 }
 
 // All files of an import, or what is wrong. The graphs come last: if a graph is there, its textures are, too.
-runtime::Outcome<OutputFiles> files_of(const Imported& made, const fs::path& folder) {
+runtime::Outcome<OutputFiles> files_of(const Imported& made, const fs::path& folder, PictureEncoder encode) {
     OutputFiles files;
     const auto path_of = [&](const std::string& name) { return (folder / name).string(); };
     for (const importers::PictureFile& picture : made.pictures) {
-        runtime::Outcome<std::string> bytes = runtime::encode_image(picture.name, picture.linear);
+        runtime::Outcome<std::string> bytes = encode(picture.name, picture.linear);
         if (!bytes) return runtime::Failure{"cannot write '" + path_of(picture.name) + "': " + bytes.error};
         files.add(path_of(picture.name), std::move(bytes.value));
     }
@@ -90,7 +96,7 @@ runtime::Outcome<OutputFiles> files_of(const Imported& made, const fs::path& fol
     return files;
 }
 
-Exit import_file(const Console& console, const Arguments& arguments, const std::string& file) {
+Exit import_file(const Console& console, const Arguments& arguments, const std::string& file, PictureEncoder encode) {
     const importers::Source source = source_of(file);
     const Importer* importer = importers::importer_of(source);
     if (!importer) {
@@ -103,7 +109,7 @@ Exit import_file(const Console& console, const Arguments& arguments, const std::
         complain(console, Complaint::CannotImport, {made.error});
         return Exit::Wrong;
     }
-    const runtime::Outcome<OutputFiles> files = files_of(made, folder);
+    const runtime::Outcome<OutputFiles> files = files_of(made, folder, encode);
     if (!files) {
         complain(console, Complaint::CannotWrite, {files.error});
         return Exit::Wrong;
@@ -138,15 +144,17 @@ void add_import(Program& program) {
     command.add_flag("--report", arguments->shows_remarks,
                      "Print what became of each part of the files: mapped, approximated or refused, and why");
     command.add_flag("--json", arguments->json, "Print the same as JSON, one object a file, instead of warnings");
-    set_work(program, command, [arguments](const Console& console) {
+    set_work(program, command, [arguments, &program](const Console& console) {
         if (console.json && arguments->json) {
             complain(console, Complaint::MixedOutput, {"--json"});
             return Exit::Usage;
         }
+        if (!program.encode_picture && std::ranges::any_of(arguments->files, makes_pictures))
+            return turn_into(Home::Render, program.argv);
         Exit exit = Exit::Ok;
         for (std::size_t i = 0; i < arguments->files.size(); ++i) {
             show_progress(console, i, arguments->files.size(), arguments->files[i]);
-            exit = worse(exit, import_file(console, *arguments, arguments->files[i]));
+            exit = worse(exit, import_file(console, *arguments, arguments->files[i], program.encode_picture));
         }
         return exit;
     });

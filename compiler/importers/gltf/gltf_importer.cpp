@@ -193,6 +193,7 @@ Importer gltf_importer() {
     return {.name = "gltf",
             .reads = "models in glTF 2.0 (.glb, .gltf)",
             .example = "patina import chair.glb -o chair          # a graph for each material, and chair.scene.json",
+            .makes_pictures = false,
             .recognises = recognises,
             .read = read};
 }

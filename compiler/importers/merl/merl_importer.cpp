@@ -56,6 +56,7 @@ Importer merl_importer() {
     return {.name = "merl",
             .reads = "measured BRDFs in the form of the MERL database (.binary)",
             .example = "patina import gold-paint.binary          # gold-paint.exr and gold-paint.graph.json next to it",
+            .makes_pictures = true,
             .recognises = recognises,
             .read = read};
 }
