@@ -1,6 +1,7 @@
 #include "compiler/api/compile_targets.h"
 
 #include <algorithm>
+#include <map>
 
 #include "compiler/api/report.h"
 #include "compiler/link/dumps.h"
@@ -70,12 +71,26 @@ std::optional<Diagnostic> unknown_dump(const graph::Library& library, std::strin
     return to_public(diagnostics, library.sources).front();
 }
 
+// A switch with two different values. No value means "true".
+std::optional<Diagnostic> two_values(const graph::Library& library, const CompileOptions& options) {
+    std::map<std::string_view, std::string_view> values;
+    for (const auto& [name, given] : options.switches) {
+        const std::string_view value = given.empty() ? std::string_view("true") : given;
+        const auto [first, is_new] = values.emplace(name, value);
+        if (is_new || first->second == value) continue;
+        Diagnostics diagnostics;
+        diagnostics.report(Code::TwoValues, {}, name, first->second, value);
+        return to_public(diagnostics, library.sources).front();
+    }
+    return {};
+}
+
 void check_shader_bytes(const graph::Library& library, std::size_t most, Result& result) {
     std::size_t bytes = 0;
     for (const Shader& shader : result.shaders) bytes += shader.text.size();
     if (bytes <= most) return;
     Diagnostics diagnostics;
-    diagnostics.report(Code::OverBudget, {}, bytes, "bytes of shader text", most);
+    diagnostics.report(Code::OverBudget, {}, "bytes of shader text", bytes, most);
     result.diagnostics.push_back(to_public(diagnostics, library.sources).front());
     result.ok = false;
     result.shaders.clear();
@@ -103,6 +118,7 @@ bool holds_variants(const graph::Library& library, const Target& target) {
 }
 
 Result compile_targets(const graph::Library& library, const CompileOptions& options, const CompileForEngine& compile) {
+    if (std::optional<Diagnostic> twice = two_values(library, options)) return refused(std::move(*twice));
     for (const Target& target : options.targets) {
         if (std::optional<Diagnostic> unknown = unknown_target(library, target)) return refused(std::move(*unknown));
     }

@@ -115,6 +115,13 @@ patina_status compile(const patina_compiler* compiler, const char* options_text,
     });
 }
 
+// Copies a key to where there is room for PATINA_KEY_SIZE bytes.
+patina_status give(const std::string& made, char* key) {
+    if (made.size() >= PATINA_KEY_SIZE) return PATINA_INTERNAL_ERROR;
+    key[made.copy(key, PATINA_KEY_SIZE - 1)] = '\0';
+    return PATINA_OK;
+}
+
 }  // namespace
 }  // namespace patina::capi
 
@@ -194,6 +201,28 @@ patina_status patina_compile_file(const patina_compiler* compiler, const char* p
                                   const patina_callbacks* callbacks, patina_result** result) {
     return compile(path ? compiler : nullptr, options, callbacks, result,
                    [&](const patina::CompileOptions& read) { return compiler->compiler.compile_file(path, read); });
+}
+
+patina_status patina_cache_key(const patina_compiler* compiler, const char* path, const char* text, size_t size,
+                               const char* options, const patina_callbacks* callbacks, char* key) {
+    if (!key) return PATINA_BAD_ARGUMENT;
+    *key = '\0';
+    if (!compiler || !path) return PATINA_BAD_ARGUMENT;
+    return guarded([&] {
+        patina::CompileOptions read;
+        if (options && !read_options(compiler->compiler, options, read).empty()) return PATINA_HAS_ERRORS;
+        if (callbacks) use(*callbacks, read);
+        return give(text ? compiler->compiler.cache_key(path, std::string(text, size), read)
+                         : compiler->compiler.cache_key(path, read),
+                    key);
+    });
+}
+
+patina_status patina_library_hash(const patina_compiler* compiler, char* key) {
+    if (!key) return PATINA_BAD_ARGUMENT;
+    *key = '\0';
+    if (!compiler) return PATINA_BAD_ARGUMENT;
+    return guarded([&] { return give(compiler->compiler.library_hash(), key); });
 }
 
 void patina_result_free(patina_result* result) {

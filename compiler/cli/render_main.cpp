@@ -5,12 +5,11 @@
 #include "runtime/picture/image.h"
 
 int main(int argc, char** argv) {
-    using namespace patina;
     using namespace patina::cli;
     Program program;
     program.check_scene = check_scene;
     program.compare_pictures = compare_pictures;
-    program.encode_picture = runtime::encode_image;
+    program.encode_picture = patina::runtime::encode_image;
     add_check(program);
     add_diff(program);
     add_import(program);

@@ -99,8 +99,8 @@ void count_node(Session& session, const Node& node, const ResolvedNode& resolved
     const std::size_t most = session.options.limits.nodes, before = checked.size;
     const std::size_t own = 1 + (resolved.subgraph ? resolved.subgraph->size : 0);
     checked.size = own > kMostNodes - before ? kMostNodes : before + own;
-    if (before > most || checked.size <= most || !session.library.sources.file(node.span.begin).empty()) return;
-    session.diagnostics.report(Code::OverBudget, node.id_span, checked.size, "nodes", most)
+    if (session.stopped || checked.size <= most || !session.library.sources.file(node.span.begin).empty()) return;
+    session.diagnostics.report(Code::OverBudget, node.id_span, "nodes", checked.size, most)
         .note(resolved.subgraph ? "each use of a sub-graph counts all of its nodes" : "");
     session.stopped = true;
 }

@@ -147,7 +147,7 @@ std::optional<std::uint32_t> load_source(Session& session, const std::string& pa
 bool is_over_bytes(Session& session, Span where) {
     const std::size_t most = session.options.limits.source_bytes;
     if (session.files.bytes() <= most) return false;
-    session.diagnostics.report(Code::OverBudget, where, session.files.bytes(), "bytes of source text", most);
+    session.diagnostics.report(Code::OverBudget, where, "bytes of source text", session.files.bytes(), most);
     session.stopped = true;
     return true;
 }

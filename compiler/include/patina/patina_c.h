@@ -117,7 +117,8 @@ PATINA_API void patina_reply_error(patina_reply* reply, const char* reason);
 //   "hashes"        true: the reflection has the hash of each pass
 //   "limits"        object: the most "nodes", "sourceBytes" and "shaderBytes"
 //
-// patina::CompileOptions says more about each. Errors have places in a file that is called "options".
+// patina::CompileOptions says more about each. What is wrong with the text has a place in a file that is called
+// "options"; a name that only the graph or the path knows, such as one of "switches", is told without a place.
 //
 // `callbacks` may be null. A result is made if the status is PATINA_OK or PATINA_HAS_ERRORS; otherwise it is null.
 PATINA_API patina_status patina_compile(const patina_compiler* compiler, const char* path, const char* text,
@@ -126,6 +127,16 @@ PATINA_API patina_status patina_compile(const patina_compiler* compiler, const c
 // The same, with the text of the file that `path` names.
 PATINA_API patina_status patina_compile_file(const patina_compiler* compiler, const char* path, const char* options,
                                              const patina_callbacks* callbacks, patina_result** result);
+// Room for a key, with its zero byte.
+#define PATINA_KEY_SIZE 33
+// Writes a key to `key`, which has room for PATINA_KEY_SIZE bytes: two compilations with one key give one result.
+// `text` is null for the text of the file that `path` names. It reads the graph and the files that this names, and
+// compiles nothing. A graph with errors has a key, too. PATINA_HAS_ERRORS: the options are wrong, and the key is empty.
+PATINA_API patina_status patina_cache_key(const patina_compiler* compiler, const char* path, const char* text,
+                                          size_t size, const char* options, const patina_callbacks* callbacks,
+                                          char* key);
+// Writes the key of the library with the files that were added, and of this build of the compiler.
+PATINA_API patina_status patina_library_hash(const patina_compiler* compiler, char* key);
 // Frees a result with all that it has given. Null is allowed.
 PATINA_API void patina_result_free(patina_result* result);
 

@@ -45,7 +45,7 @@ TEST(Budgets, OfNodesNameTheNodeThatPassesThem) {
     options.limits.nodes = 2;
     const Result result = compiler().compile_text("test.graph.json", kThree, options);
     expect_refused(result, "over-budget");
-    EXPECT_EQ(result.diagnostics[0].message, "3 nodes are more than the budget of 2");
+    EXPECT_EQ(result.diagnostics[0].message, "nodes: 3, more than the budget of 2");
     EXPECT_EQ(result.diagnostics[0].node, "c");
     EXPECT_EQ(result.diagnostics[0].line, 5);
 }
@@ -68,7 +68,7 @@ TEST(Budgets, OfNodesCountEachUseOfASubGraph) {
     EXPECT_FALSE(result.ok);
     ASSERT_FALSE(result.diagnostics.empty());
     EXPECT_EQ(result.diagnostics[0].code, "over-budget");
-    EXPECT_EQ(result.diagnostics[0].message, "1022 nodes are more than the budget of 1000");
+    EXPECT_EQ(result.diagnostics[0].message, "nodes: 1022, more than the budget of 1000");
 }
 
 TEST(Budgets, OfTextCountTheGraphAndItsFiles) {
@@ -103,8 +103,34 @@ TEST(Budgets, OfShadersCountAllTargets) {
     options.limits.shader_bytes = bytes - 1;
     const Result result = compiler().compile_text("test.graph.json", kThree, options);
     expect_refused(result, "over-budget");
-    EXPECT_EQ(result.diagnostics[0].message,
-              std::to_string(bytes) + " bytes of shader text are more than the budget of " + std::to_string(bytes - 1));
+    EXPECT_EQ(result.diagnostics[0].message, "bytes of shader text: " + std::to_string(bytes) +
+                                                 ", more than the budget of " + std::to_string(bytes - 1));
+}
+
+// A budget of nothing is passed by the first node, once.
+TEST(Budgets, OfNoNodeAreToldOnce) {
+    CompileOptions options;
+    options.limits.nodes = 0;
+    options.files.read = [](const std::string&) {
+        return R"({ "patina": 1, "kind": "subgraph", "nodes": [ { "id": "a", "expr": "@uv0.x" } ],
+                    "outputs": { "v": "a" } })";
+    };
+    const Result result = compiler().compile_text("test.graph.json", R"json({ "patina": 1, "workflow": "unlit",
+        "nodes": [ { "id": "s", "node": "./s.subgraph.json" }, { "id": "b", "expr": "s" } ],
+        "surface": { "color": "= b" } })json",
+                                                  options);
+    expect_refused(result, "over-budget");
+    EXPECT_EQ(result.diagnostics[0].message, "nodes: 1, more than the budget of 0");
+}
+
+TEST(Switches, HaveOneValue) {
+    CompileOptions options;
+    options.switches = {{"shadows", ""}, {"fog", "false"}, {"shadows", "true"}};
+    EXPECT_TRUE(compiler().compile_text("test.graph.json", kThree, options).ok);
+    options.switches.emplace_back("fog", "true");
+    const Result result = compiler().compile_text("test.graph.json", kThree, options);
+    expect_refused(result, "two-values");
+    EXPECT_EQ(result.diagnostics[0].message, "'fog' is 'false' already, and cannot be 'true' too");
 }
 
 // At each place where the compiler asks.

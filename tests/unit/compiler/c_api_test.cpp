@@ -293,6 +293,41 @@ TEST(CApi, TheLibraryHasFilesOfTheProgram) {
     EXPECT_TRUE(errors.says("mine/dots.node.hlsl:1:")) << patina_result_messages(errors.handle);
 }
 
+TEST(CApi, KeysTellWhatAResultDependsOn) {
+    const Compiler compiler;
+    Files files;
+    const patina_callbacks callbacks = files.callbacks();
+    const auto key = [&](const char* options) {
+        char made[PATINA_KEY_SIZE] = "?";
+        EXPECT_EQ(patina_cache_key(compiler.handle, "mine.graph.json", kGraph, std::strlen(kGraph), options, &callbacks,
+                                   made),
+                  PATINA_OK);
+        EXPECT_EQ(std::strlen(made), 32u);
+        return std::string(made);
+    };
+    const std::string plain = key(nullptr);
+    EXPECT_EQ(key("{}"), plain);
+    EXPECT_NE(key("{\"hashes\": true}"), plain);
+    files.texts["dots.node.hlsl"] += "\n";
+    EXPECT_NE(key(nullptr), plain);
+
+    char other[PATINA_KEY_SIZE] = "?";
+    EXPECT_EQ(patina_cache_key(compiler.handle, "mine.graph.json", "{}", 2, "{", &callbacks, other), PATINA_HAS_ERRORS);
+    EXPECT_STREQ(other, "");
+    files.texts["mine.graph.json"] = kGraph;
+    EXPECT_EQ(patina_cache_key(compiler.handle, "mine.graph.json", nullptr, 0, nullptr, &callbacks, other), PATINA_OK);
+    EXPECT_NE(other, plain);
+    EXPECT_EQ(patina_cache_key(nullptr, "a", "{}", 2, nullptr, nullptr, other), PATINA_BAD_ARGUMENT);
+    EXPECT_EQ(patina_cache_key(compiler.handle, "a", "{}", 2, nullptr, nullptr, nullptr), PATINA_BAD_ARGUMENT);
+    EXPECT_EQ(patina_library_hash(nullptr, other), PATINA_BAD_ARGUMENT);
+
+    char library[PATINA_KEY_SIZE], own[PATINA_KEY_SIZE];
+    const Compiler mine({{.name = "mine/dots.node.hlsl", .text = kDots, .size = std::strlen(kDots)}});
+    EXPECT_EQ(patina_library_hash(compiler.handle, library), PATINA_OK);
+    EXPECT_EQ(patina_library_hash(mine.handle, own), PATINA_OK);
+    EXPECT_STRNE(library, own);
+}
+
 TEST(CApi, ThreadsShareACompiler) {
     const Compiler compiler;
     std::vector<std::string> texts(4);
