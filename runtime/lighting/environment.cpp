@@ -49,7 +49,7 @@ std::shared_ptr<const TextureData> Environment::picture(int size) const {
 
 TextureData map_with_levels(const Radiance& radiance, int face_size, std::span<const float> blurred_levels) {
     TextureData data{.levels = {}, .sampler = {.wrap = Wrap::Clamp}, .layers = 6};
-    data.levels.push_back(blurred(Pyramid(radiance, face_size), 0, face_size, 1));
+    data.levels.push_back(blurred(Pyramid(radiance, face_size), 0, face_size));
     for (int level = 1; level < kEnvironmentLevels; level++)
         data.levels.push_back(unpacked(blurred_levels, std::max(face_size >> level, 1)));
     return data;

@@ -122,7 +122,7 @@ Pyramid pyramid_of(const Panorama& around, int face_size) {
 }
 
 SphericalHarmonics ambient_of(const Pyramid& pyramid) {
-    return project([&](glm::vec3 direction) { return pyramid.look(direction, 0); }, pyramid.size());
+    return project([&](glm::vec3 direction) { return pyramid.look(direction); }, pyramid.size());
 }
 
 }  // namespace patina::runtime

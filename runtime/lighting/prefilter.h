@@ -18,22 +18,34 @@ namespace patina::runtime {
 inline constexpr int kEnvironmentLevels = 6;
 float roughness_of_level(int level);
 
-// The radiance on the faces of a cube, with mip levels down to one texel per face. A sample reads the level whose
-// texels are as wide as the distance between samples (Krivanek and Colbert, "Real-time Shading with Filtered Importance
-// Sampling", EGSR 2008).
+// The radiance on the faces of a cube, as a tree: each part of it knows how much light comes from it, and from where.
+// What a rough surface reflects is a sum over parts that are small as seen by its lobe (after Barnes and Hut, "A
+// Hierarchical O(N log N) Force-Calculation Algorithm", Nature 324, 1986). So a lamp of a few pixels leaves no grain.
 class Pyramid {
 public:
-    // The finest level is the mean of `samples` x `samples` directions in each texel.
+    // `size`: texels along a face, a power of two. Each is the mean of `samples` x `samples` directions.
     Pyramid(const Radiance& radiance, int size, int samples = 1);
 
     int size() const { return size_; }
-    glm::vec3 look(glm::vec3 direction, float level) const;
+    // The radiance of the texel that lies there.
+    glm::vec3 look(glm::vec3 direction) const;
+    // The mean of the radiance over the GGX lobe around the unit normal, for a view along it, weighted by n.l (Karis,
+    // SIGGRAPH 2013). `roughness`: perceptual, 0 to 1.
+    glm::vec3 reflected(glm::vec3 normal, float roughness) const;
 
 private:
-    glm::vec3 bilinear(int level, const CubePlace& place) const;
+    // A texel, or four parts of the next finer level.
+    struct Part {
+        glm::vec3 direction{0};  // the centre of its light
+        float solid_angle = 0;
+        glm::vec3 light{0};  // the integral of the radiance
+        float radius = 0;    // from there to its furthest corner, as a chord of the unit sphere
+    };
+    static Part joined(const Part* const (&quarters)[4]);
+    void measure(Part& part, int face, int x, int y, int size) const;
 
     int size_;
-    std::vector<std::vector<glm::vec3>> levels_;
+    std::vector<std::vector<Part>> levels_{};  // the texels first, six parts last
 };
 
 // The radiance as a cube of one level: the mean of `samples` x `samples` directions in each texel.
@@ -42,10 +54,9 @@ TextureData sampled(const Radiance& radiance, int size, int samples);
 // Given the share that is done, 0 to 1, on the calling thread.
 using PrefilterProgress = std::function<void(double)>;
 
-// What a surface of this perceptual roughness reflects for a view along its normal: the mean of the radiance, weighted
-// by n.l (Karis, SIGGRAPH 2013). `size`: texels along a face. `samples`: pairs of directions for each texel.
-TextureLevel blurred(const Pyramid& pyramid, float roughness, int size, int samples,
-                     const PrefilterProgress& progress = {});
+// What surfaces of this perceptual roughness reflect that are looked at along their normals. `size`: texels along a
+// face.
+TextureLevel blurred(const Pyramid& pyramid, float roughness, int size, const PrefilterProgress& progress = {});
 
 // All levels of an environment's map. The first has the size of the pyramid.
 TextureData prefiltered(const Pyramid& pyramid, const PrefilterProgress& progress);
