@@ -15,6 +15,31 @@ constexpr float kK2 = 1.0925484305920792f;
 constexpr float kK3 = 0.31539156525252005f;
 constexpr float kK4 = 0.5462742152960396f;
 
+struct Range {
+    float low = 0, high = 0;
+};
+
+// Irradiance over pi in all directions and channels.
+Range irradiance_range(const SphericalHarmonics& light) {
+    constexpr std::array<float, 9> kBands = {1,        2.0f / 3, 2.0f / 3, 2.0f / 3, 1.0f / 4,
+                                             1.0f / 4, 1.0f / 4, 1.0f / 4, 1.0f / 4};
+    // So smooth a function is less than a thousandth larger between directions that are 3 degrees apart.
+    constexpr int kFaceSize = 32;
+    Range range;
+    for (int face = 0; face < 6; face++) {
+        for (int y = 0; y < kFaceSize; y++) {
+            for (int x = 0; x < kFaceSize; x++) {
+                const std::array<float, 9> basis = spherical_harmonics_basis(cube_direction(face, x, y, kFaceSize));
+                glm::vec3 sum(0);
+                for (std::size_t i = 0; i < basis.size(); i++) sum += kBands[i] * basis[i] * light.coefficients[i];
+                range.low = std::min({range.low, sum.r, sum.g, sum.b});
+                range.high = std::max({range.high, sum.r, sum.g, sum.b});
+            }
+        }
+    }
+    return range;
+}
+
 }  // namespace
 
 std::array<float, 9> spherical_harmonics_basis(glm::vec3 d) {
@@ -93,22 +118,27 @@ SphericalHarmonics with_z_reversed(SphericalHarmonics light) {
 }
 
 float largest_irradiance(const SphericalHarmonics& light) {
-    constexpr std::array<float, 9> kBands = {1,        2.0f / 3, 2.0f / 3, 2.0f / 3, 1.0f / 4,
-                                             1.0f / 4, 1.0f / 4, 1.0f / 4, 1.0f / 4};
-    SphericalHarmonics irradiance = light;
-    for (std::size_t i = 0; i < kBands.size(); i++) irradiance.coefficients[i] *= kBands[i];
-    // So smooth a function is less than a thousandth larger between directions that are 3 degrees apart.
-    constexpr int kFaceSize = 32;
-    float largest = 0;
-    for (int face = 0; face < 6; face++) {
-        for (int y = 0; y < kFaceSize; y++) {
-            for (int x = 0; x < kFaceSize; x++) {
-                const glm::vec3 color = evaluate(irradiance, cube_direction(face, x, y, kFaceSize));
-                largest = std::max({largest, color.r, color.g, color.b});
-            }
-        }
+    return irradiance_range(light).high;
+}
+
+SphericalHarmonics without_negative_light(const SphericalHarmonics& light) {
+    const auto windowed = [&](float w) {
+        SphericalHarmonics smooth = light;
+        for (std::size_t i = 1; i < smooth.coefficients.size(); i++)
+            smooth.coefficients[i] /= 1 + w * (i < 4 ? 4.0f : 36.0f);
+        return smooth;
+    };
+    const Range range = irradiance_range(light);
+    const float least = -1e-4f * range.high;  // what rounding makes of no light
+    if (range.low >= least) return light;
+    // A width of 64 leaves a hundredth of all bands but the first. Halving it twenty times finds the least that will
+    // do.
+    float enough = 64, too_little = 0;
+    for (int i = 0; i < 20; i++) {
+        const float middle = (enough + too_little) / 2;
+        (irradiance_range(windowed(middle)).low >= least ? enough : too_little) = middle;
     }
-    return largest;
+    return windowed(enough);
 }
 
 PackedIrradiance packed_irradiance(const SphericalHarmonics& light) {

@@ -122,7 +122,8 @@ Pyramid pyramid_of(const Panorama& around, int face_size) {
 }
 
 SphericalHarmonics ambient_of(const Pyramid& pyramid) {
-    return project([&](glm::vec3 direction) { return pyramid.look(direction); }, pyramid.size());
+    return without_negative_light(
+        project([&](glm::vec3 direction) { return pyramid.look(direction); }, pyramid.size()));
 }
 
 }  // namespace patina::runtime

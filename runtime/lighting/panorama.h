@@ -36,7 +36,7 @@ Radiance turned(Radiance radiance, double degrees);
 inline constexpr int kSmallestMap = 256, kLargestMap = 512;
 // The radiance on a cube. `face_size`: 0: as fine as the picture, within these limits.
 Pyramid pyramid_of(const Panorama& around, int face_size = 0);
-// Of all texels of its finest level.
+// Of all texels of its finest level; no surface receives less than no light of it.
 SphericalHarmonics ambient_of(const Pyramid& pyramid);
 
 }  // namespace patina::runtime

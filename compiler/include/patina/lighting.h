@@ -63,7 +63,9 @@ struct Environment {
     std::string error{};
     // The value of `ambientSH`: red, green and blue of radiance for each of the nine functions of the real basis
     // without the Condon-Shortley sign, order l(l+1)+m, on the axes of the world (Ramamoorthi and Hanrahan, "An
-    // Efficient Representation for Irradiance Environment Maps", SIGGRAPH 2001).
+    // Efficient Representation for Irradiance Environment Maps", SIGGRAPH 2001). Surroundings with small bright
+    // lamps are smoothed until no surface receives less than no light (Sloan, "Stupid Spherical Harmonics Tricks", GDC
+    // 2008).
     std::array<std::array<float, 3>, 9> coefficients{};
     // The texture `environmentMap`: six levels. Level i is for the roughness r with 5 r (1.7 - 0.7 r) = i (Karis, "Real
     // Shading in Unreal Engine 4", SIGGRAPH 2013).

@@ -153,6 +153,42 @@ glm::vec3 texel(const TextureLevel& level, int face, int x, int y) {
     return {at[0], at[1], at[2]};
 }
 
+// Light from one direction alone gives, in nine coefficients, the irradiance 1/4pi (0.375 + 2 c + 1.875 c^2) for a
+// normal with the cosine c to it: less than none where c is near -0.5.
+TEST(Harmonics, ALampLeavesNoBlackSpot) {
+    const glm::vec3 to_lamp = glm::normalize(glm::vec3(1, 2, -0.5f));
+    SphericalHarmonics lamp = constant_ambient(glm::vec3(0));
+    const std::array<float, 9> basis = spherical_harmonics_basis(to_lamp);
+    for (std::size_t i = 0; i < basis.size(); i++) lamp.coefficients[i] = glm::vec3(basis[i]);
+    const auto range_of = [](const SphericalHarmonics& light) {
+        const PackedIrradiance packed = packed_irradiance(light);
+        double low = 1e9, high = -1e9;
+        for (int face = 0; face < 6; ++face) {
+            for (int i = 0; i < 48 * 48; ++i) {
+                const glm::vec3 n = cube_direction(face, i % 48, i / 48, 48);
+                const double value =
+                    double(glm::dot(packed.linear[0], glm::vec4(n, 1)) +
+                           glm::dot(packed.quadratic[0], glm::vec4(n.x * n.y, n.y * n.z, n.z * n.z, n.z * n.x)) +
+                           packed.last.r * (n.x * n.x - n.y * n.y));
+                low = std::min(low, value), high = std::max(high, value);
+            }
+        }
+        return std::pair(low, high);
+    };
+    EXPECT_NEAR(range_of(lamp).first, -0.15833 / (4 * kPi), 1e-4);
+    const SphericalHarmonics smooth = without_negative_light(lamp);
+    const auto [low, high] = range_of(smooth);
+    EXPECT_NEAR(low / high, 0, 1e-3);
+    // 1 + a c + b (3 c^2 - 1) with a = 2 / (1 + 4 w) and b = 0.625 / (1 + 36 w) is least at c = -1, and 0 there if
+    // w = 0.1783: then it is 2.337 towards the lamp.
+    EXPECT_NEAR(high, 2.337 / (4 * kPi), 1e-3);
+    EXPECT_EQ(smooth.coefficients[0], lamp.coefficients[0]);
+    // Light that has no such spot stays as it is.
+    const SphericalHarmonics sky = gradient_ambient({0.4f, 0.5f, 0.7f}, glm::vec3(0.3f), glm::vec3(0.1f));
+    EXPECT_EQ(without_negative_light(sky).coefficients, sky.coefficients);
+    EXPECT_EQ(without_negative_light({}).coefficients, SphericalHarmonics{}.coefficients);
+}
+
 TEST(Levels, HalveInSize) {
     const Environment environment([](glm::vec3) { return glm::vec3(1); }, 64);
     EXPECT_EQ(environment.map()->layers, 6);
