@@ -191,7 +191,7 @@ layout(location = 0) in vec4 v;
 layout(location = 0) out vec4 o;
 float helper(float x)
 {
-    return sin(x) * x;
+    return sin(x) + x;
 }
 void main()
 {
@@ -238,7 +238,7 @@ TEST(Cost, BelongsToNodesAndParts) {
     const std::vector<CostShare>& shares = passes[0].fragment.shares;
     ASSERT_EQ(shares.size(), 6u);
     using Part = CostShare::Part;
-    // helper() works for its callers: a sine and a product each, and the sum of b.
+    // helper() works for its callers: a sine and a sum each, and one more sum of b.
     EXPECT_EQ(shares[0].node, "a");
     EXPECT_EQ(shares[0].once.transcendental, 1u);
     EXPECT_EQ(shares[0].once.arithmetic, 1u);
