@@ -28,7 +28,6 @@ Measured measure_graph(const Compiler& compiler, const Arguments& arguments, con
     options.include_dirs = arguments.include_dirs;
     options.request = CompileOptions::Passes{.path = arguments.path.path};
     options.switches = arguments.path.switches();
-    options.accept_parts = true;
     const Result result = compiler.compile_file(graph, options);
     Measured made{.report = {.graph = graph}, .diagnostics = result.diagnostics, .ok = result.ok};
     if (!result.ok) return made;
@@ -50,7 +49,7 @@ void add_cost(Program& program) {
         {"patina cost rust.graph.json", "patina cost art --path all", "patina cost rust.graph.json --json > cost.json",
          "patina check rust.graph.json --max-instructions 400   # fails if it costs more"});
     auto arguments = std::make_shared<Arguments>();
-    add_input_options(command, arguments->inputs, "Graphs (JSON)");
+    add_input_options(command, arguments->inputs, "Material graphs (JSON)");
     command.add_flag("--json", arguments->json, "Print it as JSON");
     add_path_options(command, arguments->path);
     add_include_option(command, arguments->include_dirs);
@@ -61,8 +60,7 @@ void add_cost(Program& program) {
             complain(console, Complaint::MixedOutput, {"--json"});
             return Exit::Usage;
         }
-        const auto inputs =
-            find_inputs(console, arguments->inputs, {".graph.json", ".subgraph.json", ".lighting.json"});
+        const auto inputs = find_inputs(console, arguments->inputs, {".graph.json"});
         if (!inputs) return Exit::Wrong;
         const Compiler compiler;
         std::vector<CostReport> reports;
