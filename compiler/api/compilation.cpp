@@ -41,6 +41,12 @@ output::Compiled compiled(const Compilation& c) {
             .name = graph::name_of_file(c.path)};
 }
 
+std::optional<Budget::Limit> limit_of(const std::optional<graph::Budget::Limit>& limit, const SourceMap& sources) {
+    if (!limit) return std::nullopt;
+    return Budget::Limit{.most = static_cast<std::uint32_t>(limit->most),
+                         .place = graph::place_of(sources, limit->span)};
+}
+
 }  // namespace
 
 bool accept(Compilation& c) {
@@ -112,6 +118,10 @@ bool order_passes(Compilation& c) {
 
 bool reflect(Compilation& c) {
     c.result.reflection = output::reflect(*c.materials.front(), c.linked.front().lowered, c.passes, c.session);
+    const graph::Graph& graph = *c.materials.front()->graph->graph;
+    for (const graph::Node& node : graph.nodes) c.result.nodes.push_back(node.id);
+    c.result.budget = {.instructions = limit_of(graph.budget.instructions, c.session.sources),
+                       .textures = limit_of(graph.budget.textures, c.session.sources)};
     return true;
 }
 

@@ -151,6 +151,15 @@ struct ExtraPass {
     std::shared_ptr<Graph> graph;
 };
 
+// What a pass may cost. 'patina check' measures it; the compiler does not.
+struct Budget {
+    struct Limit {
+        int most = 0;
+        Span span;
+    };
+    std::optional<Limit> instructions, textures;
+};
+
 struct Graph {
     GraphKind kind = GraphKind::Material;
     std::string path;  // as the file was named; "" for an inline graph
@@ -174,6 +183,7 @@ struct Graph {
     RenderState render;
     std::vector<ExtraPass> passes;        // material
     std::vector<ListedVariant> variants;  // material
+    Budget budget;                        // material
     std::string meta;                     // raw JSON text of "meta"; carried to the reflection
 
     bool is_lit() const { return preview_input.empty(); }  // of a workflow

@@ -35,6 +35,7 @@ constexpr std::array kMaterial = {
     KeyInfo{"render", "the render state: kind of surface, culling, depth", ObjectKind::Render},
     KeyInfo{"passes", "extra surfaces, each drawn in its own pass: an outline, a glow", ObjectKind::ExtraPass},
     KeyInfo{"variants", "the combinations of variants that --variants listed compiles", ObjectKind::Free, false, true},
+    KeyInfo{"budget", "the most that a pass may cost; 'patina check' measures it", ObjectKind::Budget},
     kMeta,
     kUi,
 };
@@ -167,6 +168,11 @@ constexpr std::array kExtraPass = {
 constexpr std::array kLightingUse = {
     KeyInfo{"use", "the lighting model: a name or a file", ObjectKind::Free, true},
     KeyInfo{"in", "values for the properties of the model"},
+};
+
+constexpr std::array kBudget = {
+    KeyInfo{"maxInstructions", "the most SPIR-V instructions of a stage of any pass"},
+    KeyInfo{"maxTextures", "the most texture reads of a stage of any pass"},
 };
 
 // --- scenes
@@ -400,6 +406,7 @@ std::span<const KeyInfo> keys_of(ObjectKind kind) {
         case ObjectKind::Stencil: return kStencil;
         case ObjectKind::ExtraPass: return kExtraPass;
         case ObjectKind::LightingUse: return kLightingUse;
+        case ObjectKind::Budget: return kBudget;
         case ObjectKind::Scene: return kScene;
         case ObjectKind::Camera: return kCamera;
         case ObjectKind::Ambient: return kAmbient;
@@ -448,6 +455,7 @@ std::string_view describe(ObjectKind kind) {
         case ObjectKind::Stencil: return "the stencil state";
         case ObjectKind::ExtraPass: return "a pass";
         case ObjectKind::LightingUse: return "a use of a lighting model";
+        case ObjectKind::Budget: return "a budget";
         case ObjectKind::Scene: return "a scene";
         case ObjectKind::Camera: return "a camera";
         case ObjectKind::Ambient: return "ambient light";

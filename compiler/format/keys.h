@@ -26,6 +26,7 @@ enum class ObjectKind {
     Stencil,
     ExtraPass,
     LightingUse,
+    Budget,
     Scene,
     Camera,
     Ambient,

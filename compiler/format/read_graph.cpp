@@ -97,6 +97,23 @@ void read_variants(Reading& reading, const Json& array, std::vector<ListedVarian
     }
 }
 
+constexpr int kMostCost = 1'000'000'000;
+
+Budget read_budget(Reading& reading, const Json& json) {
+    Budget budget;
+    if (!expect(reading, json, Json::Kind::Object, "'budget'")) return budget;
+    check_keys(reading, json, ObjectKind::Budget);
+    const auto read = [&](std::string_view key, std::optional<Budget::Limit>& limit) {
+        const Json* found = json.find(key);
+        if (!found) return;
+        if (const auto most = read_int(reading, *found, fmt::format("'budget.{}'", key), 0, kMostCost))
+            limit = {.most = *most, .span = found->span};
+    };
+    read("maxInstructions", budget.instructions);
+    read("maxTextures", budget.textures);
+    return budget;
+}
+
 // The keys that a material and an extra pass share.
 void read_models(Reading& reading, const Json& json, Graph& graph) {
     if (const Json* workflow = json.find("workflow")) {
@@ -153,6 +170,7 @@ void read_material(Reading& reading, const Json& json, Graph& graph) {
     read_look(reading, json, graph);
     if (const Json* passes = json.find("passes")) read_passes(reading, *passes, graph);
     if (const Json* variants = json.find("variants")) read_variants(reading, *variants, graph.variants);
+    if (const Json* budget = json.find("budget")) graph.budget = read_budget(reading, *budget);
 }
 
 // --- the other kinds

@@ -30,6 +30,7 @@ struct Printed {
     std::string text;
     std::vector<PrintedLine> lines;  // ascending; a line without an entry belongs to the one before it
     std::vector<Piece> pieces{};     // in order
+    std::vector<int> light_loops{};  // lines at which a loop over lights begins
 };
 
 // By function: the values that become variables (plan.h). It does not depend on the language, so languages that print

@@ -224,7 +224,7 @@ Printed print(const Module& module, const Language& language, const PrintOptions
         if (is_here && module.stage.entry.index != i) print_function(w, {i}, nullptr);
     }
     if (module.stage.entry) print_function(w, module.stage.entry, &entry);
-    return {std::move(w.text), std::move(w.lines), std::move(w.pieces)};
+    return {std::move(w.text), std::move(w.lines), std::move(w.pieces), std::move(w.light_loops)};
 }
 
 }  // namespace patina::languages

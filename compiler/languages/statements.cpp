@@ -323,6 +323,8 @@ void Body::print_for(Value v) {
         if (is_variable(inside)) names_[plan_.variable[inside.index]] = index;
     }
     if (index.empty()) index = writer_.names.declare(fallback);
+    enter(inst.origin);  // may print lines
+    if (inst.is_light_loop) writer_.light_loops.push_back(writer_.next_line);
     statement(v, syntax().loop(writer_.type(function_[arg(v, 0)].type), index, begin, end));
     ++loops_;
     print_branch({inst.data}, v);

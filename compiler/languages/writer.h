@@ -35,6 +35,7 @@ struct Writer {
     int next_line = 1;
     std::vector<PrintedLine> lines;
     std::vector<Piece> pieces;
+    std::vector<int> light_loops;
     int paddings = 0;
 
     // Prints one statement or declaration; breaks it after commas if it is too wide.

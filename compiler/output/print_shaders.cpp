@@ -51,6 +51,7 @@ public:
                 .file_name = fmt::format("{}.{}", text_.file_name, info.extension),
                 .text = std::move(printed.text),
                 .line_map = line_map(printed, module.origins, sources),
+                .light_loops = std::move(printed.light_loops),
                 .hlsl_shifts = reflection.hlsl_shifts,
                 .has_main = !text_.pasting,
                 .hash = text_.hash};

@@ -136,6 +136,30 @@ void describe_stencil(Fields& f, Given<Fields, Stencil>& s) {
 }
 
 template <class Fields>
+void describe(Fields& f, Given<Fields, CostCounts>& c) {
+    f.key("instructions", c.instructions, "SPIR-V instructions after spirv-opt -O, without declarations");
+    f.key("arithmetic", c.arithmetic, "of them: sums, products, comparisons, conversions, choices");
+    f.key("transcendental", c.transcendental, "of them: roots, powers, exponentials, logarithms, trigonometry");
+    f.key("textures", c.textures, "of them: texture reads");
+    f.key("derivatives", c.derivatives, "of them: derivatives by screen coordinates");
+}
+
+template <class Fields>
+void describe(Fields& f, Given<Fields, StageCost>& c) {
+    f.key("once", c.once, "for each vertex or pixel");
+    f.key("perLight", c.per_light, "for each light");
+    f.key("varyings", c.varyings, "components that go from the vertex stage to the fragment stage");
+    f.key("registers", c.registers, "components of values that are live at the worst point");
+}
+
+template <class Fields>
+void describe(Fields& f, Given<Fields, PassCost>& c) {
+    f.key("vertex", c.vertex, "of the vertex stage");
+    f.key("fragment", c.fragment, "of the fragment stage");
+    f.key("uniformBytes", c.uniform_bytes, "of the material's blocks that the pass reads");
+}
+
+template <class Fields>
 void describe(Fields& f, Given<Fields, Pass>& p) {
     const Pass usual{};
     f.key("name", p.name, "of the pass");
@@ -166,6 +190,7 @@ void describe(Fields& f, Given<Fields, Pass>& p) {
     f.key("fragmentReads", p.fragment_reads, "blocks and textures that the fragment stage reads");
     f.optional("keywords", p.keywords, usual.keywords, "properties that either stage reads before it runs");
     f.optional("hash", p.hash, usual.hash, "of what the pass computes, whatever the graph's names are");
+    f.optional("cost", p.cost, usual.cost, "what it costs; there with 'patina compile --cost'");
 }
 
 template <class Fields>

@@ -11,6 +11,8 @@
 #include <spirv-tools/libspirv.hpp>
 #include <spirv-tools/optimizer.hpp>
 
+#include "compiler/validate/compile.h"
+
 namespace patina {
 namespace {
 
@@ -149,7 +151,8 @@ void add_messages(Validated& result, const Shader& shader, std::string_view log)
     if (result.diagnostics.size() == before) result.diagnostics.push_back(diagnostic(shader, trimmed(log)));
 }
 
-bool compile(const Shader& shader, const FrontEnd& language, HlslSamplers samplers, Validated& result) {
+bool compile(const Shader& shader, const FrontEnd& language, HlslSamplers samplers, bool with_lines,
+             Validated& result) {
     const EShLanguage stage = shader.stage == Stage::Vertex ? EShLangVertex : EShLangFragment;
     auto messages = static_cast<EShMessages>(EShMsgSpvRules | EShMsgVulkanRules | language.messages);
     const bool is_combined = language.has_registers && samplers == HlslSamplers::Combined;
@@ -191,6 +194,7 @@ bool compile(const Shader& shader, const FrontEnd& language, HlslSamplers sample
     }
     glslang::SpvOptions options;
     options.disableOptimizer = true;
+    options.generateDebugInfo = with_lines;
     spv::SpvBuildLogger logger;
     glslang::GlslangToSpv(*program.getIntermediate(stage), result.spirv, &logger, &options);
     result.log += logger.getAllMessages();
@@ -217,11 +221,19 @@ Validated validate(const Shader& shader, HlslSamplers samplers) {
     Validated result;
     const FrontEnd* language = front_end(shader);
     if (language)
-        result.ok = compile(shader, *language, samplers, result) && check_spirv(shader, result);
+        result.ok = compile(shader, *language, samplers, false, result) && check_spirv(shader, result);
     else
         result.diagnostics.push_back(
             diagnostic(shader, "it was not checked, because glslang does not read this language"));
     return result;
+}
+
+std::vector<std::uint32_t> spirv_with_lines(const Shader& shader) {
+    initialise_glslang();
+    Validated result;
+    const FrontEnd* language = front_end(shader);
+    return language && compile(shader, *language, HlslSamplers::Separate, true, result) ? result.spirv
+                                                                                        : std::vector<std::uint32_t>();
 }
 
 std::vector<std::uint32_t> optimised(const std::vector<std::uint32_t>& spirv) {

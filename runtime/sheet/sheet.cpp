@@ -153,7 +153,7 @@ private:
         if (!kind_.whole.empty()) show_port(compile, std::string(kind_.whole));
         Result compiled = compiler_.compile_file(entry_.file, compile);
         if (!compiled.ok) return;
-        entry_.passes = costs(compiled);
+        entry_.passes = measure(compiled);
         entry_.reflection = std::move(compiled.reflection);
         entry_.shaders = std::move(compiled.shaders);
     }

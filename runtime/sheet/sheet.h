@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
+#include "patina/cost.h"
 #include "runtime/render/render_request.h"
-#include "runtime/sheet/cost.h"
 
 namespace patina::runtime {
 
@@ -35,7 +35,7 @@ struct SheetEntry {
     std::string ranges{};         // of the values that the pictures of nodes show if not 0 to 1: "phase -1 to 3"
     std::vector<std::string> nodes{};
     Reflection reflection{};  // of what was compiled: of scenes nothing
-    std::vector<PassCost> passes{};
+    std::vector<MeasuredPass> passes{};
     std::vector<Shader> shaders{};
     std::vector<Diagnostic> diagnostics{};
     std::string error{};  // what is wrong beside them

@@ -79,23 +79,61 @@ std::string properties(const Reflection& reflection) {
 
 // --- passes
 
-std::string count(std::size_t number) {
-    return number > 0 ? std::to_string(number) : "&ndash;";
+std::string count(std::uint32_t number) {
+    return cell(number > 0 ? std::to_string(number) : "&ndash;", true);
+}
+
+std::string counts(const CostCounts& counts) {
+    return count(counts.instructions) + count(counts.arithmetic) + count(counts.transcendental) +
+           count(counts.textures) + count(counts.derivatives);
 }
 
 std::string passes(const SheetEntry& entry) {
     std::string rows;
-    for (const PassCost& cost : entry.passes)
-        rows += "<tr>" + cell(escaped(cost.pass)) + cell(count(cost.vertex.instructions), true) +
-                cell(count(cost.fragment.instructions), true) + cell(count(cost.fragment.per_light), true) +
-                cell(count(cost.textures), true) + cell(count(cost.uniform_bytes), true) +
-                cell(count(cost.lines), true) + "</tr>\n";
-    const std::string made =
-        table({"pass", "vertex", "fragment", "in loops", "textures", "uniform bytes", "lines"}, rows);
+    for (const MeasuredPass& pass : entry.passes) {
+        const auto add = [&](std::string_view name, std::string_view each, const CostCounts& cost,
+                             const std::string& rest) {
+            rows += "<tr>" + cell(escaped(name)) + cell(std::string(each)) + counts(cost) + rest + "</tr>\n";
+        };
+        const auto add_stage = [&](std::string_view name, std::string_view each, const StageCost& cost,
+                                   std::uint32_t bytes) {
+            add(name, each, cost.once, count(cost.varyings) + count(cost.registers) + count(bytes));
+            if (cost.per_light.instructions > 0) add("", "light", cost.per_light, cell("") + cell("") + cell(""));
+        };
+        add_stage(pass.name, "vertex", pass.cost.vertex, 0);
+        add_stage("", "pixel", pass.cost.fragment, pass.cost.uniform_bytes);
+    }
+    const std::string made = table({"pass", "for each", "instructions", "arithmetic", "transcendental", "textures",
+                                    "derivatives", "varyings", "registers", "uniform bytes"},
+                                   rows);
     if (made.empty()) return made;
     return "<h3>Passes and their cost</h3>\n" + made +
-           "<p class=\"note\">Instructions of SPIR-V after <code>spirv-opt -O</code>; one round of each loop over "
-           "lights.</p>\n";
+           "<p class=\"note\">Instructions of SPIR-V after <code>spirv-opt -O</code>; each loop counts one "
+           "round.</p>\n";
+}
+
+std::string part_of(const CostShare& share) {
+    switch (share.part) {
+        case CostShare::Part::Node: return escaped(share.node);
+        case CostShare::Part::Surface: return "<em>surface</em>";
+        case CostShare::Part::Lighting: return "<em>lighting</em>";
+        case CostShare::Part::Pass: return "<em>pass</em>";
+    }
+    return {};
+}
+
+// Of the first pass, which is the one that draws the surface.
+std::string shares(const SheetEntry& entry) {
+    std::string rows;
+    if (entry.passes.empty()) return rows;
+    for (const CostShare& share : entry.passes.front().fragment.shares)
+        rows += "<tr>" + cell(part_of(share)) + counts(share.once) + count(share.per_light.instructions) + "</tr>\n";
+    const std::string made = table({"node", "instructions", "arithmetic", "transcendental", "textures", "derivatives",
+                                    "instructions for each light"},
+                                   rows);
+    if (made.empty()) return made;
+    return fmt::format("<h3>What each node adds to a pixel of the pass {}</h3>\n{}", escaped(entry.passes.front().name),
+                       made);
 }
 
 // --- nodes and shaders
@@ -153,7 +191,7 @@ std::string words(const SheetEntry& entry) {
 }
 
 std::string card(const SheetEntry& entry, const std::string& id, std::size_t index) {
-    const std::string facts = properties(entry.reflection) + passes(entry);
+    const std::string facts = properties(entry.reflection) + passes(entry) + shares(entry);
     const std::string picture =
         entry.picture.empty()
             ? std::string()

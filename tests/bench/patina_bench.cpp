@@ -5,8 +5,8 @@
 #include <iterator>
 
 #include "compiler/cli/pages/model_cost.h"
+#include "patina/cost.h"
 #include "patina/patina.h"
-#include "patina/spirv_size.h"
 #include "patina/validate.h"
 #include "tests/bench/command.h"
 #include "tests/bench/figures.h"
@@ -98,10 +98,13 @@ void print_sizes() {
 // Of each model's fragment shader, as its page has it.
 void print_costs() {
     const Compiler compiler;
-    std::printf("\nSPIR-V instructions of a lighting model's fragment shader after spirv-opt -O, and for each light\n");
+    std::printf(
+        "\nSPIR-V instructions of a lighting model's fragment shader after spirv-opt -O: for each pixel, for each "
+        "light\n");
     for (const ModelInfo& model : compiler.lighting_models()) {
         const cli::ModelCost cost = cli::cost_of(compiler, model);
-        std::printf("  %-24s %5zu %5zu\n", model.name.c_str(), cost.instructions, cost.per_light);
+        std::printf("  %-24s %5u %5u\n", model.name.c_str(), cost.fragment.once.instructions,
+                    cost.fragment.per_light.instructions);
     }
 }
 
@@ -111,18 +114,10 @@ void print_passes() {
     options.request = CompileOptions::Passes{.path = "all"};
     options.targets = {Target::Glsl};
     const Result result = Compiler().compile_file(kRustedSteel, options);
-    std::printf(
-        "\nSPIR-V instructions of rusted_steel's passes after spirv-opt -O: vertex, fragment, for each light\n");
-    std::size_t in_vertex = 0;
-    for (const Shader& shader : result.shaders) {
-        const Validated validated = validate(shader);
-        const SpirvSize size = size_of(optimised(validated.spirv));
-        if (shader.stage == Stage::Vertex) {
-            in_vertex = size.instructions;
-        } else {
-            std::printf("  %-24s %5zu %5zu %5zu\n", shader.pass.c_str(), in_vertex, size.instructions, size.in_loops);
-        }
-    }
+    std::printf("\nSPIR-V instructions of rusted_steel's passes after spirv-opt -O: for each vertex, pixel, light\n");
+    for (const MeasuredPass& pass : measure(result))
+        std::printf("  %-24s %5u %5u %5u\n", pass.name.c_str(), pass.cost.vertex.total().instructions,
+                    pass.cost.fragment.once.instructions, pass.cost.fragment.per_light.instructions);
 }
 
 void print_figures(const Figures& figures) {

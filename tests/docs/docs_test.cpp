@@ -190,7 +190,7 @@ TEST(ManualPage, OffersANodeThatCompiles) {
 
 INSTANTIATE_TEST_SUITE_P(All, Page,
                          ::testing::Values("docs/graph-format.md", "docs/node-language.md", "docs/rendering-paths.md",
-                                           "docs/adding-a-node.md", "docs/unity.md", "README.md"),
+                                           "docs/adding-a-node.md", "docs/cost.md", "docs/unity.md", "README.md"),
                          [](const auto& info) {
                              std::string name = fs::path(info.param).stem();
                              std::replace(name.begin(), name.end(), '-', '_');

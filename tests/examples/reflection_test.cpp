@@ -164,6 +164,11 @@ TEST(ReflectionJson, KeepsEveryMember) {
                     .write_mask = 240};
     pass.keywords = {"_Kind"};
     pass.hash = "ff";
+    pass.cost = {.vertex = {.once = {.instructions = 30, .arithmetic = 12}, .varyings = 9},
+                 .fragment = {.once = {.instructions = 200, .textures = 3, .derivatives = 1},
+                              .per_light = {.instructions = 60, .transcendental = 4},
+                              .registers = 40},
+                 .uniform_bytes = 96};
     Pass of_lighting = pass;
     of_lighting.stencil.reference = StencilReference::Lighting;
     of_lighting.stencil.value = 0;
@@ -204,6 +209,7 @@ TEST(ReflectionJson, KeepsEveryMember) {
     EXPECT_EQ(r.passes[0].stencil.value, 3);
     EXPECT_EQ(r.passes[0].stencil.write_mask, 240);
     EXPECT_EQ(r.passes[0].keywords, pass.keywords);
+    EXPECT_EQ(r.passes[0].cost, pass.cost);
     EXPECT_EQ(r.passes[1].stencil.reference, StencilReference::Lighting);
 }
 

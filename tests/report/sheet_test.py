@@ -1,5 +1,6 @@
 """Opens the page of `patina sheet` in a browser: each graph has its picture, its nodes with a picture in each, its
 properties, costs and shaders; what is wrong is said; a search and buttons choose. Usage: sheet_test.py PATINA"""
+import json
 import os
 import re
 import subprocess
@@ -142,25 +143,31 @@ class SheetPage(unittest.TestCase):
             return getComputedStyle(document.querySelector(".swatch")).backgroundColor"""), "rgb(255, 0, 0)")
         made = patina("compile", "art/grey.graph.json", "-t", "glsl", "-o", "out")
         self.assertEqual(made.returncode, 0, made.stderr)
-        lines = 0
         texts = self.browser.run("""
             return [...document.getElementById("grey (material)").querySelectorAll("details details")].map(each =>
                 [each.querySelector("summary").textContent.split(":")[0], each.querySelector("pre").textContent])""")
         for name, text in texts:
             with open(os.path.join("out", name), encoding="utf-8") as file:
                 self.assertEqual(text, file.read())
-            lines += text.count("\n")
         self.assertEqual(len(texts), 2)
-        passes = [row for row in rows if row[0] == "forward"]
-        self.assertEqual(len(passes), 1)
-        self.assertEqual(passes[0][3:5], ["\u2013", "1"], "no loop, one texture")
-        self.assertEqual(passes[0][6], str(lines))
-        for instructions in passes[0][1:3]:
-            self.assertGreater(int(instructions), 5)
+        # The same figures as those of 'patina cost'.
+        forward = json.loads(patina("cost", "art/grey.graph.json", "--json").stdout)["graphs"][0]["passes"][0]
+        def shown(counts, *others):
+            return [str(count) if count else "\u2013" for count in [*counts.values(), *others]]
+        vertex, pixel = forward["vertex"], forward["fragment"]
+        at = rows.index(["forward", "vertex", *shown(vertex["once"], vertex["varyings"], vertex["registers"], 0)])
+        self.assertEqual(rows[at + 1], ["", "pixel", *shown(pixel["once"], pixel["varyings"], pixel["registers"],
+                                                            forward["uniformBytes"])])
+        self.assertNotEqual(rows[at + 2][1], "light", "no loop")
+        for share in pixel["shares"]:
+            self.assertIn([share.get("node", share["part"]), *shown(share["once"], share["perLight"]["instructions"])],
+                          rows)
         lit = self.browser.run("""
-            return [...document.getElementById("own").querySelectorAll(".shown td.number")].map(each => each.innerText)""")
-        self.assertGreater(int(lit[2]), 5, "the loop over lights")
-        self.assertGreater(int(lit[1]), int(lit[2]))
+            return [...document.getElementById("own").querySelectorAll(".shown tr")].map(row =>
+                [...row.children].map(each => each.innerText))""")
+        light = [row for row in lit if row[:2] == ["", "light"]]
+        self.assertEqual(len(light), 1)
+        self.assertGreater(int(light[0][2]), 5, "the loop over lights")
 
     def test_a_search_and_buttons_choose(self):
         shown = """

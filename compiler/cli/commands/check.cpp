@@ -8,6 +8,7 @@
 #include "compiler/cli/commands/commands.h"
 #include "compiler/cli/files.h"
 #include "compiler/cli/inputs.h"
+#include "patina/cost.h"
 #include "patina/validate.h"
 
 namespace patina::cli {
@@ -20,6 +21,7 @@ struct Arguments {
     std::vector<std::string> include_dirs;
     PathOptions path;
     bool without_validation = false;
+    std::optional<std::uint32_t> max_instructions, max_textures;
 };
 
 // What is found out about a file before anything is printed.
@@ -38,6 +40,30 @@ void validate_shaders(const Arguments& arguments, const Result& result, Checked&
     }
 }
 
+Budget budget_of(const Arguments& arguments) {
+    Budget budget;
+    if (arguments.max_instructions) budget.instructions = {.most = *arguments.max_instructions};
+    if (arguments.max_textures) budget.textures = {.most = *arguments.max_textures};
+    return budget;
+}
+
+// The limits of the graph, and those of the command line.
+void check_budgets(const Arguments& arguments, const std::string& graph, const Result& result, Checked& checked) {
+    const Budget asked = budget_of(arguments);
+    const bool has_limits =
+        result.budget.instructions || result.budget.textures || asked.instructions || asked.textures;
+    if (!result.ok || !has_limits) return;
+    const std::vector<MeasuredPass> passes = measure(result);
+    std::vector<Diagnostic> found = over_budget(passes, result.budget);
+    for (Diagnostic& each : over_budget(passes, asked)) {
+        each.file = graph;
+        each.message += ", as the command line says";
+        found.push_back(std::move(each));
+    }
+    checked.ok &= found.empty();
+    checked.diagnostics.insert(checked.diagnostics.end(), found.begin(), found.end());
+}
+
 CompileOptions options_of(const Arguments& arguments) {
     CompileOptions options;
     options.include_dirs = arguments.include_dirs;
@@ -53,6 +79,7 @@ Checked check_graph(const Compiler& compiler, const Arguments& arguments, const 
     const Result result = compiler.compile_file(graph, options);
     Checked checked{.diagnostics = result.diagnostics, .ok = result.ok};
     validate_shaders(arguments, result, checked);
+    check_budgets(arguments, graph, result, checked);
     return checked;
 }
 
@@ -107,12 +134,21 @@ void add_check(Program& program) {
     CLI::App& command = add_command(program, "check",
                                     {"patina check rust.graph.json", "patina check art/*.graph.json --quiet",
                                      "patina check rust.graph.json --diagnostics=json", "patina check wave.node.hlsl",
-                                     "patina check mine.pass.hlsl", "patina check art --jobs 4 --no-validate"});
+                                     "patina check mine.pass.hlsl", "patina check art --jobs 4 --no-validate",
+                                     "patina check art --max-instructions 600 --max-textures 8"});
     auto arguments = std::make_shared<Arguments>();
     add_input_options(command, arguments->inputs,
                       "Graphs and scenes (JSON), and files of nodes (.node.hlsl) and of passes (.pass.hlsl)");
     command.add_flag("--no-validate", arguments->without_validation,
                      "Do not check the shaders with glslang and spirv-val, which takes most of the time");
+    command
+        .add_option("--max-instructions", arguments->max_instructions,
+                    "Fail if a stage of any pass has more SPIR-V instructions, with one light ('patina cost')")
+        ->type_name("N");
+    command
+        .add_option("--max-textures", arguments->max_textures,
+                    "Fail if a stage of any pass reads textures more often, with one light")
+        ->type_name("N");
     add_path_options(command, arguments->path);
     add_include_option(command, arguments->include_dirs);
 

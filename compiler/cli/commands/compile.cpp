@@ -149,6 +149,8 @@ void add_compile(Program& program) {
     add_input_options(command, arguments->inputs, "Material graphs (JSON)");
     add_target_options(command, *arguments);
     command.add_flag("--validate", arguments->validate, "Check the shaders with glslang and spirv-val");
+    CLI::Option* cost =
+        command.add_flag("--cost", arguments->cost, "Measure what each pass costs, and add it to the reflection");
     command.add_flag("--depfile", arguments->depfile,
                      "Write a list of the files that this was made from, for make and ninja: NAME.d next to "
                      "NAME.reflect.json, or with --list-outputs FILE one for all, FILE.d");
@@ -186,6 +188,7 @@ void add_compile(Program& program) {
             ->check([](const std::string& prefix) { return prefix.empty() ? "it needs a prefix" : ""; });
     functions->excludes(command.get_option("--path"));
     functions->excludes(variants);
+    cost->excludes(functions)->excludes(variants);
     variants->excludes(command.get_option("--dump"));
     add_include_option(command, arguments->include_dirs);
     set_check(command, [arguments] { require_inputs(arguments->inputs); });

@@ -63,13 +63,14 @@ void add_models(Pages& pages, const Compiler& compiler, const std::string& folde
         std::string(kWritten) +
         "# Lighting models\n\nEach is a graph of [nodes](../nodes/README.md); `patina model NAME` shows the "
         "same. [The gallery](../gallery.md) has their pictures side by side. The cost is the number of "
-        "SPIR-V instructions of the optimised fragment shader. The next column is the number for each light. The "
-        "model's page names the shader.\n\n"
-        "| model | cost | per light | |\n|---|---|---|---|\n";
+        "SPIR-V instructions of the optimised fragment shader, [measured](../cost.md) for each pixel and for each "
+        "light. The model's page names the shader.\n\n"
+        "| model | per pixel | per light | |\n|---|---|---|---|\n";
     for (const ModelInfo& model : compiler.lighting_models()) {
         const ModelCost cost = cost_of(compiler, model);
-        index += fmt::format("| [{}]({}.md) | {} | {} | {} |\n", model.name, model.name, cost.instructions,
-                             cost.per_light, escaped(first_sentence(model.doc)));
+        index +=
+            fmt::format("| [{}]({}.md) | {} | {} | {} |\n", model.name, model.name, cost.fragment.once.instructions,
+                        cost.fragment.per_light.instructions, escaped(first_sentence(model.doc)));
         Page page = model_page(compiler, model);
         add_picture(page, folder + "/models", "pictures/" + model.name + ".png", "rendered");
         pages["models/" + model.name + ".md"] = to_markdown(page, kIndex);

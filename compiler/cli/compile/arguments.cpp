@@ -119,6 +119,8 @@ std::string not_for_engine(const CompileArguments& arguments, const Compiler& co
         if (engine.is_one_file && arguments.validate)
             return fmt::format("--validate cannot check a file of {}: remove it from --target, or leave out --validate",
                                engine.title);
+        if (!engine.is_default && arguments.cost && arguments.targets.size() == 1)
+            return fmt::format("--cost measures the shaders of Vulkan: add glsl to --target for {}", engine.title);
         if (arguments.targets.size() > 1) continue;
         if (!has_path_of(engine, arguments.path.path))
             return fmt::format("{} has passes of its own: --path can be {}, but not '{}'", engine.title,

@@ -24,6 +24,7 @@ struct CompileArguments {
     VariantOptions variants;
     std::string output_list;  // --list-outputs; its --depfile is one for all
     bool validate = false;
+    bool cost = false;  // in the reflection
     bool depfile = false;
 
     bool wants(std::string_view target) const;

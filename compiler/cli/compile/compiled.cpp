@@ -1,6 +1,7 @@
 #include "compiler/cli/compile/compiled.h"
 
 #include "compiler/cli/files.h"
+#include "patina/cost.h"
 #include "patina/output_name.h"
 #include "patina/validate.h"
 
@@ -14,6 +15,20 @@ std::string as_bytes(const std::vector<std::uint32_t>& words) {
 // "rust.forward.vert.glsl" -> "rust.forward.vert.spv"
 std::string spirv_name(const Shader& shader) {
     return shader.file_name.substr(0, shader.file_name.rfind('.')) + ".spv";
+}
+
+// Into the reflection. False: glslang refuses a shader, and the diagnostics say why.
+bool add_costs(Result& result) {
+    const std::vector<MeasuredPass> passes = measure(result);
+    for (const MeasuredPass& measured : passes)
+        for (Pass& pass : result.reflection.passes)
+            if (pass.name == measured.name) pass.cost = measured.cost;
+    if (all_measured(passes)) return true;
+    for (const Shader& shader : result.shaders) {
+        const std::vector<Diagnostic> why = validate(shader).diagnostics;
+        result.diagnostics.insert(result.diagnostics.end(), why.begin(), why.end());
+    }
+    return false;
 }
 
 }  // namespace
@@ -41,6 +56,7 @@ Compiled compile_graph(const CompileArguments& arguments, const Compiler& compil
     const std::string folder = folder_of(arguments, input);
     for (const Shader& shader : made.result.shaders)
         made.ok &= add_shader(arguments, folder, shader, made.files, made.result.diagnostics);
+    if (arguments.cost) made.ok &= add_costs(made.result);
     made.reflection = join_path(folder, output_name(input.path) + arguments.kind + ".reflect.json");
     made.files.add(made.reflection, made.result.reflection.to_json());
     return made;

@@ -23,11 +23,7 @@ struct ShaderChange {
     bool was_there = true, is_there = true;
     bool computes_same = false;     // only the text differs: names and comments
     std::vector<DiffLine> lines{};  // of the text
-    // SPIR-V instructions after optimisation, and those of them in loops over lights. Both 0: not counted.
-    struct Size {
-        std::size_t instructions = 0, per_light = 0;
-    };
-    Size before{}, after{};
+    StageCost before{}, after{};    // all 0: not measured
 };
 
 struct PictureChange {

@@ -66,12 +66,19 @@ void write_change(Writer& writer, const GraphChange& change) {
     writer.EndObject();
 }
 
-void write_size(Writer& writer, const char* key, const ShaderChange::Size& size) {
-    if (size.instructions == 0) return;
+void write_cost(Writer& writer, const char* key, const StageCost& cost) {
+    const CostCounts total = cost.total();
+    if (total.instructions == 0) return;
     writer.Key(key);
     writer.StartObject();
-    write_count(writer, "instructions", size.instructions);
-    write_count(writer, "perLight", size.per_light);
+    write_count(writer, "instructions", total.instructions);
+    write_count(writer, "perLight", cost.per_light.instructions);
+    write_count(writer, "arithmetic", total.arithmetic);
+    write_count(writer, "transcendental", total.transcendental);
+    write_count(writer, "textures", total.textures);
+    write_count(writer, "derivatives", total.derivatives);
+    write_count(writer, "varyings", cost.varyings);
+    write_count(writer, "registers", cost.registers);
     writer.EndObject();
 }
 
@@ -88,8 +95,8 @@ void write_shader(Writer& writer, const ShaderChange& shader) {
         writer.Bool(shader.computes_same);
         write_count(writer, "changedLines", changed_lines(shader.lines));
     }
-    write_size(writer, "before", shader.before);
-    write_size(writer, "after", shader.after);
+    write_cost(writer, "before", shader.before);
+    write_cost(writer, "after", shader.after);
     writer.EndObject();
 }
 

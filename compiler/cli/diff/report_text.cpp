@@ -102,31 +102,46 @@ private:
         for (const ShaderChange& shader : shaders) {
             const std::string name = name_of(shader);
             if (!shader.was_there) {
-                line(kGreen, fmt::format("  + {}{}", name, size_of_one(shader.after)));
+                line(kGreen, fmt::format("  + {}{}", name, instructions_of(shader.after)));
             } else if (!shader.is_there) {
-                line(kRed, fmt::format("  - {}{}", name, size_of_one(shader.before)));
+                line(kRed, fmt::format("  - {}{}", name, instructions_of(shader.before)));
             } else {
                 const char* same = shader.computes_same ? ", which computes the same" : "";
                 line("", fmt::format("  {}: {} lines of text changed{}", name, changed_lines(shader.lines), same));
-                if (shader.after.instructions > 0) print_size(shader.before, shader.after);
+                if (shader.after != StageCost{}) print_cost(shader.before, shader.after);
                 print_lines(shader.lines);
             }
         }
     }
 
-    static std::string size_of_one(const ShaderChange::Size& size) {
-        return size.instructions == 0 ? std::string() : fmt::format(": {} instructions", size.instructions);
+    static std::string instructions_of(const StageCost& cost) {
+        const std::uint32_t count = cost.total().instructions;
+        return count == 0 ? std::string() : fmt::format(": {} instructions", count);
     }
-    static std::string difference(std::size_t before, std::size_t after) {
+    static std::string difference(std::uint32_t before, std::uint32_t after) {
         if (before == after) return fmt::format("{} as before", before);
         return fmt::format("{} -> {} ({:+})", before, after,
-                           static_cast<std::ptrdiff_t>(after) - static_cast<std::ptrdiff_t>(before));
+                           static_cast<std::int64_t>(after) - static_cast<std::int64_t>(before));
     }
-    void print_size(const ShaderChange::Size& before, const ShaderChange::Size& after) {
-        std::string text = fmt::format("    instructions: {}", difference(before.instructions, after.instructions));
-        if (before.per_light + after.per_light > 0)
-            text += fmt::format(", of them per light: {}", difference(before.per_light, after.per_light));
+    // The instructions, and what else is different.
+    void print_cost(const StageCost& before, const StageCost& after) {
+        const CostCounts old = before.total(), now = after.total();
+        std::string text = fmt::format("    instructions: {}", difference(old.instructions, now.instructions));
+        if (before.per_light.instructions + after.per_light.instructions > 0)
+            text += fmt::format(", of them per light: {}",
+                                difference(before.per_light.instructions, after.per_light.instructions));
         line("", text);
+        text.clear();
+        const auto add = [&](std::string_view what, std::uint32_t was, std::uint32_t is) {
+            if (was != is) text += fmt::format("{}{}: {}", text.empty() ? "    " : ", ", what, difference(was, is));
+        };
+        add("arithmetic", old.arithmetic, now.arithmetic);
+        add("transcendental", old.transcendental, now.transcendental);
+        add("texture reads", old.textures, now.textures);
+        add("derivatives", old.derivatives, now.derivatives);
+        add("varyings", before.varyings, after.varyings);
+        add("registers", before.registers, after.registers);
+        if (!text.empty()) line("", text);
     }
     void print_lines(const std::vector<DiffLine>& lines) {
         for (const DiffLine& each : lines) {

@@ -2,8 +2,7 @@
 #include <tuple>
 
 #include "compiler/cli/diff/report.h"
-#include "patina/spirv_size.h"
-#include "patina/validate.h"
+#include "patina/cost.h"
 
 namespace patina::cli {
 namespace {
@@ -12,13 +11,9 @@ auto key_of(const Shader& shader) {
     return std::tie(shader.pass, shader.stage, shader.target);
 }
 
-ShaderChange::Size count_of(const Shader& shader) {
+StageCost cost_of(const Shader& shader) {
     const bool is_stage = shader.has_main && shader.target.engine.empty();
-    if (!is_stage) return {};
-    const Validated validated = validate(shader);
-    if (!validated.ok) return {};
-    const SpirvSize size = size_of(optimised(validated.spirv));
-    return {.instructions = size.in_functions, .per_light = size.in_loops};
+    return is_stage ? measure(shader) : StageCost{};
 }
 
 ShaderChange change_of(const Shader& shader) {
@@ -48,15 +43,15 @@ bool add_shader_changes(const Compiler& compiler, const Version& before, const V
         ShaderChange change = change_of(shader);
         if (other == new_result.shaders.end()) {
             change.is_there = false;
-            change.before = count_of(shader);
+            change.before = cost_of(shader);
         } else if (other->text == shader.text) {
             continue;
         } else {
             change.lines = differences(shader.text, other->text);
             change.computes_same = !shader.hash.empty() && shader.hash == other->hash;
             if (!change.computes_same) {
-                change.before = count_of(shader);
-                change.after = count_of(*other);
+                change.before = cost_of(shader);
+                change.after = cost_of(*other);
             }
         }
         report.shaders.push_back(std::move(change));
@@ -65,7 +60,7 @@ bool add_shader_changes(const Compiler& compiler, const Version& before, const V
         if (find(old_result, shader) != old_result.shaders.end()) continue;
         ShaderChange change = change_of(shader);
         change.was_there = false;
-        change.after = count_of(shader);
+        change.after = cost_of(shader);
         report.shaders.push_back(std::move(change));
     }
     return true;

@@ -4,8 +4,7 @@
 
 #include <algorithm>
 
-#include "patina/spirv_size.h"
-#include "patina/validate.h"
+#include "patina/cost.h"
 
 namespace patina::cli {
 namespace {
@@ -48,13 +47,7 @@ ModelCost cost_of(const Compiler& compiler, const ModelInfo& model) {
     options.request = CompileOptions::Passes{.only = {cost.pass}};
     const Result result = compiler.compile_text("cost.graph.json", material_of(compiler, model), options);
     for (const Shader& shader : result.shaders) {
-        if (shader.stage != Stage::Fragment) continue;
-        const Validated validated = validate(shader);
-        if (!validated.ok) continue;
-        const SpirvSize size = size_of(optimised(validated.spirv));
-        cost.instructions = size.instructions;
-        cost.in_functions = size.in_functions;
-        cost.per_light = size.in_loops;
+        if (shader.stage == Stage::Fragment) cost.fragment = measure(shader);
     }
     return cost;
 }

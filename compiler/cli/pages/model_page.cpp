@@ -100,11 +100,19 @@ constexpr std::string_view kUnits =
 
 std::string cost_text(const Compiler& compiler, const ModelInfo& model) {
     const ModelCost cost = cost_of(compiler, model);
-    const std::string per_light = cost.per_light == 0 ? "" : fmt::format(" and {} for each light", cost.per_light);
+    const CostCounts& once = cost.fragment.once;
+    const CostCounts& light = cost.fragment.per_light;
+    const std::string for_lights =
+        light.instructions == 0
+            ? ""
+            : fmt::format("; for each light {}, of them {} transcendental", light.instructions, light.transcendental);
     return fmt::format(
-        "{} SPIR-V instructions after `spirv-opt -O`, {} of them in functions{}:\n"
-        "its fragment shader of the pass '{}' in the workflow '{}', with a property at every input.",
-        cost.instructions, cost.in_functions, per_light, cost.pass, cost.workflow);
+        "For each pixel {} SPIR-V instructions after `spirv-opt -O`, of them {} transcendental and {} texture "
+        "reads{}.\n"
+        "At the worst point, {} registers are live. This is the fragment shader of the pass '{}' in the workflow '{}', "
+        "with a property at every input.",
+        once.instructions, once.transcendental, once.textures, for_lights, cost.fragment.registers, cost.pass,
+        cost.workflow);
 }
 
 }  // namespace

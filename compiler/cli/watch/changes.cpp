@@ -28,20 +28,33 @@ const Shader* shader_of(const Compiled& made, std::string_view path) {
     return found == made.result.shaders.end() ? nullptr : &*found;
 }
 
-std::optional<std::size_t> instructions(const Version& version, const Shader& shader) {
+std::optional<CostCounts> cost_of(const Version& version, const Shader& shader) {
     if (!version.costs || shader.target != Target::Glsl) return {};
-    for (const runtime::PassCost& cost : *version.costs) {
-        if (cost.pass == shader.pass) return (shader.stage == Stage::Vertex ? cost.vertex : cost.fragment).instructions;
+    for (const MeasuredPass& pass : *version.costs) {
+        if (pass.name == shader.pass)
+            return (shader.stage == Stage::Vertex ? pass.cost.vertex : pass.cost.fragment).total();
     }
     return {};
 }
 
-// ", 212 -> 215 instructions", or nothing if that is not known.
+// ", 212 -> 215 instructions, 3 -> 4 texture reads", or nothing if that is not known.
 std::string cost_text(const Version& before, const Version& after, const Shader& shader) {
-    const std::optional<std::size_t> was = instructions(before, shader), is = instructions(after, shader);
+    const std::optional<CostCounts> was = cost_of(before, shader), is = cost_of(after, shader);
     if (!is) return {};
-    if (!was || *was == *is) return fmt::format(", {} instructions", *is);
-    return fmt::format(", {} -> {} instructions", *was, *is);
+    const CostCounts old = was.value_or(*is);
+    std::string text;
+    // Instructions always, and what else is different.
+    const auto add = [&](std::uint32_t before_it, std::uint32_t after_it, std::string_view what, bool always) {
+        if (before_it != after_it)
+            text += fmt::format(", {} -> {} {}", before_it, after_it, what);
+        else if (always)
+            text += fmt::format(", {} {}", after_it, what);
+    };
+    add(old.instructions, is->instructions, "instructions", true);
+    add(old.transcendental, is->transcendental, "transcendental", false);
+    add(old.textures, is->textures, "texture reads", false);
+    add(old.derivatives, is->derivatives, "derivatives", false);
+    return text;
 }
 
 void add_lines(const std::vector<DiffLine>& diff, std::vector<std::string>& lines) {
@@ -59,7 +72,7 @@ void add_lines(const std::vector<DiffLine>& diff, std::vector<std::string>& line
 }  // namespace
 
 void count_costs(Version& version) {
-    if (version.made.ok && !version.costs) version.costs = runtime::costs(version.made.result);
+    if (version.made.ok && !version.costs) version.costs = measure(version.made.result);
 }
 
 std::vector<std::string> changes_of(const Version& before, const Version& after, const Target& shown) {

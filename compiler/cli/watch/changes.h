@@ -14,14 +14,14 @@
 #include <vector>
 
 #include "compiler/cli/compile/compiled.h"
-#include "runtime/sheet/cost.h"
+#include "patina/cost.h"
 
 namespace patina::cli {
 
 // A compiled graph, and what its passes cost once somebody has asked.
 struct Version {
     Compiled made{};
-    std::optional<std::vector<runtime::PassCost>> costs{};
+    std::optional<std::vector<MeasuredPass>> costs{};
 };
 
 // Counts the instructions, which takes glslang some time. Of GLSL: without it, nothing is known.

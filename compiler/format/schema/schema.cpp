@@ -66,6 +66,9 @@ std::vector<SchemaRow> make_rows(const SchemaInput& input) {
         {ExtraPass, "name", text(kIdentifier)},
         {Free, "variants",
          R"({"type":"array","items":{"type":"object","additionalProperties":{"anyOf":[{"type":"boolean"},{"type":"string"}]}}})"},
+        {Free, "budget", reference("budget")},
+        {Free, "maxInstructions", R"({"type":"integer","minimum":0})"},
+        {Free, "maxTextures", R"({"type":"integer","minimum":0})"},
         {Free, "outputs", text(kNamedValues)},
         {Free, "direct", reference("value")},
         {Free, "indirect", reference("value")},
@@ -184,6 +187,7 @@ Members make_definitions(const SchemaInput& input) {
         {"stencil", object(object_schema(rows, ObjectKind::Stencil))},
         {"pass", object(object_schema(rows, ObjectKind::ExtraPass))},
         {"lightingUse", object(object_schema(rows, ObjectKind::LightingUse))},
+        {"budget", object(object_schema(rows, ObjectKind::Budget))},
     };
     using enum ObjectKind;
     for (const auto& [name, kind] :

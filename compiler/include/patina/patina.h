@@ -50,6 +50,7 @@ struct Shader {
     std::string file_name;                        // "rust.forward.frag.glsl"
     std::string text;                             // the entry point is `main`; functions have none
     std::vector<LineOrigin> line_map;             // ascending by line
+    std::vector<int> light_loops{};               // the lines at which a loop over lights begins, from 1
     std::vector<Reflection::Shifts> hlsl_shifts;  // the distances from HLSL registers to bindings, for glslang
     // The name by which the engine lists the file, which must be unique there; empty if it lists none.
     std::string listed_as{};
@@ -67,6 +68,17 @@ struct Dump {
 
 struct Program;  // the unoptimised stages, for patina/interpret.h
 
+// The most that a stage of any pass may cost, as the graph's "budget" says. Compiling does not measure: `patina check`
+// does.
+struct Budget {
+    // One figure's limit.
+    struct Limit {
+        std::uint32_t most = 0;  // the highest figure that is allowed
+        FilePlace place{};       // of the number in the graph; no file: it is not from a graph
+    };
+    std::optional<Limit> instructions, textures;  // SPIR-V instructions; texture reads
+};
+
 // What a compilation makes.
 struct Result {
     bool ok = false;                      // there are no errors; `shaders` and `reflection` are complete
@@ -74,6 +86,8 @@ struct Result {
     std::vector<Shader> shaders;  // engine by engine, then pass by pass, then target by target; none after an error
     Reflection reflection;        // for the first engine that draws the library's paths, else for the first one
     std::vector<std::string> dependencies;   // files that were read, the graph first
+    std::vector<std::string> nodes;          // ids of the graph's own nodes, in the order of the text
+    Budget budget{};                         // of the graph; no limits if it has none
     std::vector<Dump> dumps;                 // of the steps in CompileOptions::dump
     std::shared_ptr<const Program> program;  // null unless keep_programs
 };

@@ -156,6 +156,46 @@ struct ShaderFile {
     std::string file;             // its name: "rust.forward.frag.glsl"
 };
 
+// SPIR-V instructions after `spirv-opt -O`, without declarations. The last four are some of `instructions`.
+struct CostCounts {
+    std::uint32_t instructions = 0;    // of functions' bodies
+    std::uint32_t arithmetic = 0;      // sums, products, comparisons, conversions, choices
+    std::uint32_t transcendental = 0;  // roots, powers, exponentials, logarithms, trigonometry
+    std::uint32_t textures = 0;        // texture reads
+    std::uint32_t derivatives = 0;     // by screen coordinates
+    // True if all five are equal.
+    friend bool operator==(const CostCounts&, const CostCounts&) = default;
+    // Adds each figure.
+    CostCounts& operator+=(const CostCounts& other) {
+        instructions += other.instructions;
+        arithmetic += other.arithmetic;
+        transcendental += other.transcendental;
+        textures += other.textures;
+        derivatives += other.derivatives;
+        return *this;
+    }
+};
+
+// What a stage of a pass costs.
+struct StageCost {
+    CostCounts once{};            // for each vertex or pixel: all that is outside of loops over lights
+    CostCounts per_light{};       // for each light: one round of those loops. Other loops count one round, too
+    std::uint32_t varyings = 0;   // components that go from the vertex stage to the fragment stage
+    std::uint32_t registers = 0;  // components of values that are live at the worst point
+    // True if all figures are equal.
+    friend bool operator==(const StageCost&, const StageCost&) = default;
+    // With one light.
+    CostCounts total() const { return CostCounts(once) += per_light; }
+};
+
+// What a pass costs.
+struct PassCost {
+    StageCost vertex{}, fragment{};   // its stages
+    std::uint32_t uniform_bytes = 0;  // of the material's blocks that it reads
+    // True if all figures are equal.
+    friend bool operator==(const PassCost&, const PassCost&) = default;
+};
+
 // A pass of the material: two stages and the fixed-function state that goes with them.
 struct Pass {
     std::string name;                             // "forward", unique in the material
@@ -187,6 +227,8 @@ struct Pass {
     std::vector<std::string> keywords{};  // properties that either stage reads as specialization constants or keywords
     // The hash of what the pass computes, whatever the graph's names are (CompileOptions::hashes); else empty.
     std::string hash{};
+    // What it costs, if a program has measured that: the compiler does not.
+    std::optional<PassCost> cost{};
 };
 
 // A function for an engine's own shaders. Types are spelled as in HLSL.

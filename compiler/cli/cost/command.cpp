@@ -1,0 +1,87 @@
+// patina cost: what the passes of graphs cost, and what each node adds.
+#include <memory>
+
+#include "compiler/cli/commands/commands.h"
+#include "compiler/cli/cost/report.h"
+#include "compiler/cli/inputs.h"
+#include "patina/validate.h"
+
+namespace patina::cli {
+namespace {
+
+struct Arguments {
+    InputArguments inputs;
+    std::vector<std::string> include_dirs;
+    PathOptions path;
+    bool json = false;
+};
+
+struct Measured {
+    CostReport report{};
+    std::vector<Diagnostic> diagnostics{};
+    bool ok = false;
+};
+
+Measured measure_graph(const Compiler& compiler, const Arguments& arguments, const std::string& graph) {
+    CompileOptions options;
+    options.targets = {Target::Glsl};
+    options.include_dirs = arguments.include_dirs;
+    options.request = CompileOptions::Passes{.path = arguments.path.path};
+    options.switches = arguments.path.switches();
+    const Result result = compiler.compile_file(graph, options);
+    Measured made{.report = {.graph = graph}, .diagnostics = result.diagnostics, .ok = result.ok};
+    if (!result.ok) return made;
+    made.report.passes = measure(result);
+    if (all_measured(made.report.passes)) return made;
+    made.ok = false;
+    for (const Shader& shader : result.shaders) {
+        const std::vector<Diagnostic> why = validate(shader).diagnostics;
+        made.diagnostics.insert(made.diagnostics.end(), why.begin(), why.end());
+    }
+    return made;
+}
+
+}  // namespace
+
+void add_cost(Program& program) {
+    CLI::App& command = add_command(
+        program, "cost",
+        {"patina cost rust.graph.json", "patina cost art --path all", "patina cost rust.graph.json --json > cost.json",
+         "patina check rust.graph.json --max-instructions 400   # fails if it costs more"});
+    auto arguments = std::make_shared<Arguments>();
+    add_input_options(command, arguments->inputs, "Material graphs (JSON)");
+    command.add_flag("--json", arguments->json, "Print it as JSON");
+    add_path_options(command, arguments->path);
+    add_include_option(command, arguments->include_dirs);
+    set_check(command, [arguments] { require_inputs(arguments->inputs); });
+
+    set_work(program, command, [arguments](const Console& console) {
+        if (console.json && arguments->json) {
+            complain(console, Complaint::MixedOutput, {"--json"});
+            return Exit::Usage;
+        }
+        const auto inputs = find_inputs(console, arguments->inputs, {".graph.json"});
+        if (!inputs) return Exit::Wrong;
+        const Compiler compiler;
+        std::vector<CostReport> reports;
+        bool is_first = true;
+        const Exit exit = work_on(
+            console, inputs->files, arguments->inputs.jobs,
+            [&](const Input& input) { return measure_graph(compiler, *arguments, input.path); },
+            [&](const Input&, Measured& made) {
+                report(console, made.diagnostics);
+                if (!made.ok) return Exit::Wrong;
+                if (arguments->json) {
+                    reports.push_back(std::move(made.report));
+                    return Exit::Ok;
+                }
+                print((is_first ? "" : "\n") + report_text(made.report, console));
+                is_first = false;
+                return Exit::Ok;
+            });
+        if (arguments->json) print(report_json(reports));
+        return exit;
+    });
+}
+
+}  // namespace patina::cli
