@@ -105,6 +105,17 @@ void Content::texts(const std::vector<StageText>& texts) {
     }
 }
 
+void Content::raw(const void* data, std::size_t size) {
+    if (size == 0) return;
+    if (size_ + size > bytes_.size()) grow(size);
+    std::memcpy(&bytes_[size_], data, size);
+    size_ += size;
+}
+
+void Content::grow(std::size_t more) {
+    bytes_.resize(2 * (size_ + more) + 1024);
+}
+
 void Content::signature(const Function& function) {
     const auto& [name, params, result, insts, operands, unused_blocks, made_by, comment, result_docs, always_inline,
                  inline_if_shorter, linkage, spelling, lines, is_of_object, unused_probes] = function;
@@ -144,7 +155,7 @@ void Content::instruction(const Function& function, const Inst& inst, std::uint3
     const std::uint32_t words[] = {static_cast<std::uint32_t>(op) | std::uint32_t{is_light_loop} << 16, operand_count,
                                    op == Op::Constant ? constants_[data] : data, from ? origins_[from.index] : 0,
                                    hint ? names_[hint.index] : 0};
-    raw(words, sizeof words);
+    put(words);
     const std::span<const Value> args = function.args(inst);
     static_assert(sizeof(Value) == sizeof(std::uint32_t));
     if (!args.empty()) raw(args.data(), args.size_bytes());

@@ -7,6 +7,7 @@
 //   kept.find(content.bytes());
 #pragma once
 
+#include <cstring>
 #include <optional>
 #include <unordered_map>
 
@@ -25,7 +26,7 @@ public:
           arrays_(module.arrays.size()) {}
 
     // --- the parts, one after the other
-    void number(std::uint64_t value) { raw(&value, sizeof value); }
+    void number(std::uint64_t value) { put(value); }
     void text(std::string_view value) {
         number(value.size());
         raw(value.data(), value.size());
@@ -50,8 +51,11 @@ public:
         blocks(function);
     }
 
-    const std::string& bytes() const { return bytes_; }
-    std::string take() { return std::move(bytes_); }
+    std::string_view bytes() const { return std::string_view(bytes_).substr(0, size_); }
+    std::string take() {
+        bytes_.resize(size_);
+        return std::move(bytes_);
+    }
     // The origins that have been mentioned, in order of first mention.
     const std::vector<OriginId>& origins() const { return mentioned_; }
     // The structs that have been mentioned, as indices, in order of first mention. More may come while they are read.
@@ -61,7 +65,15 @@ public:
     std::optional<std::uint32_t> place_of(Span span) const;
 
 private:
-    void raw(const void* data, std::size_t size) { bytes_.append(static_cast<const char*>(data), size); }
+    // Most parts are a few bytes: a call of a function for each would take longer than the rest.
+    template <class Part>
+    void put(const Part& part) {
+        if (size_ + sizeof part > bytes_.size()) grow(sizeof part);
+        std::memcpy(&bytes_[size_], &part, sizeof part);
+        size_ += sizeof part;
+    }
+    void raw(const void* data, std::size_t size);
+    void grow(std::size_t more);
     void signature(const Function& function);
     void instruction(const Function& function, const Inst& inst, std::uint32_t data);
     void blocks(const Function& function);
@@ -70,7 +82,8 @@ private:
     void origin(OriginId id);
 
     const Module& module_;
-    std::string bytes_;
+    std::string bytes_;  // longer than what has been written
+    std::size_t size_ = 0;
     // By index in the module: the place in the order of first mention, from 1; 0: not mentioned yet.
     std::vector<std::uint32_t> names_, origins_, constants_, structs_, arrays_;
     std::uint32_t last_name_ = 0, last_constant_ = 0, last_array_ = 0;
