@@ -2,7 +2,7 @@
 add_library(patina_witness STATIC witness/bench.cpp witness/drawn.cpp witness/random_graph.cpp)
 target_include_directories(patina_witness PUBLIC ${CMAKE_CURRENT_SOURCE_DIR})
 target_link_libraries(patina_witness PUBLIC patina_runtime GTest::gtest PRIVATE patina_options)
-foreach(name cubes half library merl node_order pass_functions quads random_graphs variants)
+foreach(name cubes half kept_results library merl node_order pass_functions quads random_graphs variants)
   add_executable(witness_${name}_test witness/${name}_test.cpp)
   target_link_libraries(witness_${name}_test PRIVATE patina_options patina_witness GTest::gtest_main)
 endforeach()
@@ -13,6 +13,8 @@ target_link_libraries(witness_terms_test PRIVATE patina_options patina_witness p
 
 add_test(NAME witness_cubes COMMAND witness_cubes_test)
 add_test(NAME witness_half COMMAND witness_half_test)
+target_compile_definitions(witness_kept_results_test PRIVATE PATINA_EXAMPLES="${CMAKE_SOURCE_DIR}/examples/graphs")
+add_test(NAME kept_results COMMAND witness_kept_results_test)
 add_test(NAME witness_library COMMAND witness_library_test)
 add_test(NAME witness_merl COMMAND witness_merl_test)
 add_test(NAME witness_node_order COMMAND witness_node_order_test WORKING_DIRECTORY ${CMAKE_SOURCE_DIR})

@@ -34,7 +34,9 @@ std::vector<Diagnostic> check_overlay(graph::Library& library) {
 }
 
 std::vector<Diagnostic> Compiler::library_diagnostics() const {
-    const graph::Library& library = *impl_->library;
+    const std::unique_ptr<graph::Library> whole =
+        impl_->library->unread.empty() ? nullptr : graph::read_whole(*impl_->library);
+    const graph::Library& library = whole ? *whole : *impl_->library;
     std::vector<Diagnostic> all;
     add(all, library.diagnostics, library);
     for (const nodelang::FunctionDecl& function : library.ast.functions) {

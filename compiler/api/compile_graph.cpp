@@ -18,6 +18,7 @@ std::optional<std::uint32_t> add_source(graph::Session& session, const Source& s
 Result compile_for_engine(const CompilerImpl& compiler, const Source& source, const CompileOptions& options,
                           graph::Files& files) {
     graph::Session session(*compiler.library, options, &files);
+    session.kept = &compiler.kept;
     Result result;
     if (const std::optional<std::uint32_t> base = add_source(session, source)) {
         Compilation compilation{.session = session, .source = *base, .path = source.path, .result = result};

@@ -3,6 +3,7 @@
 
 #include <mutex>
 
+#include "compiler/link/kept_results.h"
 #include "compiler/resolve/library.h"
 #include "patina/patina.h"
 
@@ -11,6 +12,7 @@ namespace patina {
 struct Compiler::Impl {
     std::unique_ptr<graph::Library> library;
     std::vector<Diagnostic> overlay_errors;  // then nothing is compiled
+    mutable link::KeptResults kept;          // of all compilations, by any thread
 
     mutable std::once_flag hash_once;
     mutable std::string hash;  // of the library
@@ -29,7 +31,7 @@ struct Compiler::Impl {
 };
 
 // What the other libraries of Patina and its tests need of a Compiler. with_files: files with paths below nodes/, of
-// which engines have no public face yet.
+// which engines have no public face yet; their texts must outlive the compiler.
 struct CompilerAccess {
     using Impl = Compiler::Impl;
     static Compiler with_files(std::span<const nodelang::EmbeddedFile> more);

@@ -134,8 +134,8 @@ Compiler& Compiler::operator=(Compiler&&) noexcept = default;
 void Compiler::Impl::describe() const {
     std::call_once(once, [&] {
         const EvaluationContext context{*library, library->declarations, library->sources};
-        for (const nodelang::FunctionDecl& function : library->ast.functions) {
-            if (function.attribute("node")) nodes.push_back(describe_node(function, context));
+        for (const nodelang::FunctionDecl* function : graph::all_functions(*library)) {
+            if (function->attribute("node")) nodes.push_back(describe_node(*function, context));
         }
         std::sort(nodes.begin(), nodes.end(), [](const NodeInfo& a, const NodeInfo& b) {
             return std::pair(a.category, a.name) < std::pair(b.category, b.name);

@@ -9,8 +9,10 @@
 
 #include <cstdint>
 #include <deque>
+#include <mutex>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace patina {
@@ -42,6 +44,8 @@ public:
 
     // Adds a file and returns the global offset of its first byte. The text is kept.
     std::uint32_t add(std::string path, std::string text);
+    // The same for a text that outlives the map, which is not copied.
+    std::uint32_t add_view(std::string path, std::string_view text);
 
     Position resolve(std::uint32_t offset) const;
     // The text under a span; empty if the span is nowhere.
@@ -55,11 +59,21 @@ public:
 
 private:
     struct File {
+        File(std::uint32_t at, std::string file, std::string kept, std::string_view other)
+            : begin(at), path(std::move(file)), own(std::move(kept)), text(own.empty() ? other : own) {}
+
         std::uint32_t begin;
         std::string path;
-        std::string text;
-        std::vector<std::uint32_t> lines;  // where each begins, from the file's first byte
+        std::string own;  // empty: the text is somebody else's
+        std::string_view text;
+        // Where each line begins, from the file's first byte: found when a place is first asked for, by any thread.
+        const std::vector<std::uint32_t>& lines() const;
+
+    private:
+        mutable std::once_flag once_;
+        mutable std::vector<std::uint32_t> lines_;
     };
+    std::uint32_t add_file(std::string path, std::string own, std::string_view other);
     const File* find(std::uint32_t offset) const;
 
     const SourceMap* base_;

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <cstdint>
 #include <cstdlib>
+#include <cstring>
 #include <limits>
 #include <vector>
 #if __has_include(<version>)
@@ -211,6 +213,15 @@ bool is_utf8(std::string_view text, std::size_t& bad) {
         return at < text.size() && (static_cast<unsigned char>(text[at]) & 0xC0u) == 0x80u;
     };
     while (i < text.size()) {
+        // Most text is ASCII: eight letters at once.
+        std::uint64_t letters = 0;
+        if (i + sizeof letters <= text.size()) {
+            std::memcpy(&letters, text.data() + i, sizeof letters);
+            if ((letters & 0x8080808080808080u) == 0) {
+                i += sizeof letters;
+                continue;
+            }
+        }
         const auto c = static_cast<unsigned char>(text[i]);
         if (c < 0x80) {
             ++i;

@@ -71,13 +71,10 @@ Plan make_plan(const Module& module, const Function& function, bool is_entry) {
 
 }  // namespace
 
-std::vector<Plan> make_plans(const Module& module) {
-    std::vector<Plan> plans;
-    plans.reserve(module.functions.size());
-    for (std::uint32_t i = 0; i < module.functions.size(); ++i) {
-        plans.push_back(make_plan(module, module.functions[i], module.stage.entry && module.stage.entry.index == i));
-    }
-    return plans;
+const Plan& Plans::of(FunctionId id) {
+    std::optional<Plan>& plan = plans_[id.index];
+    if (!plan) plan = make_plan(module_, module_[id], module_.stage.entry == id);
+    return *plan;
 }
 
 }  // namespace patina::languages

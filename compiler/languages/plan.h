@@ -5,11 +5,13 @@
 // A value stands in a variable of its own if it is read twice, samples, is differentiated, has a name hint, is read in
 // another block (a loop would compute it again), or would make an expression too wide or too deep.
 //
-//   const Plan& plan = make_plans(module)[function.index];
+//   Plans plans(module);
+//   const Plan& plan = plans.of(function);
 //   plan.variable[v.index]  // index into plan.variables, or kNone
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -40,6 +42,17 @@ struct Plan {
 
     ir::Value resolve(ir::Value v) const { return same_as[v.index]; }
     bool is_printed(const ir::Function& function, ir::Value v) const;
+};
+
+// The plans of a module's functions, each made when it is first asked for. The module must outlive them.
+class Plans {
+public:
+    explicit Plans(const ir::Module& module) : module_(module), plans_(module.functions.size()) {}
+    const Plan& of(ir::FunctionId function);
+
+private:
+    const ir::Module& module_;
+    std::vector<std::optional<Plan>> plans_;
 };
 
 // Number of values that an If or For yields.

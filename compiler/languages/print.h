@@ -10,6 +10,7 @@
 #include <unordered_set>
 #include <vector>
 
+#include "compiler/base/remembered.h"
 #include "compiler/ir/ir.h"
 
 namespace patina::languages {
@@ -33,10 +34,9 @@ struct Printed {
     std::vector<int> light_loops{};  // lines at which a loop over lights begins
 };
 
-// By function: the values that become variables (plan.h). It does not depend on the language, so languages that print
-// the same module share it.
-struct Plan;
-std::vector<Plan> make_plans(const ir::Module& module);
+// The values of functions that become variables (plan.h). They do not depend on the language, so languages that print
+// the same module share them.
+class Plans;
 
 // For a text that is pasted into shaders. It has no version, and the material's descriptor set has a name in it,
 // "Rust_set". If the shader defines that name first, its number is used.
@@ -55,13 +55,17 @@ struct TakenNames {
     std::vector<std::string> prefixes;
 };
 
+// Kept texts of functions (kept/kept_text.h).
+struct KeptText;
+
 struct PrintOptions {
     std::string header;                        // lines for a comment at the top, without comment marks
-    const std::vector<Plan>* plans = nullptr;  // those of this module; null: made for this printing
+    Plans* plans = nullptr;                    // those of this module; null: made for this printing
     std::optional<Pasting> pasting = {};       // none: a whole shader
     const TakenNames* taken = nullptr;         // null: there is no surrounding text
     std::vector<std::string> also_taken = {};  // more names of the surrounding text
     std::size_t width = 120;                   // columns; longer lines are broken
+    Remembered<KeptText>* kept = nullptr;      // null: every function is printed
 };
 
 struct LanguageInfo {

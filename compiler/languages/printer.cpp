@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "compiler/languages/body.h"
+#include "compiler/languages/kept/kept_text.h"
 
 namespace patina::languages {
 
@@ -182,9 +183,15 @@ std::string_view function_name(std::string_view signature) {
 void print_function(Writer& w, FunctionId id, const EntryPoint* entry) {
     const Declared declared(w, entry ? Piece::Kind::Entry : Piece::Kind::Function,
                             entry ? std::string(function_name(entry->signature)) : w.functions[id.index]);
-    const Function& function = w.module[id];
-    print_comment(w, function.comment, function.origin);
-    Body(w, id, entry).print();
+    const auto print = [&] {
+        const Function& function = w.module[id];
+        print_comment(w, function.comment, function.origin);
+        Body(w, id, entry).print();
+    };
+    if (w.options.kept)
+        print_kept(w, id, entry, print);
+    else
+        print();
 }
 
 // A shader that pasted text goes into has its own preamble.
@@ -208,8 +215,7 @@ void print_preamble(Writer& w) {
 }  // namespace
 
 Printed print(const Module& module, const Language& language, const PrintOptions& options) {
-    std::vector<Plan> own;
-    if (options.plans == nullptr) own = make_plans(module);
+    Plans own(module);
     Writer w(module, language, options, options.plans ? *options.plans : own);
     w.reachable = find_reachable(module);
     name_globals(w);

@@ -16,7 +16,7 @@ constexpr std::string_view kLoopIndices[] = {"i", "j", "k", "l"};
 }  // namespace
 
 Body::Body(Writer& writer, FunctionId id, const EntryPoint* entry)
-    : writer_(writer), function_(writer.module[id]), entry_(entry), plan_(writer.plans[id.index]) {
+    : writer_(writer), function_(writer.module[id]), entry_(entry), plan_(writer.plans.of(id)) {
     names_.resize(plan_.variables.size());
     find_member_names();
     commented_.resize(writer.module.origins.size());

@@ -17,14 +17,13 @@ struct Reachable {
 Reachable find_reachable(const ir::Module& module);
 
 struct Writer {
-    Writer(const ir::Module& module, const Language& language, const PrintOptions& options,
-           const std::vector<Plan>& plans)
+    Writer(const ir::Module& module, const Language& language, const PrintOptions& options, Plans& plans)
         : module(module), language(language), options(options), plans(plans), names(options.taken) {}
 
     const ir::Module& module;
     const Language& language;
     const PrintOptions& options;
-    const std::vector<Plan>& plans;  // by function
+    Plans& plans;
     Reachable reachable;
     Names names;
     std::vector<std::string> functions, structs, blocks, globals;  // names, indexed like the module's vectors

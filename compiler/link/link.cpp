@@ -389,19 +389,17 @@ ir::Module link_fragment(const Linked& linked, const graph::LoweredPass& pass, i
     return made;
 }
 
-ir::Module link_vertex(const Linked& linked, const graph::LoweredPass& pass, ir::Module& fragment,
+ir::Module link_vertex(const Linked& linked, const graph::LoweredPass& pass, const ir::Module& fragment,
                        ir::BuildOptions options) {
     EntryBuilder entry(linked, pass, ir::StageKind::Vertex, options);
     std::vector<ir::StageVariable> outputs;
     std::vector<Value> values;
-    std::uint32_t location = 0;
     const Value position = entry.wrapped(linked.lowered.wraps.position, entry.call(pass.vertex));
-    for (ir::StageVariable& input : fragment.stage.inputs) {
+    for (const ir::StageVariable& input : fragment.stage.inputs) {
         if (input.builtin != ir::Builtin::None) continue;
         const auto& semantics = linked.lowered.module.semantics;
         const auto found = std::find_if(semantics.begin(), semantics.end(),
                                         [&](const ir::Semantic& s) { return s.name == input.name; });
-        input.location = location++;
         outputs.push_back(input);
         values.push_back(entry.value({static_cast<std::uint32_t>(found - semantics.begin())}));
     }

@@ -32,9 +32,8 @@ struct LinkedPass {
 };
 
 ir::Module link_fragment(const Linked& linked, const graph::LoweredPass& pass, ir::BuildOptions options);
-// `fragment`: the finished fragment stage. The vertex stage computes its inputs, except builtins, and this assigns
-// their locations.
-ir::Module link_vertex(const Linked& linked, const graph::LoweredPass& pass, ir::Module& fragment,
+// `fragment`: the finished fragment stage, with its inputs numbered. The vertex stage computes them, except builtins.
+ir::Module link_vertex(const Linked& linked, const graph::LoweredPass& pass, const ir::Module& fragment,
                        ir::BuildOptions options);
 // If the finished vertex stage outputs a constant, the fragment stage gets that constant instead. True if there was
 // one: then the fragment stage must be tidied again, and the vertex stage linked again.

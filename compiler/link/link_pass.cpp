@@ -6,6 +6,7 @@
 #include "compiler/ir/verify.h"
 #include "compiler/link/check_reads.h"
 #include "compiler/link/dumps.h"
+#include "compiler/link/kept_stages.h"
 #include "compiler/link/pinned_inputs.h"
 #include "compiler/link/target_reads.h"
 
@@ -20,6 +21,14 @@ void number_inputs(ir::Module& stage, const engines::Engine& engine) {
         if (input.builtin != ir::Builtin::None) continue;
         const engines::VertexInput* known = engine.vertex_input(input.name);
         input.location = known && known->location ? *known->location : location++;
+    }
+}
+
+// The vertex stage computes these inputs in their order.
+void number_varyings(ir::Module& fragment) {
+    std::uint32_t location = 0;
+    for (ir::StageVariable& input : fragment.stage.inputs) {
+        if (input.builtin == ir::Builtin::None) input.location = location++;
     }
 }
 
@@ -41,26 +50,37 @@ LinkedPass link_tidied(const graph::Material& material, const Linked& linked, co
     const CompileOptions& options = session.options;
     const ir::BuildOptions build{.fold = true};
     LinkedPass made{.pass = &pass, .material = &material, .lowered = &linked.lowered};
-    made.fragment = link_fragment(linked, pass, build);
-    ir::check_if_verifying(made.fragment, "linked fragment");
-    dump_stage(result, options, "linked", pass.name + ".fragment.linked", made.fragment);
-    made.fragment = ir::tidy(std::move(made.fragment));
-    // Shared functions may compute members for other passes from values that this pass lacks.
-    if (linked.lowered.keeps_functions && missing_in(made.fragment)) {
-        const ir::FunctionId entry = made.fragment.stage.entry;
-        made.fragment = ir::tidy(ir::drop_members(std::move(made.fragment), std::span(&entry, 1), {}));
-    }
-    made.vertex = link_vertex(linked, pass, made.fragment, build);
-    ir::check_if_verifying(made.vertex, "linked vertex");
-    dump_stage(result, options, "linked", pass.name + ".vertex.linked", made.vertex);
-    made.vertex = ir::tidy(std::move(made.vertex));
-    const auto link_again = [&] { made.vertex = ir::tidy(link_vertex(linked, pass, made.fragment, build)); };
+    KeptResults* const kept = options.dump.empty() ? session.kept : nullptr;
+    made.fragment = kept_stage(kept, linked, pass, nullptr, [&] {
+        ir::Module stage = link_fragment(linked, pass, build);
+        ir::check_if_verifying(stage, "linked fragment");
+        dump_stage(result, options, "linked", pass.name + ".fragment.linked", stage);
+        stage = ir::tidy(std::move(stage));
+        // Shared functions may compute members for other passes from values that this pass lacks.
+        if (!linked.lowered.keeps_functions || !missing_in(stage)) return stage;
+        const ir::FunctionId entry = stage.stage.entry;
+        return ir::tidy(ir::drop_members(std::move(stage), std::span(&entry, 1), {}));
+    });
+    number_varyings(made.fragment);
+    const auto link_again = [&](const char* dumped) {
+        made.vertex = kept_stage(kept, linked, pass, &made.fragment, [&] {
+            ir::Module stage = link_vertex(linked, pass, made.fragment, build);
+            ir::check_if_verifying(stage, "linked vertex");
+            if (dumped) dump_stage(result, options, "linked", pass.name + dumped, stage);
+            return ir::tidy(std::move(stage));
+        });
+    };
+    link_again(".vertex.linked");
     const bool takes = take_constants(made.fragment, made.vertex);
     if (share_pinned(linked, made.fragment, made.vertex) || takes) {
         made.fragment = ir::tidy(ir::settle_params(std::move(made.fragment)));
-        link_again();
+        number_varyings(made.fragment);
+        link_again(nullptr);
     }
-    if (order_pinned(linked, made.fragment, made.vertex)) link_again();
+    if (order_pinned(linked, made.fragment, made.vertex)) {
+        number_varyings(made.fragment);
+        link_again(nullptr);
+    }
     number_inputs(made.vertex, session.engine);
     made.reads_elsewhere = reads_elsewhere(linked, pass, made.fragment, made.vertex);
     dump_stage(result, options, "tidy", pass.name + ".vertex.tidy", made.vertex);
@@ -74,6 +94,7 @@ LinkedPass link_plainly(const graph::Material& material, const Linked& linked, c
     const ir::BuildOptions build{.fold = false};
     LinkedPass made{.pass = &pass, .material = &material, .lowered = &linked.lowered};
     made.fragment = link_fragment(linked, pass, build);
+    number_varyings(made.fragment);
     made.vertex = link_vertex(linked, pass, made.fragment, build);
     return made;
 }

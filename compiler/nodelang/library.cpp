@@ -11,10 +11,22 @@ const Decl* find(const std::unordered_map<std::string_view, const Decl*>& map, s
     return found == map.end() ? nullptr : found->second;
 }
 
+// Those that have not been read come last: most names in the text of a function are of its own locals.
+template <class Decl>
+const Decl* find(const std::unordered_map<std::string_view, const Decl*>& map,
+                 const std::unordered_map<std::string_view, const Unread*>& unread, std::deque<Decl> Ast::*kind,
+                 std::string_view name) {
+    if (const Decl* found = find(map, name)) return found;
+    const Unread* other = find(unread, name);
+    if (!other || (other->ast().*kind).empty()) return nullptr;
+    return &(other->ast().*kind).front();
+}
+
 template <class Decl>
 void add(std::unordered_map<std::string_view, const Decl*>& map, const Decl& decl, Span Decl::*name,
-         Diagnostics& diagnostics) {
+         const std::unordered_map<std::string_view, const Unread*>& unread, Diagnostics& diagnostics) {
     const auto [existing, is_new] = map.emplace(decl.name, &decl);
+    if (unread.contains(decl.name)) diagnostics.report(Code::Redefinition, decl.*name, decl.name);
     if (!is_new)
         diagnostics.report(Code::Redefinition, decl.*name, decl.name)
             .note(existing->second->*name, "the first is here");
@@ -23,23 +35,25 @@ void add(std::unordered_map<std::string_view, const Decl*>& map, const Decl& dec
 }  // namespace
 
 const FunctionDecl* Declarations::function(std::string_view name) const {
-    const FunctionDecl* own = find(functions, name);
+    const FunctionDecl* own = find(functions, unread, &Ast::functions, name);
     return own || !parent ? own : parent->function(name);
 }
 const StructDecl* Declarations::structure(std::string_view name) const {
-    const StructDecl* own = find(structs, name);
+    const StructDecl* own = find(structs, unread, &Ast::structs, name);
     return own || !parent ? own : parent->structure(name);
 }
 const EnumDecl* Declarations::enumeration(std::string_view name) const {
-    const EnumDecl* own = find(enums, name);
+    const EnumDecl* own = find(enums, unread, &Ast::enums, name);
     return own || !parent ? own : parent->enumeration(name);
 }
 const VariableDecl* Declarations::variable(std::string_view name) const {
-    const VariableDecl* own = find(variables, name);
+    const VariableDecl* own = find(variables, unread, &Ast::variables, name);
     return own || !parent ? own : parent->variable(name);
 }
 const Declarations& Declarations::home_of(std::string_view function_name) const {
-    return functions.contains(function_name) || !parent ? *this : parent->home_of(function_name);
+    return functions.contains(function_name) || unread.contains(function_name) || !parent
+               ? *this
+               : parent->home_of(function_name);
 }
 
 std::vector<std::string_view> Declarations::function_names() const {
@@ -48,16 +62,21 @@ std::vector<std::string_view> Declarations::function_names() const {
         for (const auto& [name, decl] : scope->functions) {
             if (decl->attribute("node")) names.push_back(name);
         }
+        for (const auto& [name, other] : scope->unread) {
+            const std::deque<FunctionDecl>& own = other->ast().functions;
+            if (!own.empty() && own.front().attribute("node")) names.push_back(name);
+        }
     }
     std::sort(names.begin(), names.end());
     return names;
 }
 
 void index_declarations(const Ast& ast, Declarations& into, Diagnostics& diagnostics) {
-    for (const FunctionDecl& f : ast.functions) add(into.functions, f, &FunctionDecl::name_span, diagnostics);
-    for (const StructDecl& s : ast.structs) add(into.structs, s, &StructDecl::span, diagnostics);
-    for (const EnumDecl& e : ast.enums) add(into.enums, e, &EnumDecl::span, diagnostics);
-    for (const VariableDecl& v : ast.variables) add(into.variables, v, &VariableDecl::span, diagnostics);
+    for (const FunctionDecl& f : ast.functions)
+        add(into.functions, f, &FunctionDecl::name_span, into.unread, diagnostics);
+    for (const StructDecl& s : ast.structs) add(into.structs, s, &StructDecl::span, into.unread, diagnostics);
+    for (const EnumDecl& e : ast.enums) add(into.enums, e, &EnumDecl::span, into.unread, diagnostics);
+    for (const VariableDecl& v : ast.variables) add(into.variables, v, &VariableDecl::span, into.unread, diagnostics);
 }
 
 std::string_view attribute_text(const Attribute& attribute, std::size_t index) {

@@ -9,7 +9,7 @@
 #include <unordered_map>
 
 #include "compiler/base/diagnostics.h"
-#include "compiler/nodelang/ast.h"
+#include "compiler/nodelang/unread.h"
 
 namespace patina::nodelang {
 
@@ -19,6 +19,7 @@ struct Declarations {
     std::unordered_map<std::string_view, const StructDecl*> structs;
     std::unordered_map<std::string_view, const EnumDecl*> enums;
     std::unordered_map<std::string_view, const VariableDecl*> variables;
+    std::unordered_map<std::string_view, const Unread*> unread;  // further ones, of any kind
 
     const FunctionDecl* function(std::string_view name) const;
     const StructDecl* structure(std::string_view name) const;
@@ -30,7 +31,7 @@ struct Declarations {
     std::vector<std::string_view> function_names() const;
 };
 
-// Adds every declaration of `ast` to `into`.
+// Adds every declaration of `ast` to `into`, in addition to those that are unread.
 void index_declarations(const Ast& ast, Declarations& into, Diagnostics& diagnostics);
 
 // The text of attribute argument `index` (a string or a bare word), or empty.

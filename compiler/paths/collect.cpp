@@ -296,7 +296,6 @@ std::vector<std::string_view> values_of(const PathDeclarations& paths) {
 // A pass can exclude switches. A variable can exist with switches or paths.
 void check_conditions(const nodelang::Ast& ast, const PathDeclarations& paths, Diagnostics& diagnostics) {
     const auto check = [&](const Attribute* attribute, std::vector<std::string_view> known, const char* what) {
-        if (!attribute) return;
         for (const SwitchDecl& each : paths.switches) known.push_back(each.variable->name);
         for (const std::string_view word : attribute_words(*attribute)) {
             if (std::find(known.begin(), known.end(), word) != known.end()) continue;
@@ -304,15 +303,19 @@ void check_conditions(const nodelang::Ast& ast, const PathDeclarations& paths, D
                 .note(Diagnostics::suggestion(word, known));
         }
     };
+    std::optional<std::vector<std::string_view>> values;  // asked for by few files
     for (const FunctionDecl& function : ast.functions) {
-        for (const Attribute& attribute : function.attributes)
-            if (attribute.name == "lacks")
-                check(&attribute, values_of(paths), "a value, a block, a target or a switch");
-        check(function.attribute("excludes"), {}, "a switch of a pass");
-        check(function.attribute("with"), {}, "a switch");
+        for (const Attribute& attribute : function.attributes) {
+            if (attribute.name != "lacks") continue;
+            if (!values) values = values_of(paths);
+            check(&attribute, *values, "a value, a block, a target or a switch");
+        }
+        if (const Attribute* excluded = function.attribute("excludes")) check(excluded, {}, "a switch of a pass");
+        if (const Attribute* with = function.attribute("with")) check(with, {}, "a switch");
     }
-    for (const VariableDecl& variable : ast.variables)
-        check(variable.attribute("with"), paths.names(), "a switch or a path");
+    for (const VariableDecl& variable : ast.variables) {
+        if (const Attribute* with = variable.attribute("with")) check(with, paths.names(), "a switch or a path");
+    }
 }
 
 }  // namespace

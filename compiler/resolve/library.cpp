@@ -39,6 +39,21 @@ void add_engine_file(Library& library, std::uint32_t base, std::string_view path
     if (const Json* word = json ? json->find("default") : nullptr) library.default_engine = word->string;
 }
 
+// False if the file must be read at once.
+bool leave_unread(Library& library, std::uint32_t base) {
+    const std::size_t first = library.unread.size();
+    if (!nodelang::split({.text = library.sources.file_text(base), .base = base}, library.unread)) return false;
+    auto& names = library.declarations.unread;
+    for (std::size_t i = first; i < library.unread.size(); ++i) {
+        if (names.try_emplace(library.unread[i].name(), &library.unread[i]).second) continue;
+        // Declared twice: the file is read, which is reported.
+        for (std::size_t k = first; k < i; ++k) names.erase(library.unread[k].name());
+        while (library.unread.size() > first) library.unread.pop_back();
+        return false;
+    }
+    return true;
+}
+
 // --- the overlay
 
 constexpr std::string_view kEndings[] = {".node.hlsl", ".pass.hlsl", ".lighting.json", ".workflow.json"};
@@ -100,24 +115,38 @@ const engines::Engine& LibraryEngine::get() const {
     return engine_;
 }
 
+std::shared_ptr<const PassFile> LibraryEngine::passes(const std::string& path) const {
+    const std::lock_guard lock(mutex_);
+    const auto found = passes_.find(path);
+    return found == passes_.end() ? nullptr : found->second;
+}
+
+void LibraryEngine::keep_passes(const std::string& path, std::shared_ptr<const PassFile> file) const {
+    const auto& paths = get().paths;  // only of these, so that a program cannot ask for any number of them
+    if (std::find(paths.begin(), paths.end(), path) == paths.end()) return;
+    const std::lock_guard lock(mutex_);
+    passes_.try_emplace(path, std::move(file));
+}
+
 const engines::Engine* Library::engine(std::string_view name) const {
     const auto found = engines.find(name.empty() ? std::string_view(default_engine) : name);
     return found == engines.end() ? nullptr : &found->second.get();
 }
 
 std::unique_ptr<Library> load_library(std::span<const nodelang::EmbeddedFile> files, engines::Printable printable,
-                                      const LibraryOverlay& overlay) {
+                                      const LibraryOverlay& overlay, Declared declared) {
+    const bool is_whole = declared == Declared::Whole || !overlay.files.empty();
     auto library = std::make_unique<Library>();
     library->printable = std::move(printable);
     std::vector<std::pair<std::uint32_t, std::string_view>> graphs;
     for (const nodelang::EmbeddedFile& file : files) {
-        const std::uint32_t base = library->sources.add(std::string(file.path), std::string(file.text));
+        const std::uint32_t base = library->sources.add_view(std::string(file.path), file.text);
         library->files.push_back(base);
         if (file.path.starts_with(kEngines)) {
             add_engine_file(*library, base, file.path);
         } else if (file.path.ends_with(".json")) {
             graphs.emplace_back(base, file.path);
-        } else {
+        } else if (is_whole || !leave_unread(*library, base)) {
             nodelang::parse_file({.text = library->sources.file_text(base), .base = base}, library->ast,
                                  library->diagnostics, nodelang::Bodies::WhenAsked);
         }
@@ -128,6 +157,23 @@ std::unique_ptr<Library> load_library(std::span<const nodelang::EmbeddedFile> fi
     collect(library->ast, library->declarations, library->sources, library->paths, library->diagnostics);
     for (const auto& [base, path] : graphs) add_graph(*library, base, path);
     return library;
+}
+
+std::vector<const nodelang::FunctionDecl*> all_functions(const Library& library) {
+    std::vector<const nodelang::FunctionDecl*> all;
+    for (const nodelang::FunctionDecl& function : library.ast.functions) all.push_back(&function);
+    for (const nodelang::Unread& unread : library.unread) {
+        for (const nodelang::FunctionDecl& function : unread.ast().functions) all.push_back(&function);
+    }
+    std::sort(all.begin(), all.end(), [](const auto* a, const auto* b) { return a->span.begin < b->span.begin; });
+    return all;
+}
+
+std::unique_ptr<Library> read_whole(const Library& library) {
+    std::vector<nodelang::EmbeddedFile> files;
+    for (const std::uint32_t file : library.files)
+        files.push_back({library.sources.file(file), library.sources.file_text(file)});
+    return load_library(files, library.printable, {}, Declared::Whole);
 }
 
 }  // namespace patina::graph

@@ -43,6 +43,8 @@ private:
     mutable std::shared_ptr<Graph> graph_;
 };
 
+struct PassFile;  // session.h
+
 // An engine of the library: read at the first request, from any thread.
 class LibraryEngine {
 public:
@@ -53,6 +55,9 @@ public:
     const engines::Engine& get() const;
     // The errors in engine.json.
     const Diagnostics& diagnostics() const { return get(), diagnostics_; }
+    // Its own passes for one of its paths, if a compilation has read them without an error; else null.
+    std::shared_ptr<const PassFile> passes(const std::string& path) const;
+    void keep_passes(const std::string& path, std::shared_ptr<const PassFile> file) const;
 
 private:
     const SourceMap& sources_;
@@ -62,11 +67,14 @@ private:
     mutable std::once_flag once_;
     mutable Diagnostics diagnostics_;
     mutable engines::Engine engine_;
+    mutable std::mutex mutex_;
+    mutable std::map<std::string, std::shared_ptr<const PassFile>> passes_;  // by path
 };
 
 struct Library {
     SourceMap sources;
-    nodelang::Ast ast;
+    nodelang::Ast ast;                    // of what has been read at once
+    std::deque<nodelang::Unread> unread;  // the other declarations
     Diagnostics diagnostics;
     nodelang::Declarations declarations;
     PathDeclarations paths;
@@ -84,8 +92,14 @@ struct Library {
     const engines::Engine* engine(std::string_view name) const;
 };
 
-// The overlay is read whole, to find its mistakes.
+// Whether nodes and their helpers are parsed when they are asked for, or all of them at once, to find their mistakes.
+enum class Declared { WhenAsked, Whole };
+// The texts of `files` must outlive the library. With an overlay, all is read at once.
 std::unique_ptr<Library> load_library(std::span<const nodelang::EmbeddedFile> files, engines::Printable printable,
-                                      const LibraryOverlay& overlay = {});
+                                      const LibraryOverlay& overlay = {}, Declared declared = Declared::WhenAsked);
+// In the order of the files.
+std::vector<const nodelang::FunctionDecl*> all_functions(const Library& library);
+// The library with all of its declarations read, from the same texts.
+std::unique_ptr<Library> read_whole(const Library& library);
 
 }  // namespace patina::graph

@@ -191,9 +191,15 @@ void choose_what_is_drawn(const Session& session, std::string_view own_path, Pas
     if (pass.is_older_fragment || (is_of_other && !pass.draws_extra_alone)) pass.path.clear();
 }
 
+void use_passes(Session& session, std::shared_ptr<const PassFile> file) {
+    session.declarations = &file->declarations;
+    session.paths = &file->paths;
+    session.pass_file = std::move(file);
+}
+
 // Adds the passes of a loaded file to those of the library.
 void read_passes(Session& session, std::uint32_t base, std::string path) {
-    auto file = std::make_unique<PassFile>();
+    auto file = std::make_shared<PassFile>();
     nodelang::parse_file({.text = session.sources.file_text(base), .base = base}, file->ast, session.diagnostics);
     file->declarations.parent = &session.library.declarations;
     nodelang::index_declarations(file->ast, file->declarations, session.diagnostics);
@@ -211,15 +217,25 @@ void read_passes(Session& session, std::uint32_t base, std::string path) {
         session.diagnostics.report(Code::NoNodeInFile, {base, base}, "[pass]");
     // If the file has errors, the library's passes are used, so that errors in the graph are still found.
     if (session.diagnostics.has_errors()) return;
-    session.declarations = &file->declarations;
-    session.paths = &file->paths;
-    session.pass_file = std::move(file);
+    use_passes(session, std::move(file));
+}
+
+// All compilations for the engine have the same passes of its own.
+void find_own_passes(Session& session) {
+    const LibraryEngine& engine = session.library.engines.find(session.engine.name)->second;
+    const std::string path(session.engine.own_path(session.request.path));
+    if (std::shared_ptr<const PassFile> known = engine.passes(path)) {
+        session.path = session.engine.name;
+        return use_passes(session, std::move(known));
+    }
+    read_passes(session, *session.engine.passes, session.engine.name);
+    if (session.pass_file) engine.keep_passes(path, session.pass_file);
 }
 
 }  // namespace
 
 void find_path(Session& session) {
-    if (session.engine.has_own_passes()) return read_passes(session, *session.engine.passes, session.engine.name);
+    if (session.engine.has_own_passes()) return find_own_passes(session);
     const std::string& wanted = session.request.path;
     if (!wanted.ends_with(".pass.hlsl")) {
         std::vector<std::string_view> known = session.paths->names();

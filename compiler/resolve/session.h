@@ -15,6 +15,10 @@
 #include "compiler/resolve/library.h"
 #include "patina/patina.h"
 
+namespace patina::link {
+struct KeptResults;  // link/kept_results.h
+}
+
 namespace patina::graph {
 
 struct CheckedGraph;
@@ -28,7 +32,7 @@ struct NodeFile {
 // Selects all paths of the library at once.
 inline constexpr std::string_view kAllPaths = "all";
 
-// A user's .pass.hlsl, in addition to the library.
+// A user's .pass.hlsl, or an engine's, in addition to the library.
 struct PassFile {
     nodelang::Ast ast;
     nodelang::Declarations declarations;
@@ -57,7 +61,7 @@ struct Session {
     const nodelang::Declarations* declarations;
     const PathDeclarations* paths;
     std::string path;  // the name of the requested path
-    std::unique_ptr<PassFile> pass_file;
+    std::shared_ptr<const PassFile> pass_file;
     SourceMap sources;
     Diagnostics diagnostics;
     nodelang::Ast ast;
@@ -69,6 +73,7 @@ struct Session {
     std::map<std::string, const CheckedGraph*> graphs;  // by path
     std::map<std::string, std::unique_ptr<NodeFile>> node_files;
     std::deque<Property> file_properties;  // textures that are files named at a port
+    link::KeptResults* kept = nullptr;     // what the compiler keeps; null: everything is made anew
     std::vector<std::string> active;       // paths of the sub-graphs that are being loaded, to find recursion
 };
 

@@ -45,7 +45,8 @@ struct Form {
 
 std::vector<Form> all_forms() {
     std::vector<Form> forms;
-    for (const FunctionDecl& function : library().ast.functions) {
+    for (const FunctionDecl* each : graph::all_functions(library())) {
+        const FunctionDecl& function = *each;
         if (!is_tried(function)) continue;
         std::vector<Form> own = {{.function = &function}};
         for (const ParamDecl& param : function.params) {

@@ -36,7 +36,7 @@ using ir::Value;
 // What a light loop of the module computes for nothing, a line each.
 class Search {
 public:
-    explicit Search(const Module& module) : module_(module), plans_(languages::make_plans(module)) {}
+    explicit Search(const Module& module) : module_(module), plans_(module) {}
 
     std::vector<std::string> run() {
         for (std::uint32_t f = 0; f < module_.functions.size(); ++f) {
@@ -77,7 +77,7 @@ private:
     // A value that was made before the loop would be computed in it again if its text stood there.
     void printed_inside(std::uint32_t f, std::uint32_t index) {
         const Function& function = module_.functions[f];
-        const languages::Plan& plan = plans_[f];
+        const languages::Plan& plan = plans_.of({f});
         const std::vector<Value>& inside = function.blocks[index].insts;
         for (const Value value : inside) {
             for (const Value arg : function.args(value)) {
@@ -107,7 +107,7 @@ private:
     }
 
     const Module& module_;
-    const std::vector<languages::Plan> plans_;
+    languages::Plans plans_;
     std::set<std::pair<std::uint32_t, std::vector<Rate>>> visited_;
     std::vector<std::string> found_;
 };

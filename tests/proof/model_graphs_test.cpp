@@ -153,7 +153,8 @@ TEST_P(MicrofacetModel, ChangesWithEachOfThem) {
         if (std::find(std::begin(kFamilies), std::end(kFamilies), family) == std::end(kFamilies)) continue;
         const FunctionDecl* own = library().declarations.function(node.type);
         double most = 0;
-        for (const FunctionDecl& other : library().ast.functions) {
+        for (const FunctionDecl* each : graph::all_functions(library())) {
+            const FunctionDecl& other = *each;
             // Of the same type, as the rest of the graph reads it.
             if (other.name == node.type || family_of(other.name) != family || other.result.name != own->result.name)
                 continue;

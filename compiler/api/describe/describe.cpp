@@ -153,12 +153,12 @@ std::vector<SemanticInfo> describe_semantics(const graph::Library& library) {
                            .doc = doc_line(member.doc),
                            .rate = std::string(rate(semantic.source))});
         }
-        for (const nodelang::FunctionDecl& function : library.ast.functions) {
-            if (!function.attribute("member") || function.params.empty() || function.params[0].type.name != type)
+        for (const nodelang::FunctionDecl* function : all_functions(library)) {
+            if (!function->attribute("member") || function->params.empty() || function->params[0].type.name != type)
                 continue;
-            all.push_back({.name = fmt::format("{}.{}", semantic.name, function.name),
-                           .type = std::string(function.result.name),
-                           .doc = read_doc(function.doc).text,
+            all.push_back({.name = fmt::format("{}.{}", semantic.name, function->name),
+                           .type = std::string(function->result.name),
+                           .doc = read_doc(function->doc).text,
                            .rate = std::string(rate(semantic.source))});
         }
     }

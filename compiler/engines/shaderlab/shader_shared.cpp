@@ -134,11 +134,13 @@ std::vector<ir::Origin> origins_of(std::span<const LinkedPass> passes) {
     return all;
 }
 
-std::vector<PassText> pass_texts(std::span<const LinkedPass> linked, const engines::Engine& engine) {
+std::vector<PassText> pass_texts(std::span<const LinkedPass> linked, const engines::Engine& engine,
+                                 Remembered<languages::KeptText>* kept) {
     std::vector<PassText> passes;
     std::vector<std::vector<std::string>> taken(linked.size());
     const languages::TakenNames engine_names = taken_names(engine.names);
-    for (std::size_t i = 0; i < linked.size(); ++i) passes.push_back(pass_text(linked[i], engine, engine_names, {}));
+    for (std::size_t i = 0; i < linked.size(); ++i)
+        passes.push_back(pass_text(linked[i], engine, engine_names, {}, kept));
     for (bool differ = true; differ;) {
         differ = false;
         const auto common = most_common(passes);
@@ -151,7 +153,7 @@ std::vector<PassText> pass_texts(std::span<const LinkedPass> linked, const engin
             differ = differ || taken[i].size() > before;
         }
         for (std::size_t i = 0; differ && i < linked.size(); ++i)
-            passes[i] = pass_text(linked[i], engine, engine_names, taken[i]);
+            passes[i] = pass_text(linked[i], engine, engine_names, taken[i], kept);
     }
     mark_own(passes);
     std::uint32_t first = 0;

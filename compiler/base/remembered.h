@@ -1,0 +1,98 @@
+// Results that are kept because a later request may have the same key. A key is all that a result was made of, as
+// bytes: equal keys have equal results, so a kept result is never wrong and never too old. Any thread may use the
+// object. If two threads make the same result at once, the first one's is kept.
+//
+//   Remembered<Printed> texts(16 << 20);
+//   if (const auto kept = texts.find(key)) return *kept;
+//   texts.keep(key, made, made.text.size());
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <utility>
+
+namespace patina {
+
+template <class Value>
+class Remembered {
+public:
+    // `most`: about how many bytes of keys and values are kept.
+    explicit Remembered(std::size_t most) : most_(most) {}
+
+    // Null if there is none.
+    std::shared_ptr<const Value> find(std::string_view key) {
+        std::shared_ptr<const Entry> entry = entry_of(hash_of(key));
+        if (!entry || entry->key != key) return nullptr;
+        return {entry, &entry->value};
+    }
+
+    // `bytes`: about how many the value has.
+    void keep(std::string key, Value value, std::size_t bytes) {
+        const std::uint64_t hash = hash_of(key);
+        const std::size_t size = key.size() + bytes;
+        auto entry = std::make_shared<const Entry>(Entry{std::move(key), std::move(value), size});
+        const std::lock_guard lock(mutex_);
+        add(hash, std::move(entry));
+    }
+
+private:
+    struct Entry {
+        std::string key;
+        Value value;
+        std::size_t size = 0;
+    };
+    using Entries = std::unordered_map<std::uint64_t, std::shared_ptr<const Entry>>;  // by the hash of the key
+
+    // Keys are long, and are compared in any case: eight letters at once.
+    static std::uint64_t hash_of(std::string_view key) {
+        std::uint64_t hash = key.size();
+        const auto add = [&](std::uint64_t letters) {
+            hash = (hash ^ letters) * 0x9e3779b97f4a7c15u;  // 2^64 over the golden ratio
+            hash ^= hash >> 29;
+        };
+        std::uint64_t letters = 0;
+        for (; key.size() >= sizeof letters; key.remove_prefix(sizeof letters)) {
+            std::memcpy(&letters, key.data(), sizeof letters);
+            add(letters);
+        }
+        letters = 0;
+        if (!key.empty()) std::memcpy(&letters, key.data(), key.size());
+        add(letters);
+        return hash;
+    }
+
+    // What is used again moves to the newer half.
+    std::shared_ptr<const Entry> entry_of(std::uint64_t hash) {
+        const std::lock_guard lock(mutex_);
+        if (const auto found = newer_.find(hash); found != newer_.end()) return found->second;
+        const auto found = older_.find(hash);
+        if (found == older_.end()) return nullptr;
+        std::shared_ptr<const Entry> entry = std::move(found->second);
+        older_.erase(found);
+        add(hash, entry);
+        return entry;
+    }
+
+    // If the newer half is full, it becomes the older one, and the older one is dropped.
+    void add(std::uint64_t hash, std::shared_ptr<const Entry> entry) {
+        if (size_ + entry->size > most_ / 2) {
+            older_ = std::exchange(newer_, {});
+            size_ = 0;
+        }
+        const std::size_t size = entry->size;
+        if (size <= most_ / 2 && newer_.try_emplace(hash, std::move(entry)).second) size_ += size;
+    }
+
+    std::size_t most_;
+    std::mutex mutex_;
+    Entries newer_, older_;
+    std::size_t size_ = 0;  // of newer_
+};
+
+}  // namespace patina

@@ -1,0 +1,26 @@
+// Texts of functions that earlier printings made. Most functions of a shader are the library's, or belong to the
+// lighting model: they come back in each shader, while the graph changes.
+//
+//   print_kept(writer, id, entry, [&] { ... });   // appends the kept text, or prints and keeps it
+#pragma once
+
+#include <functional>
+
+#include "compiler/base/remembered.h"
+#include "compiler/languages/writer.h"
+
+namespace patina::languages {
+
+struct KeptText {
+    std::string text;
+    // The number of a line counts from 0; an origin is its place in the order in which the function mentions origins.
+    // Where the origin changes, and at the first line.
+    std::vector<PrintedLine> lines;
+    Names::Asked asked;
+};
+
+// Prints one function by `print`, unless a kept text is the same. `entry`: null if it is not the stage's entry
+// function.
+void print_kept(Writer& writer, ir::FunctionId id, const EntryPoint* entry, const std::function<void()>& print);
+
+}  // namespace patina::languages

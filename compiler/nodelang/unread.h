@@ -1,0 +1,37 @@
+// Declarations of the library that are parsed when somebody first asks for them, by any thread. Of hundreds, a
+// compilation needs a few. Where each begins and ends is seen from the lines alone: a declaration begins at the left
+// margin, after its comments and attributes, and ends with a '}' there, or at the end of its only line.
+//
+//   std::deque<Unread> unread;
+//   if (!split({.text = text, .base = base}, unread)) parse_file(...);   // not written so: read it at once
+#pragma once
+
+#include <deque>
+#include <mutex>
+
+#include "compiler/nodelang/parse.h"
+
+namespace patina::nodelang {
+
+class Unread {
+public:
+    // `text`: the declaration's, with its comments.
+    Unread(std::string_view name, Text text) : name_(name), text_(text) {}
+
+    std::string_view name() const { return name_; }
+    // What it declares; nothing if it has an error.
+    const Ast& ast() const;
+
+private:
+    std::string_view name_;
+    Text text_;
+    mutable std::once_flag once_;
+    mutable Ast ast_;
+    mutable Diagnostics diagnostics_;
+};
+
+// Adds the declarations of a file. False, and nothing is added, if it is not written as above, or holds more than nodes
+// and helpers: whoever asks for passes, slots or semantics asks for all of them.
+bool split(Text file, std::deque<Unread>& into);
+
+}  // namespace patina::nodelang
