@@ -2,8 +2,7 @@
 // documents and for a glTF material. Each reads what the shader of its graph reads, and draws the same picture;
 // twins_test.cpp proves that. The shaders that Patina makes are measured against them.
 //
-//   for (const Twin& twin : kTwins) print(cost_of(stages_of(compiled(twin)).fragment),
-//   cost_of(by_hand(twin).fragment));
+//   const StageCost made = cost_of(stages_of(compiled(twin)).fragment), theirs = cost_of(by_hand(twin).fragment);
 #pragma once
 
 #include <string_view>

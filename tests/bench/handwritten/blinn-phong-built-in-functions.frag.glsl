@@ -88,7 +88,7 @@ void main()
         vec3 h = l + v;
         h *= inversesqrt(max(dot(h, h), 1e-7));
         float ndoth = clamp(dot(n, h), 0.0, 1.0);
-        float highlight = ndotl > 0.0 ? pow(max(ndoth, 1e-6), _Gloss) : 0.0;
+        float highlight = min(ndotl, ndoth) > 0.0 ? pow(ndoth, _Gloss) : 0.0;  // 0 to the power of 0 has no value
         direct += (_Diffuse.rgb * ndotl + _Specular.rgb * highlight) * radiance;
     }
     outColor = vec4(direct + _Diffuse.rgb * irradiance(n), 1.0);

@@ -77,12 +77,6 @@ vec3 irradiance(vec3 n)
     return max(e, 0.0);
 }
 
-// 0 to the power of 0 has no value.
-float lobe(float cosine, float exponent)
-{
-    return cosine > 0.0 ? pow(cosine, exponent) : 0.0;
-}
-
 void main()
 {
     vec3 n = normalize(normal);
@@ -97,7 +91,7 @@ void main()
         vec3 h = l + v;
         h *= inversesqrt(max(dot(h, h), 1e-7));
         float ndoth = clamp(dot(n, h), 0.0, 1.0);
-        float highlight = ndotl > 0.0 ? lobe(ndoth, u_specExp) : 0.0;
+        float highlight = min(ndotl, ndoth) > 0.0 ? pow(ndoth, u_specExp) : 0.0;  // 0 to the power of 0 has no value
         direct += (albedo * ndotl + highlight) * radiance;
     }
     outColor = vec4(direct + albedo * irradiance(n), 1.0);

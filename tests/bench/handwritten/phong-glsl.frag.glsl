@@ -77,12 +77,6 @@ vec3 irradiance(vec3 n)
     return max(e, 0.0);
 }
 
-// 0 to the power of 0 has no value.
-float lobe(float cosine, float exponent)
-{
-    return cosine > 0.0 ? pow(cosine, exponent) : 0.0;
-}
-
 void main()
 {
     vec3 n = normalize(normal);
@@ -95,7 +89,7 @@ void main()
         lightAt(i, l, radiance);
         float ndotl = clamp(dot(n, l), 0.0, 1.0);
         float rdotv = clamp(dot(reflect(-l, n), v), 0.0, 1.0);
-        float highlight = ndotl > 0.0 ? lobe(rdotv, u_specExp) : 0.0;
+        float highlight = min(ndotl, rdotv) > 0.0 ? pow(rdotv, u_specExp) : 0.0;  // 0 to the power of 0 has no value
         direct += (albedo * ndotl + highlight) * radiance;
     }
     outColor = vec4(direct + albedo * irradiance(n), 1.0);

@@ -154,7 +154,7 @@ void main()
         float spread = (ndoth * a2 - ndoth) * ndoth + 1.0;
         float visibility = 0.5 / (ndotl * viewPart + ndotv * (ndotl * (1.0 - alpha) + alpha) + 1e-5);
         vec3 fresnel = f0 + (1.0 - f0) * pow5(1.0 - ldoth);
-        float specular = a2 / (spread * spread + 1e-7) * visibility * ndotl * hasSpecular;
+        float specular = max(a2 / (spread * spread + 1e-7) * visibility * ndotl, 0.0) * hasSpecular;
         direct += (diffuse * (scattered * ndotl) + fresnel * specular) * radiance;
     }
     float occlusionTexel = texture(sampler2D(_OcclusionMap, _OcclusionMapSampler), at).g;
