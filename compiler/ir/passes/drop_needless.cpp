@@ -9,8 +9,8 @@ namespace patina::ir {
 namespace {
 
 bool may_be_needless(const Inst& inst) {
-    const bool is_limit = inst.op == Op::Min || inst.op == Op::Max || inst.op == Op::Clamp;
-    return inst.op == Op::Normalize || (is_limit && inst.type.is_integer());
+    return inst.op == Op::Normalize || inst.op == Op::Min || inst.op == Op::Max || inst.op == Op::Clamp ||
+           inst.op == Op::Saturate;
 }
 
 // By value: the operand that stands for it. Empty if all are needed.
