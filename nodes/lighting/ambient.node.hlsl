@@ -346,7 +346,7 @@ float3 DecodeHDR(
 float2 MatcapUV(
     float3 normalVS = normalVS  ///< normal in view space: x right, y up, z to the viewer
 ) {
-    return normalVS.xy * rsqrt(max(dot(normalVS, normalVS), 1e-7)) * float2(0.5, -0.5) + 0.5;
+    return normalize(normalVS).xy * float2(0.5, -0.5) + 0.5;
 }
 
 /// Weakens or strengthens ambient occlusion.
@@ -364,7 +364,7 @@ float OcclusionStrength(
 ) {
     float open = lerp(1, saturate(occlusion), strength);
     // Zero to the power of zero is not defined; zero to any other power stays zero.
-    return open > 0 ? pow(max(open, 1e-6), power) : 0;
+    return power == 1 ? open : open > 0 ? pow(max(open, 1e-6), power) : 0;
 }
 
 /// Ambient occlusion of a bright surface with interreflections between its parts.
