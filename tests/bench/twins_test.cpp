@@ -1,5 +1,5 @@
 // A twin draws the picture that its graph draws: with a sun, a lamp and a spot, with values and textures that are not
-// the defaults. So it leaves nothing out, and its cost is a fair measure.
+// the defaults. So it leaves nothing out, and its cost is a fair measure of what the graph's shaders cost.
 #include "tests/bench/twins.h"
 
 #include <gtest/gtest.h>
@@ -148,6 +148,23 @@ TEST_P(Twins, DrawThePictureOfTheirGraph) {
         EXPECT_GT(paths::lit_pixels(own), 400);
         EXPECT_SAME_PICTURE(own, by_hand);
     }
+}
+
+// docs/shader-cost.md has the figures. What is above 1 may become less, and must not become more.
+TEST_P(Twins, CostAboutAsMuchAsTheShadersOfTheirGraph) {
+    constexpr double kMostInstructions = 1.05, kMostText = 1.65;
+    const Result result = compiled(GetParam());
+    ASSERT_TRUE(result.ok);
+    const StageTexts own = stages_of(result), by_hand = bench::by_hand(GetParam());
+    const auto expect_cheap = [](const Shader& made, const Shader& twin) {
+        const StageCost cost = cost_of(made), least = cost_of(twin);
+        ASSERT_GT(cost.instructions, 0u);
+        EXPECT_LE(double(cost.instructions), kMostInstructions * double(least.instructions)) << twin.file_name;
+        EXPECT_LE(double(cost.per_light), kMostInstructions * double(least.per_light)) << twin.file_name;
+        EXPECT_LE(double(cost.bytes), kMostText * double(least.bytes)) << twin.file_name;
+    };
+    expect_cheap(own.vertex, by_hand.vertex);
+    expect_cheap(own.fragment, by_hand.fragment);
 }
 
 // NAME of a test may have no dashes.
