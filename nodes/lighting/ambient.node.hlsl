@@ -346,7 +346,7 @@ float3 DecodeHDR(
 float2 MatcapUV(
     float3 normalVS = normalVS  ///< normal in view space: x right, y up, z to the viewer
 ) {
-    return normalize(normalVS).xy * float2(0.5, -0.5) + 0.5;
+    return normalVS.xy * rsqrt(max(dot(normalVS, normalVS), 1e-7)) * float2(0.5, -0.5) + 0.5;
 }
 
 /// Weakens or strengthens ambient occlusion.

@@ -34,7 +34,7 @@ Module specialise(Module module);
 Module inline_calls(Module module);
 
 // What the calls of a function or the result of a called function make needless goes: normalising a unit vector once
-// more, and limits that all arguments keep by themselves.
+// more, its length, and limits that all arguments keep by themselves.
 Module drop_needless(Module module);
 
 // For an engine whose texture coordinates count from the bottom. Graphs count from the top: each read of such a

@@ -62,5 +62,24 @@ TEST(DropNeedless, AVectorThatAllCallersHaveNormalised) {
     }
 }
 
+// n / sqrt(max(n.n, 1e-7)), as nodes normalise a vector that may be zero.
+TEST(DropNeedless, TheLengthOfAUnitVector) {
+    for (const bool is_unit : {true, false}) {
+        Module module;
+        const FunctionId f = add(module, "f", {{"n", kFloat3, Rate::Pixel}}, kFloat3, [](Builder& b) {
+            const Value squared = b.emit(Op::Dot, {b.param(0), b.param(0)});
+            const Value limited = b.emit(Op::Max, {squared, b.constant(kFloat, {1e-7})});
+            return b.emit(Op::Mul, {b.param(0), b.splat(b.emit(Op::Rsqrt, {limited}), 3)});
+        });
+        const FunctionId main = add(module, "main", {{"n", kFloat3, Rate::Pixel}}, kFloat3, [&](Builder& b) {
+            return b.call(f, std::vector{is_unit ? b.emit(Op::Normalize, {b.param(0)}) : b.param(0)});
+        });
+        set_entry(module, main);
+        module = checked(drop_needless(std::move(module)));
+        EXPECT_EQ(count(module.functions[0], Op::Mul), is_unit ? 0u : 1u);
+        EXPECT_EQ(count(module.functions[0], Op::Rsqrt), is_unit ? 0u : 1u);
+    }
+}
+
 }  // namespace
 }  // namespace patina::ir
