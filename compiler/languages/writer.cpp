@@ -191,7 +191,7 @@ void Writer::block_body(const UniformBlock& block) {
     const auto index = static_cast<std::size_t>(&block - module.blocks.data());
     line(0, "{");
     for (std::size_t i = 0; i < block.members.size(); ++i) {
-        for (std::uint32_t n = 0; n < block.members[i].padding; ++n) {
+        for (std::uint32_t n = 0; language.pads_blocks && n < block.members[i].padding; ++n) {
             const std::string name =
                 fmt::format("{}pad{}", options.pasting ? options.pasting->prefix : "_", paddings++);
             line(1, member(kFloat, names.declare(name)));

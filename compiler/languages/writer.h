@@ -57,7 +57,7 @@ struct Writer {
     std::string keyword_value(const ir::Global& global) const;
     // A descriptor set: "1", "space1", or its name.
     std::string set(ir::Group group, const ir::Place& place) const;
-    // Prints the members of a uniform block, with padding, between braces.
+    // Prints the members of a uniform block between braces, with padding if the language needs it.
     void block_body(const ir::UniformBlock& block);
     // The type of a value in a uniform block or between stages, where `half` becomes float.
     static ir::Type stored(ir::Type type) {

@@ -364,7 +364,7 @@ float OcclusionStrength(
 ) {
     float open = lerp(1, saturate(occlusion), strength);
     // Zero to the power of zero is not defined; zero to any other power stays zero.
-    return open > 0 ? pow(max(open, 1e-6), power) : 0;
+    return power == 1 ? open : open > 0 ? pow(max(open, 1e-6), power) : 0;
 }
 
 /// Ambient occlusion of a bright surface with interreflections between its parts.

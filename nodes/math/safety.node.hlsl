@@ -27,9 +27,9 @@ floatN SafePower(
     floatN base = 1,     ///< the base
     floatN exponent = 2  ///< the power
 ) {
-    // A base of zero or less is replaced by one: an infinite power times zero would not be a number.
-    floatN isPositive = 1 - step(base, 0);
-    return pow(max(base, 0) + (1 - isPositive), exponent) * isPositive;
+    // A base of zero or less is replaced by one, because its power may not be a number.
+    floatN power = pow(base > 0 ? base : 1, exponent);
+    return base > 0 ? power : 0;
 }
 
 /// Returns the value if it is finite, else a fallback.

@@ -1,9 +1,15 @@
 // Forward: every light in one loop, ambient light once. The loop holds only the computations that depend on the light;
 // the others are done once, before the loop.
 
+/// The vertex in world space, with the 1 that objectToWorld keeps in w.
+[semantic("vertex")]
+float4 wholePositionWS(float3 position = positionOS) {
+    return mul(objectToWorld, float4(position, 1));
+}
+
 [pass("forward")] [pass("forward-base")] [pass("forward-add")] [pass("vertex")] [vertex]
-float4 forwardVertex(float3 position = positionWS) {
-    return mul(worldToClip, float4(position, 1));
+float4 forwardVertex(float4 position = wholePositionWS) {
+    return mul(worldToClip, position);
 }
 
 /// Index of the drawn instance. It selects the properties and matrices of the instance (compiler/lower/instances.h).

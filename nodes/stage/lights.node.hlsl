@@ -131,21 +131,29 @@ Light lightAt(int index, float3 position) {
     int slot = clamp(index, 0, MAX_LIGHTS - 1);
     float4 place = lightPosition[slot];
     float4 color = lightColor[slot];
-    bool isLocal = place.w > 0.5;
-    float3 toLight = place.xyz - (isLocal ? position : float3(0));
-    float distanceSquared = dot(toLight, toLight);
+    float3 direction = place.xyz;
+    float attenuation = 1;
+    // All pixels take the same branches: a sun costs no distance, and only a spot costs a cone.
+    if (place.w > 0.5) {
+        float3 toLight = place.xyz - position;
+        float distanceSquared = dot(toLight, toLight);
+        direction = toLight * rsqrt(max(distanceSquared, 1e-12));
+        attenuation = distanceAttenuation(distanceSquared, color.w);
+        if (place.w > 1.5) {
+            float4 cone = lightCone[slot];
+            float cosine = -dot(lightAxis[slot].xyz, direction);
+            float spot = saturate((cosine - cone.y) / max(cone.x - cone.y, 0.001));
+            attenuation *= spot * spot;
+        }
+    }
     Light light;
-    light.direction = toLight * rsqrt(max(distanceSquared, 1e-12));
+    light.direction = direction;
     light.color = color.rgb;
     if (lightmap && subtractive) { light.color = slot == mainLight ? float3(0) : light.color; }
-    light.attenuation = isLocal ? distanceAttenuation(distanceSquared, color.w) : 1;
-    float cosine = -dot(lightAxis[slot].xyz, light.direction);
-    float4 cone = lightCone[slot];
-    float spot = saturate((cosine - cone.y) / max(cone.x - cone.y, 0.001));
-    light.attenuation *= place.w > 1.5 ? spot * spot : 1;
+    light.attenuation = attenuation;
     light.attenuation *= lightThroughCookie(slot, position);
     light.shadow = shadow(slot, position);
-    light.index = int(cone.z);
+    light.index = int(lightCone[slot].z);
     light.type = int(place.w);
     return light;
 }

@@ -9,6 +9,7 @@
 
 #include "compiler/ir/builder.h"
 #include "compiler/ir/composites.h"
+#include "compiler/ir/fold/choices.h"
 #include "compiler/ir/fold/known.h"
 #include "compiler/ir/fold/pattern.h"
 #include "compiler/ir/fold/products.h"
@@ -400,6 +401,7 @@ Value simplify(Builder& b, Op op, Type type, std::span<const Value> args, std::u
     if (const Value splat = simplify_splat(b, op, type, args)) return splat;
     if (const Value equal = rewrite(b, op, type, args)) return equal;
     if (const Value scaled = simplify_product(b, op, type, args)) return scaled;
+    if (const Value chosen = simplify_choice(b, op, type, args)) return chosen;
     return simplify_known(b, op, type, args);
 }
 

@@ -74,4 +74,10 @@ bool is_work(Op op) {
     return !kIsFree[static_cast<std::size_t>(op)];
 }
 
+bool is_follower(const Module& module, const Function& function) {
+    return std::any_of(module.globals.begin(), module.globals.end(), [&](const Global& global) {
+        return !global.follower.empty() && global.follower == function.name;
+    });
+}
+
 }  // namespace patina::ir

@@ -9,20 +9,34 @@ namespace patina::ir {
 namespace {
 
 bool may_be_needless(const Inst& inst) {
-    const bool is_limit = inst.op == Op::Min || inst.op == Op::Max || inst.op == Op::Clamp;
-    return inst.op == Op::Normalize || (is_limit && inst.type.is_integer());
+    return inst.op == Op::Normalize || inst.op == Op::Min || inst.op == Op::Max || inst.op == Op::Clamp ||
+           inst.op == Op::Saturate;
 }
 
-// By value: the operand that stands for it. Empty if all are needed.
-std::vector<Value> operands_instead(const Module& module, const Function& function) {
-    std::vector<Value> found;
+// What stands for an instruction: one of its operands, or the number 1.
+struct Instead {
+    Value operand{};
+    bool is_one = false;  // the squared length of a unit vector
+
+    bool is_found() const { return operand || is_one; }
+};
+
+Instead instead_of(const Module& module, const Function& function, const Inst& inst) {
+    const FactsOf facts{module, function, true};
+    const auto args = function.args(inst);
+    if (inst.op == Op::Dot) return {.is_one = args[0] == args[1] && is_unit(facts, args[0])};
+    if (!may_be_needless(inst)) return {};
+    return {.operand = unchanged_operand(facts, inst.op, args)};
+}
+
+// By value. Empty if all are needed.
+std::vector<Instead> all_instead(const Module& module, const Function& function) {
+    std::vector<Instead> found;
     for (std::uint32_t i = 0; i < function.insts.size(); i++) {
-        const Inst& inst = function.insts[i];
-        if (!may_be_needless(inst)) continue;
-        const Value same = unchanged_operand({module, function, true}, inst.op, function.args(inst));
-        if (!same) continue;
+        const Instead instead = instead_of(module, function, function.insts[i]);
+        if (!instead.is_found()) continue;
         found.resize(function.insts.size());
-        found[i] = same;
+        found[i] = instead;
     }
     return found;
 }
@@ -31,14 +45,19 @@ std::vector<Value> operands_instead(const Module& module, const Function& functi
 
 Module drop_needless(Module module) {
     for (Function& function : module.functions) {
-        const std::vector<Value> instead = operands_instead(module, function);
+        const std::vector<Instead> instead = all_instead(module, function);
         if (instead.empty()) continue;
         const Function from = std::move(function);
         function = shell(from);
         Builder builder(module, function);
         Copy copy{.from = from, .to = builder, .rewrite = [&](Copy& c, Value v) {
-                      if (!instead[v.index]) return false;
-                      const Value same = c.map[instead[v.index].index];
+                      const Instead& found = instead[v.index];
+                      if (!found.is_found()) return false;
+                      if (found.is_one) {
+                          c.map[v.index] = c.to.constant(c.from[v].type, {1});
+                          return true;
+                      }
+                      const Value same = c.map[found.operand.index];
                       // A member of a struct has a name already.
                       if (c.to[same].op != Op::Extract) c.to.name(same, from[v].name);
                       c.map[v.index] = same;

@@ -15,6 +15,9 @@ namespace {
 
 // The text of a function of so few operations is as easy to read where it is called.
 constexpr std::uint32_t kSmall = 3;
+// A function of the library that one place alone calls may have more: its comment, signature and braces are longer than
+// that. What a graph's author wrote has no comment, and stays. So does what other stages may call as well.
+constexpr std::uint32_t kSmallOnce = 6;
 // A struct of so few numbers, such as the coverage that a shadow reads of a surface, says no more than the numbers.
 constexpr std::size_t kFewNumbers = 2;
 // The lines of a function besides its body: a comment, the signature, braces and an empty line.
@@ -104,7 +107,10 @@ Callee describe(const Module& module, const Function& function, std::size_t call
         std::count_if(function.insts.begin(), function.insts.end(), [](const Inst& i) { return is_work(i.op); }));
     // To make a struct takes a line for each member. Stages that share the function should not repeat these.
     const bool is_shared = function.linkage == Linkage::Exported && function.result.kind == Kind::Struct;
-    const bool is_little = (work <= kSmall && !is_shared) || (calls == 1 && is_few_numbers(module, function.result));
+    const bool is_once = calls == 1 && !function.comment.empty() && function.linkage == Linkage::Internal &&
+                         !is_follower(module, function);
+    const bool is_little = (work <= (is_once ? kSmallOnce : kSmall) && !is_shared) ||
+                           (calls == 1 && is_few_numbers(module, function.result));
     const bool is_wanted = function.always_inline || takes_opaque || is_little ||
                            (function.inline_if_shorter && is_shorter_inlined(module, function, calls));
     return {.always = is_wanted && !ir::is_elsewhere(function),

@@ -29,12 +29,12 @@ Module settle_members(Module module);
 Module specialise(Module module);
 
 // Replaces a call by the callee's body, if the callee is marked always_inline, if a parameter is opaque or contains
-// something opaque (a texture), if the body has at most `kSmall` operations, or if something of it could then move out
+// something opaque (a texture), if the body has few operations, or if something of it could then move out
 // of a light loop.
 Module inline_calls(Module module);
 
 // What the calls of a function or the result of a called function make needless goes: normalising a unit vector once
-// more, and limits of an index. Limits of other numbers stay: a function that limits them may say so.
+// more, its length, and limits that all arguments keep by themselves.
 Module drop_needless(Module module);
 
 // For an engine whose texture coordinates count from the bottom. Graphs count from the top: each read of such a
@@ -64,9 +64,9 @@ std::vector<std::uint8_t> keyword_values(const Module& module, const Function& f
 // the text of their functions: a member that one of them reads stays in all. Not part of tidy().
 Module drop_members(Module module, std::span<const FunctionId> entries, std::span<const FunctionId> called);
 
-// If all calls of a function have the same constant as an argument, or the same value as another argument, the function
-// uses that instead of the parameter. A semantic parameter takes the name that it has in all callers. Not part of
-// tidy(): prune() then drops the parameters.
+// If all calls of a function have the same constant as an argument, read the same part of a global for it, or have the
+// same value as another argument, the function uses that instead of the parameter. A semantic parameter takes the name
+// that it has in all callers. prune() then drops the parameters.
 Module settle_params(Module module);
 
 // The passes of passes.def in order; verified after each if is_verifying().

@@ -213,6 +213,7 @@ constexpr Language kLanguage = {
     .splat = splat,
     .array_value = array_value,
     .set_word = "",
+    .pads_blocks = false,  // std140 says where a member stands
     .row_major = "",
     .constant_array = "const",
     .expression = expression,

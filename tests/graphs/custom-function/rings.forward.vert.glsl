@@ -27,6 +27,7 @@ layout(location = 0) out vec2 vUv0;
 
 void main()
 {
+    vec4 wholePositionWS = objectToWorld * vec4(inPositionOS, 1.0);
     vUv0 = inUv0;
-    gl_Position = worldToClip * vec4((objectToWorld * vec4(inPositionOS, 1.0)).xyz, 1.0);
+    gl_Position = worldToClip * wholePositionWS;
 }

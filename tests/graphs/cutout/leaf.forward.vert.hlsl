@@ -37,11 +37,11 @@ struct VertexOutput
 
 VertexOutput main(VertexInput input)
 {
-    float4 positionWS = mul(objectToWorld, float4(input.positionOS, 1.0));
+    float4 wholePositionWS = mul(objectToWorld, float4(input.positionOS, 1.0));
     VertexOutput output;
     output.uv0 = input.uv0;
-    output.positionWS = positionWS.xyz;
+    output.positionWS = wholePositionWS.xyz;
     output.vertexNormalWS = normalize(mul(float4(input.normalOS, 0.0), worldToObject).xyz);
-    output.position = mul(worldToClip, float4(positionWS.xyz, 1.0));
+    output.position = mul(worldToClip, wholePositionWS);
     return output;
 }

@@ -55,12 +55,6 @@ struct GlassSurface
     float alphaClip;
 };
 
-struct GlassPremultiplyAlphaResult
-{
-    vec3 value;
-    float outAlpha;
-};
-
 layout(set = Glassset, binding = 0, std140) uniform GlassMaterial
 {
     vec4 Glass_Tint;
@@ -82,15 +76,6 @@ GlassSurface Glasssurface(vec3 geometryNormalWS)
     return surface;
 }
 
-// A diffuse colour for blending with pre-multiplied alpha: reflections stay as the material fades.
-GlassPremultiplyAlphaResult GlassPremultiplyAlpha(vec3 diffuseColor, float alpha, float oneMinusReflectivity)
-{
-    GlassPremultiplyAlphaResult premultiplyAlphaResult;
-    premultiplyAlphaResult.value = diffuseColor * alpha;
-    premultiplyAlphaResult.outAlpha = 1.0 - oneMinusReflectivity + alpha * oneMinusReflectivity;
-    return premultiplyAlphaResult;
-}
-
 // The surface at this point, as lighting reads it. A cutout surface is not drawn where its alpha is below alphaClip.
 //   geometryNormalWS: Mesh normal in world space, unit; on the back of a two-sided material it points to the viewer.
 GlassLightingSurface GlasslightingSurface(vec3 geometryNormalWS)
@@ -100,9 +85,9 @@ GlassLightingSurface GlasslightingSurface(vec3 geometryNormalWS)
     // MetallicSetup "setup"
     vec3 diffuseColor = material.baseColor * 0.96;
 
-    GlassPremultiplyAlphaResult premultiplyAlphaResult = GlassPremultiplyAlpha(diffuseColor, material.alpha, 0.96);
+    float outAlpha = 0.04 + material.alpha * 0.96;
     GlassLightingSurface surface;
-    surface.diffuseColor = premultiplyAlphaResult.value;
+    surface.diffuseColor = diffuseColor * material.alpha;
     surface.f0 = vec3(0.04);
     surface.baseColor = material.baseColor;
     surface.metallic = 0.0;
@@ -111,7 +96,7 @@ GlassLightingSurface GlasslightingSurface(vec3 geometryNormalWS)
     surface.normalWS = normalize(material.normalWS);
     surface.occlusion = 1.0;
     surface.emission = vec3(0.0);
-    surface.alpha = premultiplyAlphaResult.outAlpha;
+    surface.alpha = outAlpha;
     surface.alphaClip = 0.5;
     return surface;
 }

@@ -53,12 +53,6 @@ struct GlassSurface
     float alphaClip;
 };
 
-struct GlassPremultiplyAlphaResult
-{
-    float3 value;
-    float outAlpha;
-};
-
 cbuffer GlassMaterial : register(b0, Glassset)
 {
     float4 Glass_Tint;
@@ -80,15 +74,6 @@ GlassSurface Glasssurface(float3 geometryNormalWS)
     return surface;
 }
 
-// A diffuse colour for blending with pre-multiplied alpha: reflections stay as the material fades.
-GlassPremultiplyAlphaResult GlassPremultiplyAlpha(float3 diffuseColor, float alpha, float oneMinusReflectivity)
-{
-    GlassPremultiplyAlphaResult premultiplyAlphaResult;
-    premultiplyAlphaResult.value = diffuseColor * alpha;
-    premultiplyAlphaResult.outAlpha = 1.0 - oneMinusReflectivity + alpha * oneMinusReflectivity;
-    return premultiplyAlphaResult;
-}
-
 // The surface at this point, as lighting reads it. A cutout surface is not drawn where its alpha is below alphaClip.
 //   geometryNormalWS: Mesh normal in world space, unit; on the back of a two-sided material it points to the viewer.
 GlassLightingSurface GlasslightingSurface(float3 geometryNormalWS)
@@ -98,9 +83,9 @@ GlassLightingSurface GlasslightingSurface(float3 geometryNormalWS)
     // MetallicSetup "setup"
     float3 diffuseColor = material.baseColor * 0.96;
 
-    GlassPremultiplyAlphaResult premultiplyAlphaResult = GlassPremultiplyAlpha(diffuseColor, material.alpha, 0.96);
+    float outAlpha = 0.04 + material.alpha * 0.96;
     GlassLightingSurface surface;
-    surface.diffuseColor = premultiplyAlphaResult.value;
+    surface.diffuseColor = diffuseColor * material.alpha;
     surface.f0 = float3(0.04, 0.04, 0.04);
     surface.baseColor = material.baseColor;
     surface.metallic = 0.0;
@@ -109,7 +94,7 @@ GlassLightingSurface GlasslightingSurface(float3 geometryNormalWS)
     surface.normalWS = normalize(material.normalWS);
     surface.occlusion = 1.0;
     surface.emission = float3(0.0, 0.0, 0.0);
-    surface.alpha = premultiplyAlphaResult.outAlpha;
+    surface.alpha = outAlpha;
     surface.alphaClip = 0.5;
     return surface;
 }

@@ -73,9 +73,6 @@ struct Sail_Surface
 layout(set = Sail_set, binding = 0, std140) uniform Sail_Material
 {
     float Sail_Height;
-    float Sail_pad0;
-    float Sail_pad1;
-    float Sail_pad2;
     vec4 Sail_Tint;
 };
 
@@ -83,25 +80,6 @@ layout(set = Sail_set, binding = 1) uniform texture2D Sail_MainTex;
 layout(set = Sail_set, binding = 3) uniform sampler Sail_sampler_MainTex;
 layout(set = Sail_set, binding = 2) uniform texture2D Sail_BumpMap;
 layout(set = Sail_set, binding = 4) uniform sampler Sail_sampler_BumpMap;
-
-// Computes the z of a unit normal from its x and y.
-vec3 Sail_NormalReconstructZ(vec2 xy)
-{
-    return vec3(xy, sqrt(clamp(1.0 - dot(xy, xy), 0.0, 1.0)));
-}
-
-// Decodes a tangent-space normal from the texel of a normal map.
-vec3 Sail_UnpackNormalRedGreen(vec4 encoded, float scale)
-{
-    vec2 xy = (encoded.xy * 2.0 - 1.0) * scale;
-    return Sail_NormalReconstructZ(xy);
-}
-
-// Transforms a normal from tangent space to world space.
-vec3 Sail_NormalTangentToWorld(vec3 normalTS, vec3 normal, vec3 tangent, vec3 bitangent)
-{
-    return normalize(tangent * normalTS.x + bitangent * normalTS.y + normal * normalTS.z);
-}
 
 // The surface as the graph describes it, in the words of its workflow.
 //   uv0: First texture coordinates; v grows downwards, as texels are stored.
@@ -116,13 +94,14 @@ Sail_Surface Sail_surface(vec2 uv0, vec3 geometryNormalWS, vec3 tangentWS, vec3 
 
     // SampleNormalMap "bump"
     vec4 bumpTexel = texture(sampler2D(Sail_BumpMap, Sail_sampler_BumpMap), uv0);
-    vec3 bump = Sail_UnpackNormalRedGreen(bumpTexel, 1.0);
+    vec2 xy = bumpTexel.xy * 2.0 - 1.0;
 
+    vec3 product = geometryNormalWS * sqrt(clamp(1.0 - dot(xy, xy), 0.0, 1.0));
     Sail_Surface surface;
     surface.baseColor = albedo.xyz * Sail_Tint.xyz;
     surface.metallic = 0.0;
     surface.roughness = 0.5 + 0.2 * sway;
-    surface.normalWS = Sail_NormalTangentToWorld(bump, geometryNormalWS, tangentWS, bitangentWS);
+    surface.normalWS = normalize(tangentWS * xy.x + bitangentWS * xy.y + product);
     surface.occlusion = 1.0;
     surface.emission = vec3(0.0);
     surface.alpha = 1.0;
@@ -130,19 +109,11 @@ Sail_Surface Sail_surface(vec2 uv0, vec3 geometryNormalWS, vec3 tangentWS, vec3 
     return surface;
 }
 
-// The direction half-way between the light and the viewer.
-vec3 Sail_HalfVector(vec3 view, vec3 lightDir)
-{
-    vec3 sum = lightDir + view;
-    return sum * inversesqrt(max(dot(sum, sum), 0.001));
-}
-
 // GGX (Trowbridge-Reitz): a sharp peak with long tails, as of most real surfaces.
 float Sail_DistributionGGX(float ndoth, float alpha)
 {
-    float a = max(alpha, 4e-04);
-    float ndothTimesA = ndoth * a;
-    float p = a / ((1.0 - ndoth) * (1.0 + ndoth) + ndothTimesA * ndothTimesA);
+    float ndothTimesAlpha = ndoth * alpha;
+    float p = alpha / ((1.0 - ndoth) * (1.0 + ndoth) + ndothTimesAlpha * ndothTimesAlpha);
     return p * p * 0.31830987;
 }
 
@@ -156,18 +127,12 @@ float Sail_VisibilitySmithJoint(float ndotl, float ndotv, float alpha)
     return 0.5 / max(viewPart + lightPart, 1e-05);
 }
 
-// Schlick's weight: 0 at normal incidence, 1 at a grazing angle.
-float Sail_SchlickWeight(float cosine)
-{
-    float m = clamp(1.0 - cosine, 0.0, 1.0);
-    float m2 = m * m;
-    return m2 * m2 * m;
-}
-
 // Schlick's Fresnel reflectance, for direct light.
-vec3 Sail_FresnelSchlick(vec3 f0, float cosine, float f90)
+vec3 Sail_FresnelSchlick(vec3 f0, float cosine)
 {
-    return f0 + (f90 - f0) * Sail_SchlickWeight(cosine);
+    float m = 1.0 - cosine;
+    float m2 = m * m;
+    return f0 + (1.0 - f0) * (m2 * m2 * m);
 }
 
 // The surface at this point, as lighting reads it. A cutout surface is not drawn where its alpha is below alphaClip.
@@ -207,7 +172,8 @@ vec3 Sail_direct(Sail_LightingSurface surface, Sail_Light light, vec3 viewDirWS)
     float ndotv = min(abs(ndotvCosine), 1.0);
 
     // HalfVector "halfVector"
-    vec3 halfVector = Sail_HalfVector(viewDirWS, light.direction);
+    vec3 sum = light.direction + viewDirWS;
+    vec3 halfVector = sum * inversesqrt(max(dot(sum, sum), 0.001));
 
     // NdotH "ndoth"
     float ndoth = clamp(dot(surface.normalWS, halfVector), 0.0, 1.0);
@@ -229,7 +195,7 @@ vec3 Sail_direct(Sail_LightingSurface surface, Sail_Light light, vec3 viewDirWS)
     vec3 scattering = surface.baseColor * (1.0 - surface.metallic);
 
     // FresnelSchlick "fresnel"
-    vec3 fresnel = Sail_FresnelSchlick(f0, vdoth, 1.0);
+    vec3 fresnel = Sail_FresnelSchlick(f0, vdoth);
 
     vec3 specular = fresnel * (3.1415927 * distribution * visibility * ndotl);
 

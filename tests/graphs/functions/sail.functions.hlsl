@@ -82,25 +82,6 @@ SamplerState Sail_sampler_MainTex : register(s0, Sail_set);
 Texture2D Sail_BumpMap : register(t1, Sail_set);
 SamplerState Sail_sampler_BumpMap : register(s1, Sail_set);
 
-// Computes the z of a unit normal from its x and y.
-float3 Sail_NormalReconstructZ(float2 xy)
-{
-    return float3(xy, sqrt(saturate(1.0 - dot(xy, xy))));
-}
-
-// Decodes a tangent-space normal from the texel of a normal map.
-float3 Sail_UnpackNormalRedGreen(float4 encoded, float scale)
-{
-    float2 xy = (encoded.xy * 2.0 - 1.0) * scale;
-    return Sail_NormalReconstructZ(xy);
-}
-
-// Transforms a normal from tangent space to world space.
-float3 Sail_NormalTangentToWorld(float3 normalTS, float3 normal, float3 tangent, float3 bitangent)
-{
-    return normalize(tangent * normalTS.x + bitangent * normalTS.y + normal * normalTS.z);
-}
-
 // The surface as the graph describes it, in the words of its workflow.
 //   uv0: First texture coordinates; v grows downwards, as texels are stored.
 //   geometryNormalWS: Mesh normal in world space, unit; on the back of a two-sided material it points to the viewer.
@@ -114,13 +95,14 @@ Sail_Surface Sail_surface(float2 uv0, float3 geometryNormalWS, float3 tangentWS,
 
     // SampleNormalMap "bump"
     float4 bumpTexel = Sail_BumpMap.Sample(Sail_sampler_BumpMap, uv0);
-    float3 bump = Sail_UnpackNormalRedGreen(bumpTexel, 1.0);
+    float2 xy = bumpTexel.xy * 2.0 - 1.0;
 
+    float3 product = geometryNormalWS * sqrt(saturate(1.0 - dot(xy, xy)));
     Sail_Surface surface;
     surface.baseColor = albedo.xyz * Sail_Tint.xyz;
     surface.metallic = 0.0;
     surface.roughness = 0.5 + 0.2 * sway;
-    surface.normalWS = Sail_NormalTangentToWorld(bump, geometryNormalWS, tangentWS, bitangentWS);
+    surface.normalWS = normalize(tangentWS * xy.x + bitangentWS * xy.y + product);
     surface.occlusion = 1.0;
     surface.emission = float3(0.0, 0.0, 0.0);
     surface.alpha = 1.0;
@@ -128,19 +110,11 @@ Sail_Surface Sail_surface(float2 uv0, float3 geometryNormalWS, float3 tangentWS,
     return surface;
 }
 
-// The direction half-way between the light and the viewer.
-float3 Sail_HalfVector(float3 view, float3 lightDir)
-{
-    float3 sum = lightDir + view;
-    return sum * rsqrt(max(dot(sum, sum), 0.001));
-}
-
 // GGX (Trowbridge-Reitz): a sharp peak with long tails, as of most real surfaces.
 float Sail_DistributionGGX(float ndoth, float alpha)
 {
-    float a = max(alpha, 4e-04);
-    float ndothTimesA = ndoth * a;
-    float p = a / ((1.0 - ndoth) * (1.0 + ndoth) + ndothTimesA * ndothTimesA);
+    float ndothTimesAlpha = ndoth * alpha;
+    float p = alpha / ((1.0 - ndoth) * (1.0 + ndoth) + ndothTimesAlpha * ndothTimesAlpha);
     return p * p * 0.31830987;
 }
 
@@ -154,18 +128,12 @@ float Sail_VisibilitySmithJoint(float ndotl, float ndotv, float alpha)
     return 0.5 / max(viewPart + lightPart, 1e-05);
 }
 
-// Schlick's weight: 0 at normal incidence, 1 at a grazing angle.
-float Sail_SchlickWeight(float cosine)
-{
-    float m = saturate(1.0 - cosine);
-    float m2 = m * m;
-    return m2 * m2 * m;
-}
-
 // Schlick's Fresnel reflectance, for direct light.
-float3 Sail_FresnelSchlick(float3 f0, float cosine, float f90)
+float3 Sail_FresnelSchlick(float3 f0, float cosine)
 {
-    return f0 + (f90 - f0) * Sail_SchlickWeight(cosine);
+    float m = 1.0 - cosine;
+    float m2 = m * m;
+    return f0 + (1.0 - f0) * (m2 * m2 * m);
 }
 
 // The surface at this point, as lighting reads it. A cutout surface is not drawn where its alpha is below alphaClip.
@@ -206,7 +174,8 @@ float3 Sail_direct(Sail_LightingSurface surface, Sail_Light light, float3 viewDi
     float ndotv = saturate(abs(ndotvCosine));
 
     // HalfVector "halfVector"
-    float3 halfVector = Sail_HalfVector(viewDirWS, light.direction);
+    float3 sum = light.direction + viewDirWS;
+    float3 halfVector = sum * rsqrt(max(dot(sum, sum), 0.001));
 
     // NdotH "ndoth"
     float ndoth = saturate(dot(surface.normalWS, halfVector));
@@ -228,7 +197,7 @@ float3 Sail_direct(Sail_LightingSurface surface, Sail_Light light, float3 viewDi
     float3 scattering = surface.baseColor * (1.0 - surface.metallic);
 
     // FresnelSchlick "fresnel"
-    float3 fresnel = Sail_FresnelSchlick(f0, vdoth, 1.0);
+    float3 fresnel = Sail_FresnelSchlick(f0, vdoth);
 
     float3 specular = fresnel * (3.1415927 * distribution * visibility * ndotl);
 

@@ -11,9 +11,6 @@
 layout(set = Sail_set, binding = 0, std140) uniform Sail_Material
 {
     float Sail_Height;
-    float Sail_pad0;
-    float Sail_pad1;
-    float Sail_pad2;
     vec4 Sail_Tint;
 };
 

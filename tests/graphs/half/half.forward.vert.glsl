@@ -25,5 +25,6 @@ layout(location = 0) in vec3 inPositionOS;
 
 void main()
 {
-    gl_Position = worldToClip * vec4((objectToWorld * vec4(inPositionOS, 1.0)).xyz, 1.0);
+    vec4 wholePositionWS = objectToWorld * vec4(inPositionOS, 1.0);
+    gl_Position = worldToClip * wholePositionWS;
 }

@@ -32,7 +32,8 @@ struct VertexOutput
 
 VertexOutput main(VertexInput input)
 {
+    float4 wholePositionWS = mul(objectToWorld, float4(input.positionOS, 1.0));
     VertexOutput output;
-    output.position = mul(worldToClip, float4(mul(objectToWorld, float4(input.positionOS, 1.0)).xyz, 1.0));
+    output.position = mul(worldToClip, wholePositionWS);
     return output;
 }

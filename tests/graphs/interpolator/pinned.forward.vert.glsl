@@ -5,7 +5,6 @@
 layout(set = 0, binding = 0, std140) uniform Frame
 {
     float time;
-    float _pad0;
     vec2 screenSize;
 };
 
@@ -33,7 +32,7 @@ layout(location = 0) out float vSway;
 
 void main()
 {
-    vec4 product = objectToWorld * vec4(inPositionOS, 1.0);
-    vSway = sin(product.y * 3.0 + time);
-    gl_Position = worldToClip * vec4(product.xyz, 1.0);
+    vec4 wholePositionWS = objectToWorld * vec4(inPositionOS, 1.0);
+    vSway = sin(wholePositionWS.y * 3.0 + time);
+    gl_Position = worldToClip * wholePositionWS;
 }

@@ -40,9 +40,9 @@ struct VertexOutput
 
 VertexOutput main(VertexInput input)
 {
-    float4 product = mul(objectToWorld, float4(input.positionOS, 1.0));
+    float4 wholePositionWS = mul(objectToWorld, float4(input.positionOS, 1.0));
     VertexOutput output;
-    output.sway = sin(product.y * 3.0 + time);
-    output.position = mul(worldToClip, float4(product.xyz, 1.0));
+    output.sway = sin(wholePositionWS.y * 3.0 + time);
+    output.position = mul(worldToClip, wholePositionWS);
     return output;
 }

@@ -16,7 +16,6 @@ struct Light
     vec3 direction;
     vec3 color;
     float attenuation;
-    float shadow;
 };
 
 layout(set = 0, binding = 1, std140) uniform Camera
@@ -35,9 +34,6 @@ layout(set = 0, binding = 1, std140) uniform Camera
 layout(set = 0, binding = 2, std140) uniform Lights
 {
     int lightCount;
-    float _pad0;
-    float _pad1;
-    float _pad2;
     vec4 lightPosition[16];
     vec4 lightColor[16];
     vec4 lightAxis[16];
@@ -100,53 +96,46 @@ Light lightAt(int index, vec3 position)
 {
     vec4 place = lightPosition[index];
     vec4 color = lightColor[index];
-    bool isLocal = place.w > 0.5;
-    vec3 toLight = place.xyz - (isLocal ? position : vec3(0.0));
-    float distanceSquared = dot(toLight, toLight);
-    vec3 direction = toLight * inversesqrt(max(distanceSquared, 1e-12));
-    float attenuation = isLocal ? distanceAttenuation(distanceSquared, color.w) : 1.0;
-    float cosine = -dot(lightAxis[index].xyz, direction);
-    vec4 cone = lightCone[index];
-    float spot = clamp((cosine - cone.y) / max(cone.x - cone.y, 0.001), 0.0, 1.0);
+    vec3 direction = place.xyz;
+    float attenuation = 1.0;
+    if (place.w > 0.5) {
+        vec3 toLight = place.xyz - position;
+        float distanceSquared = dot(toLight, toLight);
+        direction = toLight * inversesqrt(max(distanceSquared, 1e-12));
+        attenuation = distanceAttenuation(distanceSquared, color.w);
+        if (place.w > 1.5) {
+            vec4 cone = lightCone[index];
+            float cosine = -dot(lightAxis[index].xyz, direction);
+            float spot = clamp((cosine - cone.y) / max(cone.x - cone.y, 0.001), 0.0, 1.0);
+            attenuation *= spot * spot;
+        }
+    }
     Light light;
     light.direction = direction;
     light.color = color.xyz;
-    light.attenuation = attenuation * (place.w > 1.5 ? spot * spot : 1.0);
-    light.shadow = 1.0;
+    light.attenuation = attenuation;
     return light;
-}
-
-// The direction half-way between the light and the viewer.
-vec3 HalfVector(vec3 view, vec3 lightDir)
-{
-    vec3 sum = lightDir + view;
-    return sum * inversesqrt(max(dot(sum, sum), 0.001));
 }
 
 // Schlick's weight: 0 at normal incidence, 1 at a grazing angle.
 float SchlickWeight(float cosine)
 {
-    float m = clamp(1.0 - cosine, 0.0, 1.0);
+    float m = 1.0 - cosine;
     float m2 = m * m;
     return m2 * m2 * m;
 }
 
 // Diffuse light of the environment, from nine coefficients of its radiance.
-vec3 EvaluateSH9(vec3 normal, vec3 sh0, vec3 sh1, vec3 sh2, vec3 sh3, vec3 sh4, vec3 sh5, vec3 sh6, vec3 sh7, vec3 sh8)
+vec3 EvaluateSH9(vec3 normal)
 {
-    vec3 irradiance = sh0 * 0.2820948;
-    irradiance += (sh1 * normal.y + sh2 * normal.z + sh3 * normal.x) * 0.325735;
-    vec3 sum = sh4 * (normal.x * normal.y) + sh5 * (normal.y * normal.z);
-    irradiance += (sum + sh7 * (normal.x * normal.z)) * 0.27313712;
-    irradiance += sh6 * (0.07884789 * (3.0 * normal.z * normal.z - 1.0));
-    irradiance += sh8 * (0.13656856 * (normal.x * normal.x - normal.y * normal.y));
+    vec3 irradiance = ambientSH[0].xyz * 0.2820948;
+    vec3 sum = ambientSH[1].xyz * normal.y + ambientSH[2].xyz * normal.z + ambientSH[3].xyz * normal.x;
+    irradiance += sum * 0.325735;
+    vec3 sum2 = ambientSH[4].xyz * (normal.x * normal.y) + ambientSH[5].xyz * (normal.y * normal.z);
+    irradiance += (sum2 + ambientSH[7].xyz * (normal.x * normal.z)) * 0.27313712;
+    irradiance += ambientSH[6].xyz * (0.07884789 * (3.0 * normal.z * normal.z - 1.0));
+    irradiance += ambientSH[8].xyz * (0.13656856 * (normal.x * normal.x - normal.y * normal.y));
     return max(irradiance, 0.0);
-}
-
-// The level of a pre-filtered cube map for a roughness.
-float MipFromRoughness(float roughness, float steps)
-{
-    return roughness * (1.7 - 0.7 * roughness) * steps;
 }
 
 void main()
@@ -196,7 +185,8 @@ void main()
         float ndotl = clamp(ndotlCosine, 0.0, 1.0);
 
         // HalfVector "halfVector"
-        vec3 halfVector = HalfVector(viewDirWS, light.direction);
+        vec3 sum = light.direction + viewDirWS;
+        vec3 halfVector = sum * inversesqrt(max(dot(sum, sum), 0.001));
 
         // NdotH "ndoth"
         float ndoth = clamp(dot(material.normalWS, halfVector), 0.0, 1.0);
@@ -220,18 +210,18 @@ void main()
 
         vec3 specular = max(visibility * (a2 / (spread * spread + 1e-07)) * ndotl, 0.0) * hasSpecular * fresnel;
 
-        vec3 radiance = light.color * (light.attenuation * light.shadow);
+        vec3 radiance = light.color * light.attenuation;
         directSum += (diffuseColor * (diffuse * ndotl) + specular) * radiance;
     }
 
     // AmbientIrradiance "ambient"
-    vec3 ambient = EvaluateSH9(material.normalWS, ambientSH[0].xyz, ambientSH[1].xyz, ambientSH[2].xyz,
-        ambientSH[3].xyz, ambientSH[4].xyz, ambientSH[5].xyz, ambientSH[6].xyz, ambientSH[7].xyz, ambientSH[8].xyz);
+    vec3 ambient = EvaluateSH9(material.normalWS);
 
     vec3 reflected = reflect(-viewDirWS, material.normalWS);
 
     // EnvironmentRadiance "environment"
-    float mipFromRoughness = MipFromRoughness(clamp(material.roughness, 0.0, 1.0), 5.0);
+    float saturatedRoughness = clamp(material.roughness, 0.0, 1.0);
+    float mipFromRoughness = saturatedRoughness * (1.7 - 0.7 * saturatedRoughness) * 5.0;
     vec4 environmentTexel = textureLod(samplerCube(environmentMap, environmentMapSampler), reflected, mipFromRoughness);
 
     // SurfaceReduction "reduction"

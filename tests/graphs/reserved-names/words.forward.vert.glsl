@@ -30,9 +30,9 @@ layout(location = 2) out vec3 vVertexNormalWS;
 
 void main()
 {
-    vec4 positionWS = objectToWorld * vec4(inPositionOS, 1.0);
+    vec4 wholePositionWS = objectToWorld * vec4(inPositionOS, 1.0);
     vUv0 = inUv0;
-    vPositionWS = positionWS.xyz;
+    vPositionWS = wholePositionWS.xyz;
     vVertexNormalWS = normalize((vec4(inNormalOS, 0.0) * worldToObject).xyz);
-    gl_Position = worldToClip * vec4(positionWS.xyz, 1.0);
+    gl_Position = worldToClip * wholePositionWS;
 }

@@ -13,7 +13,6 @@ struct Light
     float3 direction;
     float3 color;
     float attenuation;
-    float shadow;
 };
 
 cbuffer Camera : register(b1, space0)
@@ -71,35 +70,17 @@ struct FragmentOutput
     float4 color : SV_Target0;
 };
 
-// Computes the z of a unit normal from its x and y.
-float3 NormalReconstructZ(float2 xy)
-{
-    return float3(xy, sqrt(saturate(1.0 - dot(xy, xy))));
-}
-
-// Decodes a tangent-space normal from the texel of a normal map.
-float3 UnpackNormalRedGreen(float4 encoded, float scale)
-{
-    float2 xy = (encoded.xy * 2.0 - 1.0) * scale;
-    return NormalReconstructZ(xy);
-}
-
-// Transforms a normal from tangent space to world space.
-float3 NormalTangentToWorld(float3 normalTS, float3 normal, float3 tangent, float3 bitangent)
-{
-    return normalize(tangent * normalTS.x + bitangent * normalTS.y + normal * normalTS.z);
-}
-
 Surface surface(float2 uv0, float3 geometryNormalWS, float3 tangentWS, float3 bitangentWS)
 {
     // SampleNormalMap "bumps"
     float4 bumpsTexel = _NormalTex.Sample(sampler_NormalTex, uv0);
-    float3 bumps = UnpackNormalRedGreen(bumpsTexel, 1.0);
+    float2 xy = bumpsTexel.xy * 2.0 - 1.0;
 
+    float3 product = geometryNormalWS * sqrt(saturate(1.0 - dot(xy, xy)));
     Surface s;
     s.baseColor = _Glaze.xyz;
     s.glossiness = _Glossiness;
-    s.normalWS = NormalTangentToWorld(bumps, geometryNormalWS, tangentWS, bitangentWS);
+    s.normalWS = normalize(tangentWS * xy.x + bitangentWS * xy.y + product);
     return s;
 }
 
@@ -116,54 +97,46 @@ Light lightAt(int index, float3 position)
 {
     float4 place = lightPosition[index];
     float4 color = lightColor[index];
-    bool isLocal = place.w > 0.5;
-    float3 toLight = place.xyz - (isLocal ? position : float3(0.0, 0.0, 0.0));
-    float distanceSquared = dot(toLight, toLight);
-    float3 direction = toLight * rsqrt(max(distanceSquared, 1e-12));
-    float attenuation = isLocal ? distanceAttenuation(distanceSquared, color.w) : 1.0;
-    float cosine = -dot(lightAxis[index].xyz, direction);
-    float4 cone = lightCone[index];
-    float spot = saturate((cosine - cone.y) / max(cone.x - cone.y, 0.001));
+    float3 direction = place.xyz;
+    float attenuation = 1.0;
+    if (place.w > 0.5) {
+        float3 toLight = place.xyz - position;
+        float distanceSquared = dot(toLight, toLight);
+        direction = toLight * rsqrt(max(distanceSquared, 1e-12));
+        attenuation = distanceAttenuation(distanceSquared, color.w);
+        if (place.w > 1.5) {
+            float4 cone = lightCone[index];
+            float cosine = -dot(lightAxis[index].xyz, direction);
+            float spot = saturate((cosine - cone.y) / max(cone.x - cone.y, 0.001));
+            attenuation *= spot * spot;
+        }
+    }
     Light light;
     light.direction = direction;
     light.color = color.xyz;
-    light.attenuation = attenuation * (place.w > 1.5 ? spot * spot : 1.0);
-    light.shadow = 1.0;
+    light.attenuation = attenuation;
     return light;
-}
-
-// The direction half-way between the light and the viewer.
-float3 HalfVector(float3 view, float3 lightDir)
-{
-    float3 sum = lightDir + view;
-    return sum * rsqrt(max(dot(sum, sum), 0.001));
 }
 
 // Schlick's weight: 0 at normal incidence, 1 at a grazing angle.
 float SchlickWeight(float cosine)
 {
-    float m = saturate(1.0 - cosine);
+    float m = 1.0 - cosine;
     float m2 = m * m;
     return m2 * m2 * m;
 }
 
 // Diffuse light of the environment, from nine coefficients of its radiance.
-float3 EvaluateSH9(float3 normal, float3 sh0, float3 sh1, float3 sh2, float3 sh3, float3 sh4, float3 sh5, float3 sh6,
-    float3 sh7, float3 sh8)
+float3 EvaluateSH9(float3 normal)
 {
-    float3 irradiance = sh0 * 0.2820948;
-    irradiance += (sh1 * normal.y + sh2 * normal.z + sh3 * normal.x) * 0.325735;
-    float3 sum = sh4 * (normal.x * normal.y) + sh5 * (normal.y * normal.z);
-    irradiance += (sum + sh7 * (normal.x * normal.z)) * 0.27313712;
-    irradiance += sh6 * (0.07884789 * (3.0 * normal.z * normal.z - 1.0));
-    irradiance += sh8 * (0.13656856 * (normal.x * normal.x - normal.y * normal.y));
+    float3 irradiance = ambientSH[0].xyz * 0.2820948;
+    float3 sum = ambientSH[1].xyz * normal.y + ambientSH[2].xyz * normal.z + ambientSH[3].xyz * normal.x;
+    irradiance += sum * 0.325735;
+    float3 sum2 = ambientSH[4].xyz * (normal.x * normal.y) + ambientSH[5].xyz * (normal.y * normal.z);
+    irradiance += (sum2 + ambientSH[7].xyz * (normal.x * normal.z)) * 0.27313712;
+    irradiance += ambientSH[6].xyz * (0.07884789 * (3.0 * normal.z * normal.z - 1.0));
+    irradiance += ambientSH[8].xyz * (0.13656856 * (normal.x * normal.x - normal.y * normal.y));
     return max(irradiance, 0.0);
-}
-
-// The level of a pre-filtered cube map for a roughness.
-float MipFromRoughness(float roughness, float steps)
-{
-    return roughness * (1.7 - 0.7 * roughness) * steps;
 }
 
 FragmentOutput main(FragmentInput input)
@@ -209,7 +182,8 @@ FragmentOutput main(FragmentInput input)
         float ndotl = saturate(ndotlCosine);
 
         // HalfVector "halfVector"
-        float3 halfVector = HalfVector(viewDirWS, light.direction);
+        float3 sum = light.direction + viewDirWS;
+        float3 halfVector = sum * rsqrt(max(dot(sum, sum), 0.001));
 
         // NdotH "ndoth"
         float ndoth = saturate(dot(material.normalWS, halfVector));
@@ -232,18 +206,18 @@ FragmentOutput main(FragmentInput input)
         float specularLimited = max(visibility * (a2 / (spread * spread + 1e-07)) * ndotl, 0.0);
         float3 specular = (specularLimited * (0.05 + 0.95 * SchlickWeight(ldoth))).xxx;
 
-        float3 radiance = light.color * (light.attenuation * light.shadow);
+        float3 radiance = light.color * light.attenuation;
         directSum += (diffuseColor * (diffuse * ndotl) + specular) * radiance;
     }
 
     // AmbientIrradiance "ambient"
-    float3 ambient = EvaluateSH9(material.normalWS, ambientSH[0].xyz, ambientSH[1].xyz, ambientSH[2].xyz,
-        ambientSH[3].xyz, ambientSH[4].xyz, ambientSH[5].xyz, ambientSH[6].xyz, ambientSH[7].xyz, ambientSH[8].xyz);
+    float3 ambient = EvaluateSH9(material.normalWS);
 
     float3 reflected = reflect(-viewDirWS, material.normalWS);
 
     // EnvironmentRadiance "environment"
-    float mipFromRoughness = MipFromRoughness(saturate(roughness), 5.0);
+    float saturatedRoughness = saturate(roughness);
+    float mipFromRoughness = saturatedRoughness * (1.7 - 0.7 * saturatedRoughness) * 5.0;
     float4 environmentTexel = environmentMap.SampleLevel(environmentMapSampler, reflected, mipFromRoughness);
 
     // SurfaceReduction "reduction"

@@ -32,11 +32,11 @@ layout(location = 3) out vec4 vVertexTangentWS;
 
 void main()
 {
-    vec4 positionWS = objectToWorld * vec4(inPositionOS, 1.0);
+    vec4 wholePositionWS = objectToWorld * vec4(inPositionOS, 1.0);
     float handedness = determinant(objectToWorld) < 0.0 ? -inTangentOS.w : inTangentOS.w;
     vUv0 = inUv0;
-    vPositionWS = positionWS.xyz;
+    vPositionWS = wholePositionWS.xyz;
     vVertexNormalWS = normalize((vec4(inNormalOS, 0.0) * worldToObject).xyz);
     vVertexTangentWS = vec4(normalize((objectToWorld * vec4(inTangentOS.xyz, 0.0)).xyz), handedness);
-    gl_Position = worldToClip * vec4(positionWS.xyz, 1.0);
+    gl_Position = worldToClip * wholePositionWS;
 }

@@ -39,13 +39,13 @@ struct VertexOutput
 
 VertexOutput main(VertexInput input)
 {
-    float4 positionWS = mul(objectToWorld, float4(input.positionOS, 1.0));
+    float4 wholePositionWS = mul(objectToWorld, float4(input.positionOS, 1.0));
     float handedness = determinant(objectToWorld) < 0.0 ? -input.tangentOS.w : input.tangentOS.w;
     VertexOutput output;
     output.uv0 = input.uv0;
-    output.positionWS = positionWS.xyz;
+    output.positionWS = wholePositionWS.xyz;
     output.vertexNormalWS = normalize(mul(float4(input.normalOS, 0.0), worldToObject).xyz);
     output.vertexTangentWS = float4(normalize(mul(objectToWorld, float4(input.tangentOS.xyz, 0.0)).xyz), handedness);
-    output.position = mul(worldToClip, float4(positionWS.xyz, 1.0));
+    output.position = mul(worldToClip, wholePositionWS);
     return output;
 }

@@ -11,7 +11,6 @@ struct RingsOutputs
 layout(set = 0, binding = 0, std140) uniform Frame
 {
     float time;
-    float _pad0;
     vec2 screenSize;
 };
 

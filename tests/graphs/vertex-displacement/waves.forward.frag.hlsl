@@ -6,7 +6,6 @@ struct Light
     float3 direction;
     float3 color;
     float attenuation;
-    float shadow;
 };
 
 cbuffer Lights : register(b2, space0)
@@ -51,32 +50,37 @@ Light lightAt(int index, float3 position)
 {
     float4 place = lightPosition[index];
     float4 color = lightColor[index];
-    bool isLocal = place.w > 0.5;
-    float3 toLight = place.xyz - (isLocal ? position : float3(0.0, 0.0, 0.0));
-    float distanceSquared = dot(toLight, toLight);
-    float3 direction = toLight * rsqrt(max(distanceSquared, 1e-12));
-    float attenuation = isLocal ? distanceAttenuation(distanceSquared, color.w) : 1.0;
-    float cosine = -dot(lightAxis[index].xyz, direction);
-    float4 cone = lightCone[index];
-    float spot = saturate((cosine - cone.y) / max(cone.x - cone.y, 0.001));
+    float3 direction = place.xyz;
+    float attenuation = 1.0;
+    if (place.w > 0.5) {
+        float3 toLight = place.xyz - position;
+        float distanceSquared = dot(toLight, toLight);
+        direction = toLight * rsqrt(max(distanceSquared, 1e-12));
+        attenuation = distanceAttenuation(distanceSquared, color.w);
+        if (place.w > 1.5) {
+            float4 cone = lightCone[index];
+            float cosine = -dot(lightAxis[index].xyz, direction);
+            float spot = saturate((cosine - cone.y) / max(cone.x - cone.y, 0.001));
+            attenuation *= spot * spot;
+        }
+    }
     Light light;
     light.direction = direction;
     light.color = color.xyz;
-    light.attenuation = attenuation * (place.w > 1.5 ? spot * spot : 1.0);
-    light.shadow = 1.0;
+    light.attenuation = attenuation;
     return light;
 }
 
 // Diffuse light of the environment, from nine coefficients of its radiance.
-float3 EvaluateSH9(float3 normal, float3 sh0, float3 sh1, float3 sh2, float3 sh3, float3 sh4, float3 sh5, float3 sh6,
-    float3 sh7, float3 sh8)
+float3 EvaluateSH9(float3 normal)
 {
-    float3 irradiance = sh0 * 0.2820948;
-    irradiance += (sh1 * normal.y + sh2 * normal.z + sh3 * normal.x) * 0.325735;
-    float3 sum = sh4 * (normal.x * normal.y) + sh5 * (normal.y * normal.z);
-    irradiance += (sum + sh7 * (normal.x * normal.z)) * 0.27313712;
-    irradiance += sh6 * (0.07884789 * (3.0 * normal.z * normal.z - 1.0));
-    irradiance += sh8 * (0.13656856 * (normal.x * normal.x - normal.y * normal.y));
+    float3 irradiance = ambientSH[0].xyz * 0.2820948;
+    float3 sum = ambientSH[1].xyz * normal.y + ambientSH[2].xyz * normal.z + ambientSH[3].xyz * normal.x;
+    irradiance += sum * 0.325735;
+    float3 sum2 = ambientSH[4].xyz * (normal.x * normal.y) + ambientSH[5].xyz * (normal.y * normal.z);
+    irradiance += (sum2 + ambientSH[7].xyz * (normal.x * normal.z)) * 0.27313712;
+    irradiance += ambientSH[6].xyz * (0.07884789 * (3.0 * normal.z * normal.z - 1.0));
+    irradiance += ambientSH[8].xyz * (0.13656856 * (normal.x * normal.x - normal.y * normal.y));
     return max(irradiance, 0.0);
 }
 
@@ -92,13 +96,12 @@ FragmentOutput main(FragmentInput input)
         float cosine = dot(geometryNormalWS, light.direction);
         float ndotl = saturate(cosine);
 
-        float3 radiance = light.color * (light.attenuation * light.shadow);
+        float3 radiance = light.color * light.attenuation;
         directSum += float3(0.06573904, 0.20374152, 0.4167875) * ndotl * radiance;
     }
 
     // AmbientIrradiance "ambient"
-    float3 ambient = EvaluateSH9(geometryNormalWS, ambientSH[0].xyz, ambientSH[1].xyz, ambientSH[2].xyz,
-        ambientSH[3].xyz, ambientSH[4].xyz, ambientSH[5].xyz, ambientSH[6].xyz, ambientSH[7].xyz, ambientSH[8].xyz);
+    float3 ambient = EvaluateSH9(geometryNormalWS);
 
     float3 indirect = float3(0.06573904, 0.20374152, 0.4167875) * ambient;
     FragmentOutput output;

@@ -5,7 +5,6 @@
 layout(set = 0, binding = 0, std140) uniform Frame
 {
     float time;
-    float _pad0;
     vec2 screenSize;
 };
 
@@ -55,9 +54,9 @@ vec3 vertexNormalOS(vec3 positionOS, vec3 normalOS)
 void main()
 {
     vec3 positionOS = vertexPositionOS(inPositionOS, inNormalOS);
-    vec4 positionWS = objectToWorld * vec4(positionOS, 1.0);
+    vec4 wholePositionWS = objectToWorld * vec4(positionOS, 1.0);
     vec3 normalOS = vertexNormalOS(inPositionOS, inNormalOS);
-    vPositionWS = positionWS.xyz;
+    vPositionWS = wholePositionWS.xyz;
     vVertexNormalWS = normalize((vec4(normalOS, 0.0) * worldToObject).xyz);
-    gl_Position = worldToClip * vec4(positionWS.xyz, 1.0);
+    gl_Position = worldToClip * wholePositionWS;
 }

@@ -62,11 +62,11 @@ float3 vertexNormalOS(float3 positionOS, float3 normalOS)
 VertexOutput main(VertexInput input)
 {
     float3 positionOS = vertexPositionOS(input.positionOS, input.normalOS);
-    float4 positionWS = mul(objectToWorld, float4(positionOS, 1.0));
+    float4 wholePositionWS = mul(objectToWorld, float4(positionOS, 1.0));
     float3 normalOS = vertexNormalOS(input.positionOS, input.normalOS);
     VertexOutput output;
-    output.positionWS = positionWS.xyz;
+    output.positionWS = wholePositionWS.xyz;
     output.vertexNormalWS = normalize(mul(float4(normalOS, 0.0), worldToObject).xyz);
-    output.position = mul(worldToClip, float4(positionWS.xyz, 1.0));
+    output.position = mul(worldToClip, wholePositionWS);
     return output;
 }

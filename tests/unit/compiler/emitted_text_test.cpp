@@ -177,7 +177,7 @@ TEST(EmittedOperations, NormalizeOnceAcrossFunctions) {
         "properties": [ { "name": "_BumpMap", "type": "texture2d", "usage": "normal" } ],
         "nodes": [ { "id": "bumps", "node": "SampleNormalMap", "in": { "texture": "$_BumpMap" } } ],
         "surface": { "normalTS": "bumps", "baseColor": "= float3(@uv0, 0.5)" } })json");
-    EXPECT_HAS(text, "return normalize(tangent");
+    EXPECT_HAS(text, " = normalize(tangent");
     EXPECT_LACKS(text, "normalize(material.");
 }
 

@@ -76,9 +76,6 @@ TEST(Shaders, BindingsOfBothLanguages) {
 layout(set = 1, binding = 0, std140) uniform Material
 {
     float _Roughness;
-    float _pad0;
-    float _pad1;
-    float _pad2;
     vec4 _Tint;
 };
 

@@ -201,13 +201,6 @@ Shader "Patina/Standard, cut out"
         return sum * rsqrt(max(dot(sum, sum), 1e-07));
     }
 
-    // Weakens or strengthens ambient occlusion.
-    float OcclusionStrength(float occlusion, float strength, float power)
-    {
-        float open = lerp(1.0, saturate(occlusion), strength);
-        return open > 0.0 ? pow(max(open, 1e-06), power) : 0.0;
-    }
-
     // Transforms a normal from tangent space to world space.
     float3 NormalTangentToWorld(float3 normalTS, float3 normal, float3 tangent, float3 bitangent)
     {
@@ -306,21 +299,27 @@ Shader "Patina/Standard, cut out"
     #else
         smoothness = _Glossiness;
     #endif
-        float3 normalTS;
+        float3 normalWS;
     #if defined(_NORMALMAP)
         // SampleNormalMap "maps/bumps"
         float4 bumpsTexel = UNITY_SAMPLE_TEX2D(_BumpMap, uvTurned);
-        normalTS = UnpackScaleNormal(bumpsTexel, _BumpScale);
+        float3 bumps = UnpackScaleNormal(bumpsTexel, _BumpScale);
     #if defined(_DETAIL_MULX2)
         // SampleNormalMap "maps/detailBumps"
         float4 detailBumpsTexel = UNITY_SAMPLE_TEX2D(_DetailNormalMap, detailUVTurned);
         float3 detailBumps = UnpackScaleNormal(detailBumpsTexel, _DetailNormalMapScale);
 
         // DetailNormal "maps/detailedBumps"
-        normalTS = lerp(normalTS, NormalBlendWhiteout(normalTS, detailBumps), mask.w);
+        float3 detailedBumps = lerp(bumps, NormalBlendWhiteout(bumps, detailBumps), mask.w);
+
+        // NormalTangentToWorld "maps/bumpedInDetail"
+        normalWS = NormalTangentToWorld(detailedBumps, geometryNormalWS, tangentWS, bitangentWS);
+    #else
+        // NormalTangentToWorld "maps/bumped"
+        normalWS = NormalTangentToWorld(bumps, geometryNormalWS, tangentWS, bitangentWS);
     #endif
     #else
-        normalTS = float3(0.0, 0.0, 1.0);
+        normalWS = geometryNormalWS;
     #endif
         float3 emission;
     #if defined(_EMISSION)
@@ -346,8 +345,8 @@ Shader "Patina/Standard, cut out"
         ls.f0 = lerp(float3(0.04, 0.04, 0.04), tinted, metallic);
         ls.oneMinusReflectivity = oneMinusReflectivity;
         ls.roughness = 1.0 - smoothness;
-        ls.normalWS = NormalTangentToWorld(normalTS, geometryNormalWS, tangentWS, bitangentWS);
-        ls.occlusion = OcclusionStrength(cavity.y, _OcclusionStrength, 1.0);
+        ls.normalWS = normalize(normalWS);
+        ls.occlusion = lerp(1.0, saturate(cavity.y), _OcclusionStrength);
         ls.emission = emission;
         ls.alpha = fromMapValue2 * LinearColor(_Color).w;
         ls.alphaClip = _Cutoff;
@@ -709,6 +708,14 @@ Shader "Patina/Standard, cut out"
                 UNITY_VERTEX_OUTPUT_STEREO
             };
 
+            // The offset of texture coordinates that makes a height map stand out: it grows as the view slants.
+            float2 ParallaxShiftShadowCaster(float texel, float3 viewTS)
+            {
+                float3 view = viewTS * rsqrt(max(dot(viewTS, viewTS), 1e-06));
+                float2 product = (texel * _Parallax - 0.5 * _Parallax) * float2(view.x, -view.y);
+                return product / (max(view.z, 0.0) + 0.42);
+            }
+
             v2f vert(appdata_full v)
             {
                 v2f o;
@@ -759,7 +766,7 @@ Shader "Patina/Standard, cut out"
                 float4 height = UNITY_SAMPLE_TEX2D(_ParallaxMap, heightTiled);
 
                 // ParallaxOffset "maps/step"
-                offset = ParallaxShift(height.y, _Parallax, viewDirTS);
+                offset = ParallaxShiftShadowCaster(height.y, viewDirTS);
             #else
                 offset = float2(0.0, 0.0);
             #endif

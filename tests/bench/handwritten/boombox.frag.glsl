@@ -1,0 +1,143 @@
+// glTF's metallic-roughness material with all of its textures.
+#version 450
+
+layout(set = 0, binding = 1, std140) uniform Camera
+{
+    mat4 worldToClip;
+    mat4 worldToView;
+    vec3 cameraPositionWS;
+    float viewIsOrthographic;
+    vec3 cameraForwardWS;
+    float shadowBias;
+    mat4 clipToWorld;
+    vec2 clipPlanes;
+    float shadowNormalBias;
+};
+
+layout(set = 0, binding = 2, std140) uniform Lights
+{
+    int lightCount;
+    vec4 lightPosition[16];  // w: 0 directional, 1 point, 2 spot
+    vec4 lightColor[16];     // w: range
+    vec4 lightAxis[16];
+    vec4 lightCone[16];  // cosines of the half angles: inner, outer
+    int vertexLightCount;
+};
+
+layout(set = 0, binding = 5, std140) uniform Ambient
+{
+    vec4 ambientSH[9];
+};
+
+layout(set = 0, binding = 7) uniform textureCube environmentMap;
+layout(set = 0, binding = 14) uniform sampler environmentMapSampler;
+layout(set = 0, binding = 8) uniform texture2D splitSumTable;
+layout(set = 0, binding = 15) uniform sampler splitSumTableSampler;
+layout(set = 1, binding = 0) uniform texture2D _BaseColorMap;
+layout(set = 1, binding = 4) uniform sampler _BaseColorMapSampler;
+layout(set = 1, binding = 1) uniform texture2D _OrmMap;
+layout(set = 1, binding = 5) uniform sampler _OrmMapSampler;
+layout(set = 1, binding = 2) uniform texture2D _NormalMap;
+layout(set = 1, binding = 6) uniform sampler _NormalMapSampler;
+layout(set = 1, binding = 3) uniform texture2D _EmissiveMap;
+layout(set = 1, binding = 7) uniform sampler _EmissiveMapSampler;
+
+layout(location = 0) in vec2 uv;
+layout(location = 1) in vec3 position;
+layout(location = 2) in vec3 normal;
+layout(location = 3) in vec4 tangent;
+layout(location = 0) out vec4 outColor;
+
+// The direction to a light, and its radiance at this point.
+void lightAt(int i, out vec3 direction, out vec3 radiance)
+{
+    vec4 place = lightPosition[i];
+    vec4 color = lightColor[i];
+    direction = place.xyz;
+    radiance = color.rgb;
+    if (place.w > 0.5) {
+        vec3 toLight = place.xyz - position;
+        float d2 = dot(toLight, toLight);
+        float ratio = d2 / (color.w * color.w);
+        float window = clamp(1.0 - ratio * ratio, 0.0, 1.0);
+        float attenuation = window * window / max(d2, 0.0001);
+        direction = toLight * inversesqrt(max(d2, 1e-12));
+        if (place.w > 1.5) {
+            vec2 cone = lightCone[i].xy;
+            float cosine = -dot(lightAxis[i].xyz, direction);
+            float spot = clamp((cosine - cone.y) / max(cone.x - cone.y, 0.001), 0.0, 1.0);
+            attenuation *= spot * spot;
+        }
+        radiance *= attenuation;
+    }
+}
+
+// The normal of a normal map, in world space.
+vec3 bumped(vec2 xy)
+{
+    float z = sqrt(clamp(1.0 - dot(xy, xy), 0.0, 1.0));
+    vec3 n = normalize(normal);
+    vec3 t = normalize(tangent.xyz);
+    vec3 b = cross(n, t) * tangent.w;
+    return normalize(t * xy.x + b * xy.y + n * z);
+}
+
+float pow5(float x)
+{
+    float x2 = x * x;
+    return x2 * x2 * x;
+}
+
+// E / pi of the surroundings (Ramamoorthi and Hanrahan 2001).
+vec3 irradiance(vec3 n)
+{
+    vec3 e = ambientSH[0].rgb * 0.2820948;
+    e += (ambientSH[1].rgb * n.y + ambientSH[2].rgb * n.z + ambientSH[3].rgb * n.x) * 0.325735;
+    e += (ambientSH[4].rgb * (n.x * n.y) + ambientSH[5].rgb * (n.y * n.z) + ambientSH[7].rgb * (n.x * n.z)) * 0.27313711;
+    e += ambientSH[6].rgb * (0.07884789 * (3.0 * n.z * n.z - 1.0));
+    e += ambientSH[8].rgb * (0.13656855 * (n.x * n.x - n.y * n.y));
+    return max(e, 0.0);
+}
+
+vec3 environment(vec3 direction, float roughness)
+{
+    float level = roughness * (1.7 - 0.7 * roughness) * 5.0;
+    return textureLod(samplerCube(environmentMap, environmentMapSampler), direction, level).rgb;
+}
+
+void main()
+{
+    vec3 baseColor = texture(sampler2D(_BaseColorMap, _BaseColorMapSampler), uv).rgb;
+    vec3 orm = texture(sampler2D(_OrmMap, _OrmMapSampler), uv).rgb;  // occlusion, roughness, metallic
+    vec3 n = bumped(texture(sampler2D(_NormalMap, _NormalMapSampler), uv).xy * 2.0 - 1.0);
+    vec3 v = normalize(mix(cameraPositionWS - position, -cameraForwardWS, viewIsOrthographic));
+    vec3 f0 = mix(vec3(0.04), baseColor, orm.b);
+    vec3 diffuse = baseColor * (1.0 - orm.b);
+    float alpha = max(orm.g * orm.g, 0.002);
+    float a2 = alpha * alpha;
+    float ndotv = min(abs(dot(n, v)), 1.0);
+    float viewRoot = sqrt(ndotv * ndotv * (1.0 - a2) + a2);
+    vec3 direct = vec3(0.0);
+    int count = min(lightCount, 16);
+    for (int i = 0; i < count; ++i) {
+        vec3 l, radiance;
+        lightAt(i, l, radiance);
+        float ndotl = clamp(dot(n, l), 0.0, 1.0);
+        vec3 h = l + v;
+        h *= inversesqrt(max(dot(h, h), 0.001));
+        float ndoth = clamp(dot(n, h), 0.0, 1.0);
+        float ldoth = clamp(dot(l, h), 0.0, 1.0);
+        float a = ndoth * alpha;
+        float p = alpha / ((1.0 - ndoth) * (1.0 + ndoth) + a * a);  // GGX is p^2 / pi
+        float lightRoot = sqrt(ndotl * ndotl * (1.0 - a2) + a2);
+        float visibility = 0.5 / max(ndotl * viewRoot + ndotv * lightRoot, 1e-5);
+        vec3 fresnel = f0 + (1.0 - f0) * pow5(1.0 - ldoth);
+        direct += ((1.0 - fresnel) * diffuse + fresnel * (p * p * visibility)) * ndotl * radiance;
+    }
+    // The split sum.
+    vec2 tableAt = vec2(sqrt(ndotv), orm.g) * 0.984375 + 0.0078125;
+    vec2 table = textureLod(sampler2D(splitSumTable, splitSumTableSampler), tableAt, 0.0).xy;
+    vec3 reflectance = f0 * table.x + table.y;
+    vec3 indirect = (1.0 - reflectance) * diffuse * irradiance(n) + reflectance * environment(reflect(-v, n), orm.g);
+    outColor = vec4(direct + indirect * orm.r + texture(sampler2D(_EmissiveMap, _EmissiveMapSampler), uv).rgb, 1.0);
+}

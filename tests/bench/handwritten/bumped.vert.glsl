@@ -1,0 +1,41 @@
+// The mesh in world space, its texture coordinates and its tangent frame.
+#version 450
+
+layout(set = 0, binding = 1, std140) uniform Camera
+{
+    mat4 worldToClip;
+    mat4 worldToView;
+    vec3 cameraPositionWS;
+    float viewIsOrthographic;
+    vec3 cameraForwardWS;
+    float shadowBias;
+    mat4 clipToWorld;
+    vec2 clipPlanes;
+    float shadowNormalBias;
+};
+
+layout(set = 0, binding = 4, std140) uniform Object
+{
+    mat4 objectToWorld;
+    mat4 worldToObject;
+};
+
+layout(location = 0) in vec3 inPosition;
+layout(location = 1) in vec2 inUv;
+layout(location = 2) in vec3 inNormal;
+layout(location = 3) in vec4 inTangent;
+layout(location = 0) out vec2 uv;
+layout(location = 1) out vec3 position;
+layout(location = 2) out vec3 normal;
+layout(location = 3) out vec4 tangent;
+
+void main()
+{
+    vec4 world = objectToWorld * vec4(inPosition, 1.0);
+    uv = inUv;
+    position = world.xyz;
+    normal = normalize((vec4(inNormal, 0.0) * worldToObject).xyz);
+    float handedness = determinant(objectToWorld) < 0.0 ? -inTangent.w : inTangent.w;
+    tangent = vec4(normalize((objectToWorld * vec4(inTangent.xyz, 0.0)).xyz), handedness);
+    gl_Position = worldToClip * world;
+}

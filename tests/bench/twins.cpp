@@ -1,0 +1,47 @@
+#include "tests/bench/twins.h"
+
+#include <fstream>
+#include <iterator>
+
+#include "patina/spirv_size.h"
+#include "patina/validate.h"
+
+namespace patina::bench {
+namespace {
+
+Shader read(std::string_view name, Stage stage) {
+    Shader shader;
+    shader.pass = "forward";
+    shader.stage = stage;
+    shader.file_name = std::string(name) + (stage == Stage::Vertex ? ".vert.glsl" : ".frag.glsl");
+    std::ifstream file("tests/bench/handwritten/" + shader.file_name, std::ios::binary);
+    shader.text = {std::istreambuf_iterator<char>(file), {}};
+    return shader;
+}
+
+}  // namespace
+
+Result compiled(const Twin& twin) {
+    static const Compiler compiler;
+    CompileOptions options;
+    options.request = CompileOptions::Passes{.path = "forward"};
+    options.targets = {Target::Glsl};
+    return compiler.compile_file(std::string(twin.graph), options);
+}
+
+StageTexts stages_of(const Result& result) {
+    StageTexts made;
+    for (const Shader& shader : result.shaders) (shader.stage == Stage::Vertex ? made.vertex : made.fragment) = shader;
+    return made;
+}
+
+StageTexts by_hand(const Twin& twin) {
+    return {.vertex = read(twin.vertex, Stage::Vertex), .fragment = read(twin.name, Stage::Fragment)};
+}
+
+StageCost cost_of(const Shader& shader) {
+    const SpirvSize size = size_of(optimised(validate(shader).spirv));
+    return {.instructions = size.in_functions, .per_light = size.in_loops, .bytes = shader.text.size()};
+}
+
+}  // namespace patina::bench
