@@ -132,10 +132,9 @@ languages::TakenNames taken_names(const engines::Names& names) {
 }
 
 PassText pass_text(const LinkedPass& pass, const engines::Engine& engine, const languages::TakenNames& engine_names,
-                   const std::vector<std::string>& taken_around) {
+                   const SamplerUse& samplers, const std::vector<std::string>& taken_around) {
     PassText made;
     made.texts = texts_of(pass);
-    const SamplerUse samplers = sampler_use(pass, engine.most_samplers);
     const auto named = [&](ir::Module stage) {
         for (ir::Function& function : stage.functions) {
             if (function.linkage != ir::Linkage::Foreign) function.name = engine.function_name(function.name);
