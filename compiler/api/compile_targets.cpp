@@ -39,8 +39,9 @@ std::vector<EngineTargets> by_engine(const graph::Library& library, const std::v
         const engines::Engine* engine = library.engine(target.engine);
         auto found = std::find_if(made.begin(), made.end(), [&](const auto& each) { return each.engine == engine; });
         if (found == made.end()) found = made.insert(found, {.engine = engine, .targets = {}});
-        if (std::find(found->targets.begin(), found->targets.end(), target) == found->targets.end())
-            found->targets.push_back(target);
+        // The default engine may be given by its name, too.
+        const auto is_same = [&](const Target& other) { return other.language == target.language; };
+        if (std::none_of(found->targets.begin(), found->targets.end(), is_same)) found->targets.push_back(target);
     }
     std::stable_partition(made.begin(), made.end(),
                           [](const EngineTargets& each) { return !each.engine || !each.engine->has_own_passes(); });

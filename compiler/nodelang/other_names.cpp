@@ -9,11 +9,6 @@
 namespace patina::nodelang {
 namespace {
 
-// A name of another language, Patina's name for it, and a remark. If `own` is empty, Patina has no such name, and the
-// remark says what to write. "atan/2" is the function with two arguments.
-struct OtherName {
-    std::string_view other, own, remark{};
-};
 // Words of the language itself, and values. A node has its other names in its file: [also("mix")].
 constexpr OtherName kOtherNames[] = {
     // GLSL
@@ -33,6 +28,13 @@ constexpr OtherName kOtherNames[] = {
     {"equal", "a == b"},
     {"notEqual", "a != b"},
     {"outerProduct", "float3x3(a.x * b, a.y * b, a.z * b)"},
+    {"matrixCompMult", "", "multiply the rows: float3x3(a[0] * b[0], a[1] * b[1], a[2] * b[2])"},
+    {"faceforward", "dot(i, g) < 0 ? n : -n"},
+    {"modf", "x - trunc(x)", "the whole part is trunc(x)"},
+    {"asinh", "log(x + sqrt(x * x + 1))"},
+    {"acosh", "log(x + sqrt(x * x - 1))"},
+    {"atanh", "0.5 * log((1 + x) / (1 - x))"},
+    {"if", "c ? a : b", "an expression has no 'if'"},
     {"inverse", "", "a matrix has no 'inverse' here; if it only rotates, use 'transpose'"},
     {"vec2", "float2"},
     {"vec3", "float3"},
@@ -57,6 +59,15 @@ constexpr OtherName kOtherNames[] = {
     {"mad", "a * b + c"},
     {"log10", "log(x) / log(10)"},
     {"sincos", "sin(x) and cos(x)"},
+    {"dst", "float4(1, a.y * b.y, a.z, b.w)"},
+    {"DotClamped", "saturate(dot(a, b))"},
+    {"LerpWhiteTo", "lerp(1, b, t)"},
+    {"LerpOneTo", "lerp(1, b, t)"},
+    {"UNITY_LIGHT_ATTENUATION", "@light.attenuation * @light.shadow"},
+    {"LIGHT_ATTENUATION", "@light.attenuation * @light.shadow"},
+    {"SHADOW_ATTENUATION", "@light.shadow"},
+    {"ComputeScreenPos", "@screenUV", "of this pixel, divided by w; for another point, use the node 'ScreenFromWorld'"},
+    {"ComputeGrabScreenPos", "@screenUV", "of this pixel, divided by w"},
     {"clip", "", "a surface of the kind 'cutout' drops the pixels whose 'alpha' is below 'alphaClip'"},
     {"texCUBE", "", "a graph has no cube textures of its own; the node 'EnvironmentRadiance' reads the environment"},
     {"fixed", "half"},
@@ -109,6 +120,23 @@ constexpr OtherName kOtherNames[] = {
     {"ramplr", "lerp(left, right, saturate(@uv0.x))"},
     {"ramptb", "lerp(top, bottom, saturate(@uv0.y))"},
     {"hsvtorgb", "v * lerp(1, saturate(abs(frac(h + float3(1, 2.0 / 3, 1.0 / 3)) * 6 - 3) - 1), s)"},
+    {"splitlr", "@uv0.x < center ? left : right"},
+    {"splittb", "@uv0.y < center ? top : bottom"},
+    {"rotate3d", "v * cos(a) + cross(n, v) * sin(a) + n * (dot(n, v) * (1 - cos(a)))", "n is the axis, of unit length"},
+    {"screen", "BlendColors", "its mode is 'Screen'"},
+    {"overlay", "BlendColors", "its mode is 'Overlay'"},
+    {"burn", "1 - (1 - b) / a"},
+    {"dodge", "b / (1 - a)"},
+    {"difference", "abs(a - b)"},
+    {"over", "a + b * (1 - a.a)"},
+    {"plus", "a + b"},
+    {"minus", "b - a", "MaterialX subtracts 'fg', which is a here, from 'bg'"},
+    {"premult", "float4(c.rgb * c.a, c.a)"},
+    {"unpremult", "float4(c.rgb / c.a, c.a)"},
+    {"heighttonormal", "", "no node makes a normal map of heights: bake one, and read it with 'SampleNormalMap'"},
+    {"triplanarprojection", "",
+     "no node projects from three sides: sample at the yz, xz and xy of '@positionWS', and weigh the samples with "
+     "the squares of '@normalWS'"},
     {"rgbtohsv", "", "the nodes 'HueRotate' and 'Saturation' change a colour without it"},
     {"color3", "float3"},
     {"color4", "float4"},
@@ -116,7 +144,13 @@ constexpr OtherName kOtherNames[] = {
     {"vector3", "float3"},
     {"vector4", "float4"},
     {"integer", "int"},
+    // Shader Graph
+    {"Posterize", "floor(x * n) / n"},
 };
+
+std::string remark_of(const OtherName& row) {
+    return row.remark.empty() ? std::string() : fmt::format(": {}", row.remark);
+}
 
 const OtherName* find_other(std::string_view word) {
     const auto found = std::find_if(std::begin(kOtherNames), std::end(kOtherNames),
@@ -126,12 +160,16 @@ const OtherName* find_other(std::string_view word) {
 
 }  // namespace
 
+std::span<const OtherName> other_names() {
+    return kOtherNames;
+}
+
 std::string word_advice(std::string_view word) {
     const OtherName* row = find_other(word);
     if (!row) return {};
     if (row->own.empty()) return std::string(row->remark);
     const std::string_view plain = word.substr(0, word.find('/'));
-    return fmt::format("'{}' is written '{}' here{}{}", plain, row->own, row->remark.empty() ? "" : ": ", row->remark);
+    return fmt::format("'{}' is written '{}' here{}", plain, row->own, remark_of(*row));
 }
 
 const FunctionDecl* known_as(const Declarations& declarations, std::string_view word) {
@@ -153,9 +191,12 @@ std::string node_advice(std::string_view word, std::span<const std::string_view>
                         const Declarations& declarations) {
     if (const FunctionDecl* node = known_as(declarations, word))
         return fmt::format("'{}' is the node '{}' here", word, node->name);
-    if (const OtherName* row = find_other(word))
-        return row->own.empty() ? std::string(row->remark)
-                                : fmt::format("write an expression: \"expr\": \"{}\"", row->own);
+    if (const OtherName* row = find_other(word)) {
+        if (row->own.empty()) return std::string(row->remark);
+        if (declarations.function(row->own))
+            return fmt::format("'{}' is the node '{}' here{}", word, row->own, remark_of(*row));
+        return fmt::format("write an expression: \"expr\": \"{}\"{}", row->own, remark_of(*row));
+    }
     const std::string_view near = nearest(word, known);
     return near.empty() ? std::string() : fmt::format("did you mean '{}'?", near);
 }

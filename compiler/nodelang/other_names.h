@@ -14,6 +14,14 @@
 
 namespace patina::nodelang {
 
+// A name of another language, Patina's name for it, and a remark. If `own` is empty, Patina has no such name, and the
+// remark says what to write. "atan/2" is the function with two arguments.
+struct OtherName {
+    std::string_view other, own, remark{};
+};
+// All of them but those that nodes have in their files.
+std::span<const OtherName> other_names();
+
 // What to write for a function, a type or a value of another language; empty if the word is unknown. "atan/2" is the
 // function with two arguments.
 std::string word_advice(std::string_view word);

@@ -1,5 +1,8 @@
 // Parses expressions, by precedence climbing.
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <utility>
 
 #include "compiler/nodelang/parser.h"
 
@@ -14,6 +17,16 @@ struct Precedence {
 constexpr Precedence kPrecedence[] = {{"||", 1}, {"&&", 2}, {"|", 3}, {"^", 4},  {"&", 5},  {"==", 6},
                                       {"!=", 6}, {"<", 7},  {">", 7}, {"<=", 7}, {">=", 7}, {"<<", 8},
                                       {">>", 8}, {"+", 9},  {"-", 9}, {"*", 10}, {"/", 10}, {"%", 10}};
+
+// Words that begin statements, and what to write in an expression.
+constexpr std::pair<std::string_view, std::string_view> kStatements[] = {
+    {"if", "write 'condition ? a : b'"},
+    {"switch", "write 'condition ? a : b'"},
+    {"for", "write the loop in a function of a node file (.node.hlsl)"},
+    {"while", "write the loop in a function of a node file (.node.hlsl)"},
+    {"return", "its value is its result"},
+    {"const", "give a value a name by a node of its own"},
+};
 
 // 0: not a binary operator.
 int precedence(const Token& token) {
@@ -154,7 +167,8 @@ Node Parser::primary() {
             } else if (!name("a value", word)) {
                 return {};
             }
-            return now().is("(") ? call(word) : leaf(Expr::Kind::Name, word);
+            const Node made = now().is("(") ? call(word) : leaf(Expr::Kind::Name, word);
+            return made && is_statement(word) ? Node{} : made;
         }
         case Token::Kind::Punctuation: {
             if (!now().is("(")) break;
@@ -170,6 +184,22 @@ Node Parser::primary() {
     }
     expected("a value");
     return {};
+}
+
+// In an expression of a graph, words of statements are names like others, unless a value follows: "if (x) 1". Reports
+// that at the word.
+bool Parser::is_statement(const Token& word) {
+    const bool begins_value = now().kind == Token::Kind::Number || now().kind == Token::Kind::Word ||
+                              now().kind == Token::Kind::Property || now().kind == Token::Kind::Semantic ||
+                              now().is("(") || now().is("{");
+    if (place_ != Lexer::Place::Graph || !begins_value) return false;
+    for (const auto& [statement, instead] : kStatements) {
+        if (word.text != statement) continue;
+        diagnostics_.report(Code::Syntax, span(word), "a value", describe(word))
+            .note(fmt::format("an expression has no '{}': {}", statement, instead));
+        return true;
+    }
+    return false;
 }
 
 // The current token is the bracket behind the callee.

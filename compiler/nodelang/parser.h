@@ -93,6 +93,7 @@ private:
     Node index_of(const Node& object);
     Node primary();
     Node call(const Token& callee);
+    bool is_statement(const Token& word);
     Node initializer();
     Node list();
     bool arguments(const Token& open, std::vector<Node>& into);

@@ -22,6 +22,8 @@ using nodelang::TypeName;
 constexpr std::array<std::string_view, 19> kOfFragment = {
     "draws",   "each",   "lights",   "camera", "fallback", "cull",  "blend", "depth",    "depthTarget", "depthBias",
     "stencil", "target", "optional", "extra",  "alone",    "along", "needs", "excludes", "lacks"};
+// The attributes of a node: a graph finds none in a pass file.
+constexpr std::array<std::string_view, 4> kOfNode = {"node", "also", "is", "range"};
 constexpr std::array<std::string_view, 12> kVaryings = {"float", "float2", "float3", "float4", "half", "half2",
                                                         "half3", "half4",  "int",    "int2",   "int3", "int4"};
 constexpr WrapWord kWraps[] = {{"position", "float4", WrapDecl::What::Position},
@@ -84,6 +86,9 @@ private:
             bad(attribute.span, name, "on a function needs [wraps] on the same function");
         const bool is_part = is_derivation(name) && !decl.attribute("slot");
         if (is_part) bad(attribute.span, name, "needs [slot] on the same function");
+        if (is_in(kOfNode, name) && is_of_pass(sources_, decl.span))
+            bad(attribute.span, name,
+                "has no effect in a pass file, where graphs find no nodes: put nodes into a .node.hlsl file");
         if (is_fragment) return;
         const bool is_of_slot = decl.attribute("slot") && (name == "holds" || name == "otherwise");
         const bool is_stated = is_in(kOfFragment, name) || name == "holds" || name == "otherwise" || name == "lighting";

@@ -8,6 +8,8 @@
 #include <set>
 #include <utility>
 
+#include "compiler/resolve/meaning.h"
+
 namespace patina::graph {
 namespace {
 
@@ -16,54 +18,18 @@ using nodelang::Expr;
 using nodelang::FunctionDecl;
 using nodelang::ParamDecl;
 
-enum class Kind : std::uint8_t { Unknown, Texel, NormalMap, Data, Direction, Position };
-// The space as names end with it: "WS"; empty: not known.
-struct Meaning {
-    Kind kind = Kind::Unknown;
-    std::string_view space{};
-    friend bool operator==(const Meaning&, const Meaning&) = default;
-};
-
-constexpr std::array<std::string_view, 4> kSpaces = {"OS", "WS", "VS", "TS"};
+using Kind = Meaning::Kind;
 
 // The words of enumerations, as in Position(space).
 constexpr std::array<std::pair<std::string_view, std::string_view>, 4> kSpaceWords = {
     {{"Object", "OS"}, {"World", "WS"}, {"View", "VS"}, {"Tangent", "TS"}}};
 
-std::string_view words_of_space(std::string_view space) {
-    if (space == "OS") return "object space";
-    if (space == "WS") return "world space";
-    if (space == "VS") return "view space";
-    return "tangent space";
-}
-
-// "normalTS", "positionWS", "texel"; of textures: "normalMap", "data"; without a space: "position", "direction".
-Meaning meaning_of(std::string_view name) {
-    if (name == "texel") return {.kind = Kind::Texel};
-    if (name == "normalMap") return {.kind = Kind::NormalMap};
-    if (name == "data") return {.kind = Kind::Data};
-    Meaning made;
-    if (name.size() > 2) {
-        const std::string_view ending = name.substr(name.size() - 2);
-        const auto space = std::find(kSpaces.begin(), kSpaces.end(), ending);
-        if (space != kSpaces.end()) made.space = *space;
-    }
-    const bool is_position = name.find("osition") != name.npos || name.starts_with("point");
-    if (made.space.empty() && name != "position" && name != "direction") return {};
-    made.kind = is_position ? Kind::Position : Kind::Direction;
-    return made;
-}
-
-std::string described(const Meaning& meaning) {
-    const std::string_view what = meaning.kind == Kind::Position ? "a position" : "a direction";
-    return meaning.space.empty() ? std::string(what) : fmt::format("{} in {}", what, words_of_space(meaning.space));
-}
-
 // A value: what it is, and the textures whose colours it depends on.
 struct Value {
     Meaning meaning{};
     const Property* texel_of = nullptr;  // Kind::Texel
-    const Property* texture = nullptr;   // the value is this texture itself
+    const Property* texture = nullptr;   // the value is this texture itself, or another property
+    bool is_constant = false;            // made of numbers alone
     std::set<const Property*> textures{};
     friend bool operator==(const Value&, const Value&) = default;
 };
@@ -210,10 +176,6 @@ private:
         return made;
     }
 
-    static bool is_vector(const Meaning& meaning) {
-        return meaning.kind == Kind::Direction || meaning.kind == Kind::Position;
-    }
-
     // What a parameter's default is: the value of a mesh, a camera or a light.
     Meaning default_of(const ParamDecl& param) const {
         if (!param.initial || param.is_out || attribute_of(param.attributes, "is")) return {};
@@ -244,12 +206,12 @@ private:
         std::set<std::string_view> spaces;
         for (const ParamDecl& param : function.params) {
             const Meaning usual = default_of(param);
-            if (!is_vector(usual)) continue;
+            if (!usual.is_vector()) continue;
             const auto given = std::find_if(arguments.begin(), arguments.end(),
                                             [&](const Argument& each) { return each.param == &param; });
             vectors.emplace_back(usual, given == arguments.end() ? nullptr : &*given);
             const Meaning now = given == arguments.end() ? usual : value_of(*given->value).meaning;
-            if (is_vector(now) && !now.space.empty()) spaces.insert(now.space);
+            if (now.is_vector() && !now.space.empty()) spaces.insert(now.space);
         }
         for (const auto& [usual, argument] : vectors) {
             if (!argument) continue;
@@ -390,11 +352,55 @@ private:
         return result(function, arguments);
     }
 
+    static bool is_constant(const Expr& expr, std::span<const Value> parts) {
+        const bool is_operation = expr.kind == Expr::Kind::Unary || expr.kind == Expr::Kind::Binary;
+        const bool is_vector =
+            expr.kind == Expr::Kind::Call && (expr.text.starts_with("float") || expr.text.starts_with("half"));
+        return (is_operation || is_vector) &&
+               std::all_of(parts.begin(), parts.end(), [](const Value& part) { return part.is_constant; });
+    }
+
+    // What an operation makes of its operands.
+    static Meaning meaning_of_parts(const Expr& expr, std::span<const Value> parts) {
+        const auto operand = [&](std::size_t i) {
+            return Operand{.meaning = parts[i].meaning, .is_constant = parts[i].is_constant};
+        };
+        // A vector keeps its meaning if a number scales it, and so if a property does that is a strength.
+        const auto factor = [&](std::size_t i) {
+            const bool is_strength = parts[i].texture && parts[i].texture->type == PropertyType::Float;
+            return Operand{.meaning = parts[i].meaning, .is_constant = parts[i].is_constant || is_strength};
+        };
+        const bool is_call = expr.kind == Expr::Kind::Call;
+        if (expr.kind == Expr::Kind::Unary && (expr.text == "-" || expr.text == "+")) return parts[0].meaning;
+        if (expr.kind == Expr::Kind::Binary && (expr.text == "+" || expr.text == "-"))
+            return sum_of(operand(0), operand(1), expr.text == "+");
+        if (expr.kind == Expr::Kind::Binary && (expr.text == "*" || expr.text == "/"))
+            return product_of(factor(0), factor(1), expr.text == "/");
+        if (expr.kind == Expr::Kind::Ternary && parts.size() == 3) return mix_of(operand(1), operand(2));
+        if (is_call && expr.text == "lerp" && parts.size() == 3) return mix_of(operand(0), operand(1));
+        if (!is_call || expr.text != "normalize" || parts.size() != 1) return {};
+        Meaning made = parts[0].meaning;
+        if (made.kind == Kind::Position) made.kind = Kind::Direction;
+        return made;
+    }
+
+    // The texture, if all texels among the parts are of one.
+    static const Property* texel_of(std::span<const Value> parts) {
+        const Property* found = nullptr;
+        for (const Value& part : parts) {
+            if (part.meaning.kind != Kind::Texel) continue;
+            if (found && found != part.texel_of) return nullptr;
+            found = part.texel_of;
+        }
+        return found;
+    }
+
     Value value_of(const Expr& expr) {
         if (expr.kind == Expr::Kind::Name) {
             const auto found = walk_->graph.by_id.find(expr.text);
             return found == walk_->graph.by_id.end() ? Value() : walk_->values[found->second];
         }
+        if (expr.kind == Expr::Kind::Number) return {.is_constant = true};
         if (expr.kind == Expr::Kind::Property) return property_of(expr);
         if (expr.kind == Expr::Kind::Semantic) return {.meaning = meaning_of(expr.text)};
         if (expr.kind == Expr::Kind::Member) return member_of(expr);
@@ -408,25 +414,9 @@ private:
             parts.push_back(value_of(*argument));
             made.textures.insert(parts.back().textures.begin(), parts.back().textures.end());
         }
-        const bool is_sign = expr.kind == Expr::Kind::Unary && (expr.text == "-" || expr.text == "+");
-        const bool is_normalize = expr.kind == Expr::Kind::Call && expr.text == "normalize";
-        if ((is_sign || is_normalize) && parts.size() == 1 && is_vector(parts[0].meaning)) {
-            made.meaning = parts[0].meaning;
-            if (is_normalize) made.meaning.kind = Kind::Direction;
-        }
-        if (expr.kind == Expr::Kind::Binary && parts.size() == 2) {
-            const bool is_sum = expr.text == "+" || expr.text == "-", is_scale = expr.text == "*" || expr.text == "/";
-            const bool is_number = expr.args[1]->kind == Expr::Kind::Number;
-            if (is_sum && is_vector(parts[0].meaning) && parts[0].meaning == parts[1].meaning)
-                made.meaning = parts[0].meaning;
-            // The difference of positions is a direction.
-            if (expr.text == "-" && made.meaning.kind == Kind::Position) made.meaning.kind = Kind::Direction;
-            if (is_scale && is_number && is_vector(parts[0].meaning)) made.meaning = parts[0].meaning;
-        }
-        if (expr.kind == Expr::Kind::Ternary && parts.size() == 3 && parts[1].meaning == parts[2].meaning) {
-            made.meaning = parts[1].meaning;
-            if (parts[1].texel_of == parts[2].texel_of) made.texel_of = parts[1].texel_of;
-        }
+        made.meaning = meaning_of_parts(expr, parts);
+        made.is_constant = is_constant(expr, parts);
+        if (made.meaning.kind == Kind::Texel) made.texel_of = texel_of(parts);
         return made;
     }
 
@@ -501,6 +491,11 @@ private:
             if (takes) names += (names.empty() ? "'" : " or '") + std::string(name) + "'";
         }
         if (!names.empty()) record.note(fmt::format("convert it with {}", names));
+        // No node brings a mesh's values into another space, because each is there in all of them.
+        const std::string same = fmt::format("{}{}", to.kind == Kind::Position ? "position" : "normal", to.space);
+        if (names.empty() && from.space != to.space && session_.paths->semantic(same))
+            record.note(fmt::format("the mesh's own {} in this space is '@{}'",
+                                    to.kind == Kind::Position ? "position" : "normal", same));
     }
 
     Session& session_;

@@ -21,7 +21,7 @@ float Time(
 /// The position of this pixel on the screen: (0, 0) is the upper left corner, (1, 1) the lower right one.
 ///
 /// test: ScreenUV(float2(0.25, 0.75)) == float2(0.25, 0.75)
-[node("Input/Screen UV")]
+[node("Input/Screen UV")] [also("ScreenPosition")]
 float2 ScreenUV(
     [hidden] float2 position = screenUV  ///< position of the pixel
 ) {

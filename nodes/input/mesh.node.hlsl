@@ -42,7 +42,7 @@ float3 Position(
 /// test: Normal(Object, float3(1, 0, 0), float3(0, 1, 0), float3(0, 0, 1)) == float3(1, 0, 0)
 /// test: Normal(World, float3(1, 0, 0), float3(0, 1, 0), float3(0, 0, 1)) == float3(0, 1, 0)
 /// test: Normal(View, float3(1, 0, 0), float3(0, 1, 0), float3(0, 0, 1)) == float3(0, 0, 1)
-[node("Input/Normal")] [is("direction", "space")]
+[node("Input/Normal")] [also("NormalVector")] [is("direction", "space")]
 float3 Normal(
     const Space space = World,              ///< the coordinate system
     [hidden] float3 inObject = normalOS,  ///< read in object space

@@ -23,7 +23,7 @@ float CosineBetween(float3 from, float3 to, const CosineMode mode) {
 /// test: NdotL(float3(0, 0, 1), float3(0.6, 0, -0.8)) == 0
 /// test: NdotL(float3(0, 0, 1), float3(0.6, 0, -0.8), Absolute) == 0.8
 /// test: NdotL(float3(0, 0, 1), float3(0.6, 0, -0.8), Signed) == -0.8
-[node("Lighting/Cosine/N.L")] [range(-1, 1)]
+[node("Lighting/Cosine/N.L")] [also("LambertTerm")] [range(-1, 1)]
 float NdotL(
     float3 normal = normalWS,           ///< unit normal
     float3 lightDir = light.direction,  ///< unit direction to the light

@@ -132,7 +132,7 @@ float DistributionBeckmann(
 /// test: DistributionGGXUnity(1, 0.25) == 5.092827802548905
 /// test: DistributionGGXUnity(0.5, 0.25) == 0.03393890752256306
 /// test: DistributionGGXUnity(1, 1) == 0.31830985435280523
-[node("Lighting/Distribution/GGX Unity")]
+[node("Lighting/Distribution/GGX Unity")] [also("GGXTerm")]
 float DistributionGGXUnity(
     [range(0, 1)] float ndoth,        ///< cosine of normal and half vector
     [range(0, 1)] float alpha = 0.25  ///< roughness squared

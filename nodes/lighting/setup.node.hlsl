@@ -65,7 +65,7 @@ void SpecularSetup(
 /// formula: 1 - smoothness
 /// test: RoughnessFromSmoothness(0.75) == 0.25
 /// test: RoughnessFromSmoothness(1) == 0
-[node("Lighting/Setup/Roughness from Smoothness")] [range(0, 1)]
+[node("Lighting/Setup/Roughness from Smoothness")] [also("SmoothnessToPerceptualRoughness")] [range(0, 1)]
 float RoughnessFromSmoothness(
     [range(0, 1)] float smoothness = 0.5  ///< 0 is dull, 1 a mirror
 ) {
@@ -82,7 +82,7 @@ float RoughnessFromSmoothness(
 /// test: AlphaFromRoughness(0.5) == 0.25
 /// test: AlphaFromRoughness(0) == 0.002
 /// test: AlphaFromRoughness(0.01, 0) == 0.0001
-[node("Lighting/Setup/Alpha from Roughness")] [range(0, 1)]
+[node("Lighting/Setup/Alpha from Roughness")] [also("PerceptualRoughnessToRoughness")] [range(0, 1)]
 float AlphaFromRoughness(
     [range(0, 1)] float roughness = 0.5,   ///< perceptual roughness
     [range(0, 0.1)] float minimum = 0.002  ///< lower limit of the result
@@ -200,7 +200,7 @@ float SmoothnessFromRoughness(
 /// source: Unity built-in shaders, SmoothnessToRoughness
 /// test: AlphaFromSmoothness(0.1) == 0.81
 /// test: AlphaFromSmoothness(1) == 0
-[node("Lighting/Setup/Alpha from Smoothness")] [range(0, 1)]
+[node("Lighting/Setup/Alpha from Smoothness")] [also("SmoothnessToRoughness")] [range(0, 1)]
 float AlphaFromSmoothness(
     [range(0, 1)] float smoothness = 0.5  ///< 0 is dull, 1 a mirror
 ) {
@@ -213,7 +213,7 @@ float AlphaFromSmoothness(
 /// source: Burley, "Physically Based Shading at Disney", SIGGRAPH 2012, section 5.4
 /// test: RoughnessFromAlpha(0.25) == 0.5
 /// test: RoughnessFromAlpha(0) == 0
-[node("Lighting/Setup/Roughness from Alpha")] [range(0, 1)]
+[node("Lighting/Setup/Roughness from Alpha")] [also("RoughnessToPerceptualRoughness")] [range(0, 1)]
 float RoughnessFromAlpha(
     [range(0, 1)] float alpha = 0.25  ///< roughness squared
 ) {

@@ -36,7 +36,7 @@ float VisibilitySmithJoint(
 /// test: VisibilitySmithJointApproximate(0.5, 0, 1) == 0.9999800003999921
 /// test: VisibilitySmithJointApproximate(0, 0, 0.25) == 50000
 /// test: VisibilitySmithJointApproximate(0.5, 0.5, 0.1, 0) == 0.9090909090909091
-[node("Lighting/Visibility/Smith Joint Approximate")]
+[node("Lighting/Visibility/Smith Joint Approximate")] [also("SmithJointGGXVisibilityTerm")]
 float VisibilitySmithJointApproximate(
     [range(0, 1)] float ndotl,                       ///< cosine of normal and light
     [range(0, 1)] float ndotv,                       ///< cosine of normal and view
@@ -103,7 +103,7 @@ float VisibilitySchlick(
 /// test: VisibilitySmithBeckmannUnity(1, 1, 0.25) == 0.24999750002499974
 /// test: VisibilitySmithBeckmannUnity(0.6, 0.3, 0.25) == 0.836497351874196
 /// test: VisibilitySmithBeckmannUnity(0.1, 0.1, 1) == 0.3735294687019935
-[node("Lighting/Visibility/Smith-Beckmann Unity")]
+[node("Lighting/Visibility/Smith-Beckmann Unity")] [also("SmithBeckmannVisibilityTerm")]
 float VisibilitySmithBeckmannUnity(
     [range(0, 1)] float ndotl,        ///< cosine of normal and light
     [range(0, 1)] float ndotv,        ///< cosine of normal and view

@@ -4,7 +4,7 @@
 ///
 /// The mip level follows from derivatives. Where there are none (in the vertex stage, for each light, inside a branch), use
 /// SampleTexture2DLevel.
-[node("Texture/Sample Texture 2D")] [also("Image", "TiledImage", "Tex2D", "Texture", "Texture2D", "TextureSample")] [is("texel")]
+[node("Texture/Sample Texture 2D")] [also("Image", "TiledImage", "Tex2D", "Texture", "Texture2D", "TextureSample", "UNITY_SAMPLE_TEX2D")] [is("texel")]
 float4 SampleTexture2D(
     Texture2D texture,  ///< texture to read
     float2 uv = uv0     ///< texture coordinates, before the texture's own tiling
@@ -13,7 +13,7 @@ float4 SampleTexture2D(
 }
 
 /// Samples a texture at a given level of detail.
-[node("Texture/Sample Texture 2D Level")] [also("SampleTexture2DLod", "Tex2Dlod", "TextureLod")] [is("texel")]
+[node("Texture/Sample Texture 2D Level")] [also("SampleTexture2DLod", "Tex2Dlod", "TextureLod", "UNITY_SAMPLE_TEX2D_LOD")] [is("texel")]
 float4 SampleTexture2DLevel(
     Texture2D texture,  ///< texture to read
     float2 uv = uv0,    ///< texture coordinates, before the texture's own tiling

@@ -43,7 +43,7 @@ enum NormalEncoding {
 /// test: UnpackNormal(float4(0.8, 0.7, 0, 1), 1, RedAlphaGreen) == float3(0.6, 0.4, 0.6928203230275509)
 /// test: UnpackNormal(float4(1, 0.7, 1, 0.8), 0.5, AlphaGreen) == float3(0.3, 0.2, 0.9327379053088815)
 /// test: UnpackNormal(float4(0.8, 0.3, 0.9, 1), 0.5, RedGreenBlue) == float3(0.3, -0.2, 0.8)
-[node("Vector/Normal/Unpack")] [also("NormalUnpack")] [is("normalTS")]
+[node("Vector/Normal/Unpack")] [also("NormalUnpack", "UnpackNormalWithScale", "UnpackScaleNormal")] [is("normalTS")]
 float3 UnpackNormal(
     [is("texel")] float4 encoded = float4(0.5, 0.5, 1, 1),  ///< the texel, not decoded from sRGB
     [range(-2, 2)] float scale = 1,           ///< strength of the bumps; a negative scale turns them into dents
@@ -89,7 +89,7 @@ float3 NormalStrength(
 /// test: NormalBlend(float3(2, 3, 6) / 7, float3(-2, 3, 6) / 7, Unreal) == float3(0, 1, 1) * 0.7071067811865476
 /// test: NormalBlend(float3(0.6, 0, 0.8), float3(0.6, 0, 0.8), PartialDerivative) == float3(3, 0, 2) / 3.605551275463989
 /// test: NormalBlend(float3(0.6, 0, 0.8), float3(0, -0.8, 0.6), PartialDerivative) == float3(9, -16, 12) / 21.93171219946131
-[node("Vector/Normal/Blend")] [is("normalTS")]
+[node("Vector/Normal/Blend")] [also("BlendNormals")] [is("normalTS")]
 float3 NormalBlend(
     [is("normalTS")] float3 base = float3(0, 0, 1),    ///< unit normal of the layer below
     [is("normalTS")] float3 detail = float3(0, 0, 1),  ///< unit normal of the layer above

@@ -15,6 +15,7 @@
 #include "runtime/gltf/gltf_model.h"
 #include "runtime/gltf/gltf_writer.h"
 #include "runtime/render/complaints.h"
+#include "runtime/render/not_finite.h"
 #include "runtime/render/prepare_material.h"
 #include "runtime/render/render_world.h"
 #include "runtime/values/material_values.h"
@@ -51,7 +52,7 @@ public:
         world.value.view.background = glm::vec4(0);
         std::vector<Image> drawn = draw(world.value, request_.is_specular ? kSpecularPath : kPath, kTargets);
         if (drawn.empty()) return std::move(out_);
-        std::optional<std::vector<LayerValue>> layers = draw_layers(std::move(world.value));
+        std::optional<std::vector<LayerValue>> layers = draw_layers(world.value);
         if (!layers) return std::move(out_);
         const BakedMaterial made = baked_material(request_.name,
                                                   {.color = std::move(drawn[0]),
@@ -60,7 +61,7 @@ public:
                                                    .emission = std::move(drawn[3]),
                                                    .cutoff = std::move(drawn[4])},
                                                   *layers, state_);
-        report_losses(made);
+        report_losses(made, world.value);
         write(made, *mesh);
         return std::move(out_);
     }
@@ -92,14 +93,26 @@ private:
                           {request_.render.mesh, fmt::format("{:.1f}", 100 * layout.overlap)})});
     }
 
-    void report_losses(const BakedMaterial& made) {
+    void report_losses(const BakedMaterial& made, const World& world) {
         for (const BakedMaterial::Loss& loss : made.losses) lose(loss.what, loss.why);
         if (made.not_finite == 0) return;
         const int size = request_.render.size;
-        report(
-            {complaint(request_.render.graph, Severity::Warning, Complaint::PixelsNotFinite,
-                       {std::to_string(made.not_finite), std::to_string(std::size_t(size) * std::size_t(size)),
-                        std::to_string(made.first_x), std::to_string(made.first_y), "; they are 0 in the textures"})});
+        const std::optional<Cause> cause = cause_of(made, world);
+        Diagnostic warning =
+            complaint(request_.render.graph, Severity::Warning, Complaint::PixelsNotFinite,
+                      {std::to_string(made.not_finite), std::to_string(std::size_t(size) * std::size_t(size)),
+                       std::to_string(made.first_x), std::to_string(made.first_y),
+                       (cause ? words_of(*cause) : "") + "; they are 0 in the textures"});
+        if (cause) blame(warning, *cause);
+        report({warning});
+    }
+
+    // The node at the first texel that is not finite.
+    std::optional<Cause> cause_of(const BakedMaterial& made, const World& world) const {
+        RenderOptions options = draw_options();
+        options.path = request_.is_specular ? kSpecularPath : kPath;
+        options.also_shown = kTargets;
+        return cause_at(compiler_, world, options, {.x = made.first_x, .y = made.first_y});
     }
 
     // --- the material

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "runtime/render/complaints.h"
+#include "runtime/render/not_finite.h"
 #include "runtime/render/prepare_material.h"
 #include "runtime/render/preview_world.h"
 #include "runtime/render/render_world.h"
@@ -100,42 +101,6 @@ bool is_empty(const Image& image, const Scene& view) {
     return true;
 }
 
-// The first value behind the pixel that is not finite: what comes after it is not finite because of it.
-std::optional<TracedValue> first_not_finite(const PixelTrace& trace) {
-    const auto search = [](const std::vector<TracedValue>& values) -> std::optional<TracedValue> {
-        for (const TracedValue& value : values) {
-            if (!std::ranges::all_of(value.values, [](double number) { return std::isfinite(number); })) return value;
-        }
-        return std::nullopt;
-    };
-    for (const std::vector<TracedValue>& corner : trace.corners) {
-        if (auto found = search(corner)) return found;
-    }
-    return search(trace.values);
-}
-
-// Where numbers that are not finite come from.
-struct Cause {
-    TracedValue value{};
-    std::string object{};   // empty: a graph is drawn alone
-    bool is_front = false;  // the object is what `patina trace` shows of the pixel
-};
-
-// Of what is seen at the pixel, the front-most object that computes such a number. Nothing if the CPU finds none.
-std::optional<Cause> cause_at(const Compiler& compiler, const World& world, const RenderOptions& options,
-                              TraceWish wish) {
-    const TraceOutcome front = trace_world(compiler, world, options, wish);
-    if (!front.ok) return std::nullopt;
-    if (auto value = first_not_finite(front.trace)) return Cause{*std::move(value), front.object, true};
-    for (std::size_t object : front.trace.seen) {
-        if (object == front.trace.object) continue;
-        wish.object = object;
-        const TraceOutcome other = trace_world(compiler, world, options, wish);
-        if (auto value = first_not_finite(other.trace)) return Cause{*std::move(value), other.object, false};
-    }
-    return std::nullopt;
-}
-
 // Forward has all values of a material in one pass.
 std::optional<Cause> find_cause(const Compiler& compiler, const World& world, const RenderOptions& options,
                                 const DataSummary& values) {
@@ -151,24 +116,13 @@ Diagnostic not_finite(const Compiler& compiler, const RenderRequest& request, co
                       const RenderOptions& options, const RenderOutcome& drawn) {
     const DataSummary& values = drawn.values;
     const std::optional<Cause> cause = find_cause(compiler, world, options, values);
-    std::string node;
-    if (cause) {
-        const std::string object = cause->object.empty() ? "" : fmt::format(" of the object '{}'", cause->object);
-        node = fmt::format(": '{}.{}'{} is {:.6g} there", cause->value.node, cause->value.port, object,
-                           fmt::join(cause->value.values, ", "));
-    }
-    Diagnostic warning = complaint(request.graph, Severity::Warning, Complaint::PixelsNotFinite,
-                                   {std::to_string(values.not_finite),
-                                    std::to_string(std::size_t(drawn.image.width) * std::size_t(drawn.image.height)),
-                                    std::to_string(values.first_x), std::to_string(values.first_y), node});
+    Diagnostic warning =
+        complaint(request.graph, Severity::Warning, Complaint::PixelsNotFinite,
+                  {std::to_string(values.not_finite),
+                   std::to_string(std::size_t(drawn.image.width) * std::size_t(drawn.image.height)),
+                   std::to_string(values.first_x), std::to_string(values.first_y), cause ? words_of(*cause) : ""});
     if (!cause) return warning;
-    warning.node = cause->value.node;
-    warning.port = cause->value.port;
-    if (!cause->value.file.empty()) {
-        warning.file = cause->value.file;
-        warning.line = cause->value.line;
-        warning.column = cause->value.column;
-    }
+    blame(warning, *cause);
     // A preview leaves out what is before its object.
     const bool is_found = cause->is_front && (cause->object.empty() || request.options.preview.empty());
     warning.notes.push_back(

@@ -145,10 +145,13 @@ TEST(Engines, RequestsThatMeanNothingAreRefused) {
     ASSERT_EQ(refused.diagnostics.size(), 1u);
     EXPECT_TRUE(has(refused.diagnostics[0].message, "'nonsense' is not a step that can be dumped"));
     options.dump.clear();
-    options.targets = {Target::Glsl, Target::Glsl};
-    const Result twice = compiler().compile_file(graph, options);
-    ASSERT_TRUE(twice.ok);
-    EXPECT_EQ(twice.shaders.size(), 2u);  // two stages, each once
+    // The default engine has a name, too.
+    for (const Target& again : {Target::Glsl, Target{"vulkan", "glsl"}}) {
+        options.targets = {Target::Glsl, again};
+        const Result twice = compiler().compile_file(graph, options);
+        ASSERT_TRUE(twice.ok);
+        EXPECT_EQ(twice.shaders.size(), 2u);  // two stages, each once
+    }
 }
 
 TEST(Engines, EachTextHasTheEnginesNumbersAndNames) {

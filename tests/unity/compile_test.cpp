@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "patina/validate.h"
+#include "unity/compiled.h"
 #include "unity/shader_lab.h"
 
 namespace patina::unity {
@@ -17,11 +18,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using Keywords = std::vector<std::string>;
-
-const Compiler& compiler() {
-    static const Compiler kCompiler;
-    return kCompiler;
-}
 
 const std::map<std::string, std::vector<Keywords>>& variants() {
     static const std::map<std::string, std::vector<Keywords>> kVariants = {
@@ -126,16 +122,8 @@ void expect_accepted(const LabPass& pass, const Result& result, Keywords keyword
 
 class UnityExample : public testing::TestWithParam<std::string> {};
 
-void expect_compiles(const std::string& graph, const std::string& path) {
-    CompileOptions options;
-    options.targets = {{"unity", "hlsl"}};
-    options.request = CompileOptions::Passes{.path = path};
-    const Result result = compiler().compile_file(graph, options);
-    for (const Diagnostic& d : result.diagnostics) {
-        if (d.code != "pass-left-out" && d.code != "no-file-default" && d.code != "no-sampler")
-            ADD_FAILURE() << to_text(d);
-    }
-    ASSERT_TRUE(result.ok);
+void expect_accepted(const Result& result) {
+    ASSERT_TRUE(result.ok) << to_text(first_error(result));
     const ShaderLab file = taken_apart(result.shaders.back().text);
     ASSERT_TRUE(file.forward());
     for (const LabPass& pass : file.passes) {
@@ -149,6 +137,18 @@ void expect_compiles(const std::string& graph, const std::string& path) {
             expect_accepted(pass, result, keywords);
         }
     }
+}
+
+void expect_compiles(const std::string& graph, const std::string& path) {
+    CompileOptions options;
+    options.targets = {{"unity", "hlsl"}};
+    options.request = CompileOptions::Passes{.path = path};
+    const Result result = compiler().compile_file(graph, options);
+    for (const Diagnostic& d : result.diagnostics) {
+        if (d.code != "pass-left-out" && d.code != "no-file-default" && d.code != "no-sampler")
+            ADD_FAILURE() << to_text(d);
+    }
+    expect_accepted(result);
 }
 
 TEST_P(UnityExample, CompilesInEveryVariant) {
@@ -173,6 +173,42 @@ TEST(UnityTiers, CompileInEveryVariant) {
                               "tests/unity/graphs/tiers_passes.graph.json"}) {
         SCOPED_TRACE(graph);
         expect_compiles(graph, "tiers");
+    }
+}
+
+std::string texture_name(int i) {
+    return "_T" + std::to_string(i);
+}
+
+// A material with textures "_T0", ... of which the base colour reads all.
+std::string with_textures(int count, const std::string& keys, const std::string& rest) {
+    std::string properties, sum;
+    for (int i = 0; i < count; ++i) {
+        const std::string separator = i == 0 ? "" : ", ";
+        properties += separator + R"({ "name": ")" + texture_name(i) + R"(", "type": "texture2d")" + keys + " }";
+        sum += (i == 0 ? "" : " + ") + ("SampleTexture2D($" + texture_name(i) + ").rgb");
+    }
+    return R"({ "patina": 1, "workflow": "metallic-smoothness", "properties": [ )" + properties +
+           R"( ], "surface": { "baseColor": "= )" + sum + "\"" + rest + " }";
+}
+
+// Passes read different numbers of textures, but a texture is declared once for all, with a sampler or without.
+TEST(UnitySharedSamplers, AreTheSameInAllPasses) {
+    const std::string surface = R"( })", cutout = R"j(, "alpha": "= SampleTexture2D($_T11).a" }, "render": {
+      "surface": "cutout" })j";
+    const std::string emission = R"j(, "emission": "= SampleTexture2D($_T10).rgb + SampleTexture2D($_T11).rgb" })j";
+    const std::string moved = R"j( }, "vertex": { "positionOS": "= @positionOS * $_T11.SampleLevel(@uv0, 0).r" })j";
+    const std::string counted = R"j(, "emission": "= $_T11.Load(int2(0, 0), 0).rgb" })j";
+    for (const std::string keys : {"", R"(, "sampler": "trilinearRepeat")"}) {
+        for (const int count : {12, 13, 20, 40}) {
+            for (const std::string& rest : {surface, cutout, emission, moved, counted}) {
+                SCOPED_TRACE(std::to_string(count) + keys + rest);
+                const Result result = of_text(with_textures(count, keys, rest));
+                const auto shares = [](const Diagnostic& d) { return d.code == "sampler-limit"; };
+                EXPECT_TRUE(std::any_of(result.diagnostics.begin(), result.diagnostics.end(), shares));
+                expect_accepted(result);
+            }
+        }
     }
 }
 

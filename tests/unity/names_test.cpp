@@ -30,6 +30,27 @@ TEST(UnityNames, OfEveryKindKeepOutOfTheWay) {
     }
 }
 
+// Members of the compiler's own structs: what a lighting graph adds to the surface, and outputs of sub-graphs. Many of
+// Unity's names are macros, which replace members, too.
+TEST(UnityNames, OfMembersKeepOutOfTheWay) {
+    for (const std::string name :
+         {"ProjectColor", "LinearColor", "BufferReadsProbes", "StoredLight", "SAMPLE_TEX2D_LOD",
+          "SAMPLE_TEX2D_SAMPLER_BIAS", "fixed2", "fixed4x4", "sampler2D_half", "sampler3D_float", "samplerCUBE_float",
+          "unity_Color", "UNITY_PI", "SPOT"}) {
+        const std::string text = shader(
+            R"j({ "patina": 1, "workflow": "metallic-smoothness", "properties": [ { "name": "_Wear", "type": "float" } ],
+      "lighting": { "surface": [ { "name": ")j" +
+            name + R"j(", "type": "float", "default": 0.4 } ],
+        "direct": "= @surface.diffuseColor * @surface.)j" +
+            name + R"j( * @light.radiance" },
+      "surface": { ")j" +
+            name + R"j(": "= sin($_Wear * @positionWS.x)" } })j");
+        EXPECT_TRUE(has(text, "struct LightingSurface")) << text;
+        EXPECT_FALSE(has(text, "float " + name + ";")) << name << "\n" << text;
+        EXPECT_FALSE(has(text, "." + name + ";") || has(text, "." + name + " ")) << name << "\n" << text;
+    }
+}
+
 // A property's name is what materials keep its value under: it is refused, not changed.
 TEST(UnityNames, OfPropertiesAreNotUnitysOwn) {
     for (const std::string name : {"_Time",

@@ -119,6 +119,14 @@ TEST(UnityModes, UnlitFilesHaveNone) {
     const Result lit = of_text(material(R"("name": "Lit")"));
     EXPECT_EQ(modes(lit).front(), "ForwardBase");
     EXPECT_TRUE(has(lit.shaders.front().text, "LOD 300"));
+    // Without a fallback, a low Shader.maximumLOD would leave nothing of the object.
+    for (const char* state : {R"("surface": "fade")", R"("surface": "transparent")", R"("surface": "additive")",
+                              R"("surface": "multiply")", R"("depthWrite": false)"}) {
+        const Result result = of_text(material(std::string(R"("render": { )") + state + " }"));
+        EXPECT_EQ(modes(result).front(), "ForwardBase") << state;
+        EXPECT_TRUE(has(result.shaders.front().text, "FallBack Off")) << state;
+        EXPECT_TRUE(has(result.shaders.front().text, "LOD 100")) << state;
+    }
     // Whatever reads a value of lights needs the mode.
     for (const char* value : {"@light.direction", "@light.radiance", "AmbientIrradiance(@geometryNormalWS)"}) {
         const Result reads = of_text(R"j({ "patina": 1, "workflow": "unlit", "surface": { "color": "= abs()j" +

@@ -57,12 +57,21 @@ Outputs evaluate_node(const Console& console, const Arguments& arguments, const 
     return std::move(result.outputs);
 }
 
+// "0,0,1", or "#ff8800": linear, with a fourth number if the text has an opacity. Nothing if the text is neither.
+std::optional<std::vector<double>> read_values(const Compiler& compiler, const std::string& text) {
+    if (!text.starts_with('#')) return runtime::read_numbers(text);
+    const std::pair<std::string, std::string> color{"value", text};
+    EvalResult result = compiler.evaluate("Constant", {&color, 1}, false);
+    if (!result.ok) return {};
+    return std::move(result.outputs.front().values);
+}
+
 // "= pow(x, 2.2)" over the values by their names.
 Outputs evaluate_expression(const Console& console, const Arguments& arguments, const Compiler& compiler,
                             const std::string& expression, const Values& values) {
     std::vector<NamedValue> names;
     for (const auto& [name, text] : values) {
-        const std::optional<std::vector<double>> numbers = runtime::read_numbers(text);
+        const std::optional<std::vector<double>> numbers = read_values(compiler, text);
         if (!numbers || numbers->empty() || numbers->size() > 4) {
             complain(console, Complaint::NotNumbers, {name, text});
             return {};
@@ -84,9 +93,9 @@ Outputs evaluate_term(const Console& console, const Arguments& arguments, const 
     return std::move(result.outputs);
 }
 
-// "0,0,1", or one number for all three; nothing if the text is neither.
-std::optional<runtime::Triple> read_triple(const std::string& text) {
-    const std::optional<std::vector<double>> numbers = runtime::read_numbers(text);
+// "0,0,1", "#ff8800", or one number for all three; nothing if the text is none of them.
+std::optional<runtime::Triple> read_triple(const Compiler& compiler, const std::string& text) {
+    const std::optional<std::vector<double>> numbers = read_values(compiler, text);
     if (!numbers || (numbers->size() != 1 && numbers->size() != 3)) return {};
     return runtime::Triple{numbers->front(), numbers->size() == 3 ? (*numbers)[1] : numbers->front(), numbers->back()};
 }
@@ -108,7 +117,7 @@ Outputs evaluate_model(const Console& console, const Arguments& arguments, const
             choice.values.emplace_back(name, text);
             continue;
         }
-        const std::optional<runtime::Triple> numbers = read_triple(text);
+        const std::optional<runtime::Triple> numbers = read_triple(compiler, text);
         const bool is_direction = name.size() == 1;
         if (!numbers || (is_direction && *numbers == runtime::Triple{})) {
             complain(console, Complaint::NotThreeNumbers,

@@ -29,10 +29,11 @@ std::string kind_help() {
     return help;
 }
 
-// "pipe" is pipe.graph.json; a name that has an ending keeps it.
+// "pipe" is pipe.graph.json; a name that has an ending keeps it, and so does a device or a FIFO.
 std::string file_name(const std::string& output, std::string_view ending) {
-    const bool has_ending = is_standard_output(output) || std::filesystem::path(output).has_extension();
-    return has_ending ? output : output + std::string(ending);
+    const bool keeps_name =
+        is_standard_output(output) || is_stream(output) || std::filesystem::path(output).has_extension();
+    return keeps_name ? output : output + std::string(ending);
 }
 
 Exit write_template(const Console& console, const Arguments& arguments) {

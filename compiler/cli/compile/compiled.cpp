@@ -1,5 +1,8 @@
 #include "compiler/cli/compile/compiled.h"
 
+#include <algorithm>
+#include <iterator>
+
 #include "compiler/cli/files.h"
 #include "patina/cost.h"
 #include "patina/output_name.h"
@@ -12,9 +15,11 @@ std::string as_bytes(const std::vector<std::uint32_t>& words) {
     return std::string(reinterpret_cast<const char*>(words.data()), words.size() * sizeof(std::uint32_t));
 }
 
+const std::string kSpirv = "spirv", kSpirvEnding = ".spv";
+
 // "rust.forward.vert.glsl" -> "rust.forward.vert.spv"
 std::string spirv_name(const Shader& shader) {
-    return shader.file_name.substr(0, shader.file_name.rfind('.')) + ".spv";
+    return shader.file_name.substr(0, shader.file_name.rfind('.')) + kSpirvEnding;
 }
 
 // Into the reflection. False: glslang refuses a shader, and the diagnostics say why.
@@ -45,6 +50,26 @@ bool add_shader(const CompileArguments& arguments, const std::string& folder, co
     return validated.ok;
 }
 
+std::vector<std::string> names_of(const OutputFiles& files) {
+    std::vector<std::string> names;
+    for (const runtime::OutputFile& file : files.files) names.push_back(file.path.substr(file.path.rfind('/') + 1));
+    return names;
+}
+
+void list_files(Reflection& reflection, const Shader& shader, std::string_view compiled,
+                std::span<const std::string> written) {
+    for (Pass& pass : reflection.passes) {
+        const auto found = std::ranges::find(pass.shaders, compiled, &ShaderFile::file);
+        if (found == pass.shaders.end()) continue;
+        std::vector<ShaderFile> files;
+        for (const std::string& name : written) {
+            const std::string& language = name.ends_with(kSpirvEnding) ? kSpirv : shader.target.language;
+            files.push_back({.stage = shader.stage, .language = language, .file = name});
+        }
+        pass.shaders.insert(pass.shaders.erase(found), files.begin(), files.end());
+    }
+}
+
 std::string folder_of(const CompileArguments& arguments, const Input& input) {
     return join_path(arguments.folder, input.folder);
 }
@@ -54,8 +79,12 @@ Compiled compile_graph(const CompileArguments& arguments, const Compiler& compil
     made.ok = made.result.ok;
     if (!made.ok) return made;
     const std::string folder = folder_of(arguments, input);
-    for (const Shader& shader : made.result.shaders)
-        made.ok &= add_shader(arguments, folder, shader, made.files, made.result.diagnostics);
+    for (const Shader& shader : made.result.shaders) {
+        OutputFiles files;
+        made.ok &= add_shader(arguments, folder, shader, files, made.result.diagnostics);
+        list_files(made.result.reflection, shader, shader.file_name, names_of(files));
+        std::ranges::move(files.files, std::back_inserter(made.files.files));
+    }
     if (arguments.cost) made.ok &= add_costs(made.result);
     made.reflection = join_path(folder, output_name(input.path) + arguments.kind + ".reflect.json");
     made.files.add(made.reflection, made.result.reflection.to_json());

@@ -5,6 +5,7 @@
 //   if (made.ok) outputs.write(input.path, made.files, made.result.dependencies);
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,13 @@ Compiled compile_graph(const CompileArguments& arguments, const Compiler& compil
 // Adds the files of one shader to `files`. False: glslang or spirv-val refuses it, and `diagnostics` say why.
 bool add_shader(const CompileArguments& arguments, const std::string& folder, const Shader& shader, OutputFiles& files,
                 std::vector<Diagnostic>& diagnostics);
+
+// The names of files, without their folders.
+std::vector<std::string> names_of(const OutputFiles& files);
+
+// Lists in the reflection what was written for a shader, in the place of the file that was compiled.
+void list_files(Reflection& reflection, const Shader& shader, std::string_view compiled,
+                std::span<const std::string> written);
 
 // Where the files of a graph go.
 std::string folder_of(const CompileArguments& arguments, const Input& input);

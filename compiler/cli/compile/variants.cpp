@@ -5,8 +5,10 @@
 #include <rapidjson/stringbuffer.h>
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 
+#include "compiler/cli/compile/compiled.h"
 #include "compiler/cli/files.h"
 #include "patina/output_name.h"
 
@@ -176,20 +178,22 @@ Exit make_variants(const Console& console, const Compiler& compiler, const std::
         const bool is_hashed = std::any_of(program.result.shaders.begin(), program.result.shaders.end(),
                                            [](const Shader& s) { return !s.hash.empty(); });
         made.reflection = with_hash(name + wanted.kind + ".reflect.json", name, is_hashed ? made.hash : "");
-        files.add(join_path(folder, made.reflection), program.result.reflection.to_json());
+        const std::size_t reflection = files.files.size();
+        files.add(join_path(folder, made.reflection), {});
         for (Shader& shader : program.result.shaders) {
+            const std::string compiled = shader.file_name;
             const auto [own, is_new] = files_of.try_emplace(shader.file_name + shader.hash);
             if (is_new) {
                 shader.file_name = with_hash(shader.file_name, name, stages.name(shader.hash));
                 OutputFiles added;
                 if (!add(shader, added)) return Exit::Wrong;
-                for (runtime::OutputFile& file : added.files) {
-                    own->second.push_back(file.path.substr(file.path.rfind('/') + 1));
-                    files.files.push_back(std::move(file));
-                }
+                own->second = names_of(added);
+                std::ranges::move(added.files, std::back_inserter(files.files));
             }
+            list_files(program.result.reflection, shader, compiled, own->second);
             made.files.insert(made.files.end(), own->second.begin(), own->second.end());
         }
+        files.files[reflection].bytes = program.result.reflection.to_json();
     }
     remark(console, fmt::format("{}: {} in {}", graph, counted(set.programs.size(), "different program"),
                                 counted(files_of.size(), "shader")));

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <set>
 
 #include "compiler/engines/shaderlab/dialect.h"
@@ -230,33 +231,28 @@ void check_shader_properties(const graph::Material& material, const graph::Lower
 }
 
 void check_samplers(std::span<const LinkedPass> passes, const engines::Engine& engine, Diagnostics& diagnostics) {
-    // Of all passes, the one that shares the most.
-    const LinkedPass* worst = nullptr;
-    SamplerUse use;
-    for (const LinkedPass& pass : passes) {
-        SamplerUse each = sampler_use(pass, engine.most_samplers);
-        if (each.count() <= engine.most_samplers && each.shared.size() <= use.shared.size()) continue;
-        const bool is_refused = each.count() > engine.most_samplers;
-        use = std::move(each);
-        worst = &pass;
-        if (is_refused) break;
-    }
-    if (!worst) return;
-    const auto texture_of = [&](std::uint32_t sampler) {
-        return std::string_view(worst->fragment.globals[sampler].name).substr(std::string_view("sampler").size());
+    const SamplerUse use = sampler_use(passes, engine.most_samplers);
+    // The first pass that is refused, or else the one that needs the most.
+    const auto rank = [&](const SamplerUse::OfPass& each) {
+        return each.count() > engine.most_samplers ? std::numeric_limits<std::size_t>::max() : each.wanted();
     };
+    const auto worst = std::max_element(use.passes.begin(), use.passes.end(),
+                                        [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
+    if (worst == use.passes.end() || worst->wanted() <= engine.most_samplers) return;
+    const LinkedPass& pass = passes[static_cast<std::size_t>(worst - use.passes.begin())];
+    const auto texture_of = [](std::string_view sampler) { return sampler.substr(std::string_view("sampler").size()); };
     const auto span_of = [&](std::string_view name) {
-        for (const graph::MaterialProperty& entry : worst->material->properties)
+        for (const graph::MaterialProperty& entry : pass.material->properties)
             if (entry.property->name == name) return entry.property->name_span;
-        return worst->material->properties.front().property->name_span;
+        return pass.material->properties.front().property->name_span;
     };
-    const std::size_t room = engine.most_samplers - std::min<std::size_t>(use.of_engine, engine.most_samplers);
+    const std::size_t room = engine.most_samplers - std::min<std::size_t>(worst->of_engine, engine.most_samplers);
     const std::string need =
-        fmt::format("the pass '{}' reads {} textures, and Direct3D 11 has {} samplers{}", name_of(*worst),
-                    use.of_material, engine.most_samplers,
-                    use.of_engine > 0 ? fmt::format(", of which Unity's own text needs {}", use.of_engine) : "");
-    if (use.count() > engine.most_samplers) {
-        diagnostics.report(Code::TooMany, span_of({}), use.of_material, "textures in one pass", room)
+        fmt::format("the pass '{}' reads {} textures, and Direct3D 11 has {} samplers{}", name_of(pass),
+                    worst->of_material, engine.most_samplers,
+                    worst->of_engine > 0 ? fmt::format(", of which Unity's own text needs {}", worst->of_engine) : "");
+    if (worst->count() > engine.most_samplers) {
+        diagnostics.report(Code::TooMany, span_of({}), worst->of_material, "textures in one pass", room)
             .note(need)
             .note("textures with the same \"sampler\" can share one; textures of the vertex stage cannot");
         return;

@@ -108,7 +108,7 @@ public:
         tags();
         for (std::size_t i = 0; i < passes_.size(); ++i) pass(i);
         out_.line(1, "}");
-        out_.line(1, fmt::format("FallBack {}", fallback_word(in_.material, in_.lowered, in_.passes)));
+        out_.line(1, fmt::format("FallBack {}", fallback()));
         out_.line(0, "}");
         return out_.take();
     }
@@ -119,6 +119,8 @@ private:
         return std::any_of(passes_.begin(), passes_.end(),
                            [](const PassText& pass) { return !texts_at(pass, "light mode").empty(); });
     }
+
+    std::string_view fallback() const { return fallback_word(in_.material, in_.lowered, in_.passes); }
 
     const SurfaceRow& surface() const {
         const SurfaceKind kind = in_.material.graph->graph->render.surface;
@@ -193,7 +195,9 @@ private:
         if (moves || std::any_of(in_.passes.begin(), in_.passes.end(), knows_object))
             tags += " \"DisableBatching\" = \"True\"";
         out_.line(2, fmt::format("Tags {{ {} }}", tags));
-        out_.line(2, is_lit() ? "LOD 300" : "LOD 100");  // as Unity's Standard and Unlit shaders
+        // As Unity's Standard and Unlit shaders. What has no shader to fall back to would vanish under a low
+        // Shader.maximumLOD.
+        out_.line(2, is_lit() && fallback() != "Off" ? "LOD 300" : "LOD 100");
         std::vector<std::string_view> lines;
         for (const PassText& pass : passes_) {
             for (const std::string_view line : texts_at(pass, "grab")) {

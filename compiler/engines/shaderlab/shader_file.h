@@ -14,6 +14,8 @@ using link::LinkedPass;
 using link::Varyings;
 using link::varyings_of;
 
+struct SamplerUse;
+
 struct ShaderFile {
     const graph::Material& material;
     const graph::Lowered& lowered;
@@ -110,9 +112,10 @@ struct PassText {
     std::vector<std::string> modern_functions{};
     bool shares_vertex = false;  // the vertex function stands before all passes
 };
-// `taken`: names that have another meaning outside the pass.
+// `samplers`: of all passes (share_samplers.h). `taken`: names that have another meaning outside the pass.
 PassText pass_text(const LinkedPass& pass, const engines::Engine& engine, const languages::TakenNames& engine_names,
-                   const std::vector<std::string>& taken, Remembered<languages::KeptText>* kept);
+                   const SamplerUse& samplers, const std::vector<std::string>& taken,
+                   Remembered<languages::KeptText>* kept);
 // The names that no declaration of the file may have.
 languages::TakenNames taken_names(const engines::Names& names);
 

@@ -20,6 +20,9 @@ using Kind = languages::Piece::Kind;
 
 constexpr std::size_t kIndent = 12;  // indentation of a pass's text in the file
 
+// Variables that UNITY_LIGHT_ATTENUATION and UNITY_APPLY_FOG declare. They do not matter to members.
+constexpr const char* kLocals[] = {"lightCoord", "shadow", "unityFogFactor"};
+
 bool is_word(char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
 }
@@ -124,18 +127,16 @@ languages::TakenNames taken_names(const engines::Names& names) {
     languages::TakenNames made{
         .names = {names.taken.begin(), names.taken.end()}, .macros = {}, .prefixes = names.prefixes};
     made.names.insert(names.own.begin(), names.own.end());
-    // Names of locals and functions do not matter to members; macros begin with a capital or an underscore.
-    for (const std::string& name : names.taken) {
-        if (name[0] == '_' || std::isupper(static_cast<unsigned char>(name[0]))) made.macros.insert(name);
-    }
+    made.macros = made.names;
+    for (const char* local : kLocals) made.macros.erase(local);
     return made;
 }
 
 PassText pass_text(const LinkedPass& pass, const engines::Engine& engine, const languages::TakenNames& engine_names,
-                   const std::vector<std::string>& taken_around, Remembered<languages::KeptText>* kept) {
+                   const SamplerUse& samplers, const std::vector<std::string>& taken_around,
+                   Remembered<languages::KeptText>* kept) {
     PassText made;
     made.texts = texts_of(pass);
-    const SamplerUse samplers = sampler_use(pass, engine.most_samplers);
     const auto named = [&](ir::Module stage) {
         for (ir::Function& function : stage.functions) {
             if (function.linkage != ir::Linkage::Foreign) function.name = engine.function_name(function.name);

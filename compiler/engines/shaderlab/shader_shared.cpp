@@ -4,6 +4,7 @@
 
 #include "compiler/base/text.h"
 #include "compiler/engines/shaderlab/shader_file.h"
+#include "compiler/engines/shaderlab/share_samplers.h"
 
 namespace patina::engines::shaderlab {
 namespace {
@@ -139,8 +140,8 @@ std::vector<PassText> pass_texts(std::span<const LinkedPass> linked, const engin
     std::vector<PassText> passes;
     std::vector<std::vector<std::string>> taken(linked.size());
     const languages::TakenNames engine_names = taken_names(engine.names);
-    for (std::size_t i = 0; i < linked.size(); ++i)
-        passes.push_back(pass_text(linked[i], engine, engine_names, {}, kept));
+    const SamplerUse samplers = sampler_use(linked, engine.most_samplers);
+    for (const LinkedPass& pass : linked) passes.push_back(pass_text(pass, engine, engine_names, samplers, {}, kept));
     for (bool differ = true; differ;) {
         differ = false;
         const auto common = most_common(passes);
@@ -153,7 +154,7 @@ std::vector<PassText> pass_texts(std::span<const LinkedPass> linked, const engin
             differ = differ || taken[i].size() > before;
         }
         for (std::size_t i = 0; differ && i < linked.size(); ++i)
-            passes[i] = pass_text(linked[i], engine, engine_names, taken[i], kept);
+            passes[i] = pass_text(linked[i], engine, engine_names, samplers, taken[i], kept);
     }
     mark_own(passes);
     std::uint32_t first = 0;

@@ -1,25 +1,30 @@
 // Lets textures share samplers if a pass would need more of them than the engine has. Direct3D 11 has 16 samplers in a
-// stage, and 128 textures.
+// stage, and 128 textures. A file declares each texture once, so its passes share in the same way.
 #pragma once
 
 #include "compiler/engines/shaderlab/shader_file.h"
 
 namespace patina::engines::shaderlab {
 
-// The samplers of a pass's fragment stage.
+// The samplers of a file's fragment stages.
 struct SamplerUse {
-    std::size_t of_engine = 0;    // in the engine's own text: [text("sampler", ...)]
-    std::size_t of_material = 0;  // a sampler for each texture
-    // Samplers that the pass does without, and the ones that are used instead: indices of globals. Both textures have
-    // the same sampler in the graph, and the vertex stage samples neither.
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> shared;
+    struct OfPass {
+        std::size_t of_engine = 0;    // in the engine's own text: [text("sampler", ...)]
+        std::size_t of_material = 0;  // a sampler for each texture
+        std::size_t shared = 0;       // of these, the ones that the pass does without
 
-    std::size_t count() const { return of_engine + of_material - shared.size(); }
+        std::size_t wanted() const { return of_engine + of_material; }
+        std::size_t count() const { return wanted() - shared; }
+    };
+    std::vector<OfPass> passes;
+    // Names of samplers that the file does without, and of the ones that are used instead. Both textures have the same
+    // sampler in the graph, no vertex stage reads them, and each pass that reads the first reads the second.
+    std::vector<std::pair<std::string, std::string>> shared;
 };
 
-// Shares only as many as the limit requires. If not enough can be shared, count() is above `most`.
-SamplerUse sampler_use(const LinkedPass& pass, std::size_t most);
-// Replaces the samplers in a stage of that pass.
+// Shares only as many as the limit requires. If not enough can be shared, the count of a pass is above `most`.
+SamplerUse sampler_use(std::span<const LinkedPass> passes, std::size_t most);
+// Replaces the samplers in a stage of one of the passes.
 void share_samplers(ir::Module& stage, const SamplerUse& use);
 
 }  // namespace patina::engines::shaderlab

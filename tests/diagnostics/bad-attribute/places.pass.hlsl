@@ -9,6 +9,9 @@
 }
 [with("fog")] const float MIST = 3;
 [perObject] [switch] bool mist;
+[node("Mine/Foo")] [also("Bar")] [is("direction")] [range(0, 1)] float3 notANode(float3 x) {
+    return x;
+}
 [gives("positionWS", "forward-add")] float3 elsewhere(float3 position = positionOS) {
     return position;
 }

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <rapidjson/document.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
@@ -75,6 +76,24 @@ Baked baked_surface(const Folder& folder, const std::string& surface, bool is_sp
 void expect_numbers(const rapidjson::Value& array, const std::vector<double>& expected) {
     ASSERT_EQ(array.Size(), expected.size());
     for (unsigned i = 0; i < array.Size(); i++) EXPECT_NEAR(array[i].GetDouble(), expected[i], 1e-6) << i;
+}
+
+// The warning about texels names the node, whose place in a picture of the object would be another one.
+TEST(Bake, TexelsThatAreNotFiniteAreTracedToTheirNode) {
+    const Folder folder;
+    const std::string nodes = R"j("nodes": [ { "id": "mask", "expr": "step(0.5, @uv0.x)" },
+        { "id": "share", "expr": "mask / (1 - mask)" } ],)j";
+    for (const char* surface : {R"j("baseColor": "= share * float3(0.5, 1, 1)")j", R"j("roughness": "= share - 0.2")j",
+                                R"j("emission": "= float3(share, 0, 0)")j"}) {
+        const Baked made = baked_surface(folder, surface, false, nodes);
+        const auto& all = made.outcome.diagnostics;
+        const auto found = std::find_if(all.begin(), all.end(),
+                                        [](const Diagnostic& each) { return each.code == "pixels-not-finite"; });
+        ASSERT_NE(found, all.end()) << surface;
+        EXPECT_EQ(found->node, "share") << surface;
+        EXPECT_EQ(found->line, 2) << surface;
+        EXPECT_NE(found->message.find("'share.out' is inf there; they are 0"), std::string::npos) << found->message;
+    }
 }
 
 TEST(Bake, WhatIsTheSameEverywhereIsAFactor) {

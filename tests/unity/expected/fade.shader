@@ -247,7 +247,7 @@ Shader "Patina/fade"
     SubShader
     {
         Tags { "RenderType" = "Transparent" "Queue" = "Transparent" "IgnoreProjector" = "True" }
-        LOD 300
+        LOD 100
 
         Pass
         {
