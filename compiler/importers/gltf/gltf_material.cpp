@@ -108,16 +108,22 @@ Term set_metal(MaterialGraph& graph, Object& material, Object& metal, bool has_a
         has_alpha, use.has_colors);
     graph.set("baseColor", base.color);
     const std::string_view slot = slot_of_roughness(material, metal);
-    graph.set("metallic", graph.scalar(metal, {.factor = "metallicFactor",
+    const Term metallic = graph.scalar(metal, {.factor = "metallicFactor",
                                                .texture = "metallicRoughnessTexture",
                                                .slot = slot,
                                                .channel = "b",
-                                               .property = "_Metallic"}));
-    graph.set("roughness", graph.scalar(metal, {.factor = "roughnessFactor",
+                                               .property = "_Metallic",
+                                               .shares_texture = true});
+    graph.set("metallic", metallic);
+    const Term roughness = graph.scalar(metal, {.factor = "roughnessFactor",
                                                 .texture = "metallicRoughnessTexture",
                                                 .slot = slot,
                                                 .channel = "g",
-                                                .property = "_Roughness"}));
+                                                .property = "_Roughness",
+                                                .shares_texture = true});
+    graph.set("roughness", roughness);
+    if (metallic.is(0) && roughness.is(0))
+        metal.child("metallicRoughnessTexture").all_taken("it has no effect: both factors are 0");
     metal.rest();
     return base.alpha;
 }
@@ -132,7 +138,8 @@ Term set_specular(MaterialGraph& graph, Object& gloss, bool has_alpha, const Mat
                     .texture = "specularGlossinessTexture",
                     .slot = "specularGlossiness",
                     .channel = "rgb",
-                    .property = "_Specular"};
+                    .property = "_Specular",
+                    .shares_texture = true};
     const Term specular = graph.color(gloss, slot);
     const std::string node = graph.texel(gloss, slot.texture, slot.slot, "color");
     const auto factor = gloss.number("glossinessFactor", 0, 1);
@@ -208,12 +215,30 @@ Term set_unlit(MaterialGraph& graph, Object& material, Object& metal, bool has_a
     return base.alpha;
 }
 
+// Which numbers, "occlusion" or "thickness", a material's textures hold: those that are neither colours nor normals.
+void find_packed(const Json& object, std::map<std::size_t, std::vector<std::string>>& packed) {
+    constexpr std::string_view kEnding = "Texture";
+    for (const graph::JsonMember& member : object.members) {
+        const std::string& key = member.key;
+        if (member.value.kind != Json::Kind::Object) continue;
+        const Json* index = member.value.find("index");
+        std::string name = key.ends_with(kEnding) ? key.substr(0, key.size() - kEnding.size()) : std::string();
+        const bool is_number = !name.empty() && !name.ends_with("olor") && !name.ends_with("ormal") &&
+                               name != "emissive" && name != "diffuse" && name != "specularGlossiness";
+        if (is_number && index && index->kind == Json::Kind::Number && index->number >= 0)
+            packed[static_cast<std::size_t>(index->number)].push_back(std::move(name));
+        find_packed(member.value, packed);
+    }
+}
+
 }  // namespace
 
 GraphFile material_graph(const Context& context, Pictures& pictures, std::size_t index, const MaterialUse& use) {
     MaterialGraph graph(context, pictures, use.name);
     graph.lacks_coordinates = use.lacks_coordinates;
     Object material = element(context, "materials", index);
+    if (material) find_packed(*material.json(), graph.packed);
+    for (auto& [texture, held] : graph.packed) std::sort(held.begin(), held.end());
     graph.graph.name = material.word("name").value_or(use.name);
     graph.graph.workflow = "metallic-roughness";
     material.taken("name", "the graph's name");
