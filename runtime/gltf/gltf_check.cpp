@@ -188,8 +188,10 @@ private:
 
     // The core of glTF has floats, and for some attributes shares of the largest whole number (section 3.7.2.1).
     void check_type(const std::string& where, const std::string& name, const tinygltf::Accessor& accessor) {
-        const std::vector<std::string>& used = model_.extensionsUsed;
-        const bool is_quantized = std::find(used.begin(), used.end(), "KHR_mesh_quantization") != used.end();
+        const auto names = [](const std::vector<std::string>& extensions) {
+            return std::find(extensions.begin(), extensions.end(), "KHR_mesh_quantization") != extensions.end();
+        };
+        const bool is_quantized = names(model_.extensionsUsed) || names(model_.extensionsRequired);
         const bool is_float = accessor.componentType == TINYGLTF_COMPONENT_TYPE_FLOAT;
         if (is_quantized || is_float) return;
         const bool is_share = accessor.normalized && (accessor.componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE ||
