@@ -185,6 +185,7 @@ private:
                 request_.options.progress((double(at) + share) / double(count), file);
             };
         runtime::RenderOutcome drawn = runtime::render(compiler_, request, machine_);
+        say_swept(drawn);
         if (!drawn.ok && has_all_models_ && !drawn.missing_machine &&
             (fitting.empty() || fitting.back() != values[0])) {
             if (made_.left_out.empty()) first_refused = drawn;
@@ -194,6 +195,26 @@ private:
         if (fitting.empty() || fitting.back() != values[0]) fitting.push_back(values[0]);
         take(std::move(drawn));
         return made_.drawn.ok;
+    }
+
+    // A scene and a model have no property to set, so their axes are switches, as those of -D.
+    void say_swept(runtime::RenderOutcome& drawn) const {
+        if (!is_scene(request_.graph)) return;
+        const auto is_property = [](const Diagnostic& each) { return each.code == "not-a-keyword"; };
+        const auto found = std::ranges::find_if(drawn.diagnostics, is_property);
+        if (found == drawn.diagnostics.end()) return;
+        const bool is_imported = request_.options.files != nullptr;
+        drawn.error = fmt::format(
+            "--sweep {}: of a {}, only variants and constants can be swept, and this is a property: {}", swept(*found),
+            is_imported ? "model" : "scene",
+            is_imported ? "'patina import' makes graphs of it, and each can be swept alone" : "sweep its graph alone");
+        std::erase_if(drawn.diagnostics, is_property);
+    }
+    // The axis that the message names.
+    std::string swept(const Diagnostic& refusal) const {
+        for (const SweepAxis& axis : axes_)
+            if (refusal.message.find("'" + axis.name + "'") != std::string::npos) return axis.name;
+        return {};
     }
 
     // All reasons, without the model's name, so that equal reasons are equal.

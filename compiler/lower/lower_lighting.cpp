@@ -115,6 +115,40 @@ ir::FunctionId lower_sum(Lowering& lowering, const SlotDecl& declared) {
     return add_function(module, std::move(function));
 }
 
+bool reads(const nodelang::Expr& value, std::string_view semantic) {
+    return (value.kind == nodelang::Expr::Kind::Semantic && value.text == semantic) ||
+           std::any_of(value.args.begin(), value.args.end(), [&](const auto* part) { return reads(*part, semantic); });
+}
+
+// True if a value of the lighting graph, or a node that it reads, reads a parameter of the slot other than the surface.
+bool reads_parameter(const CheckedGraph& lighting, const PortValue& value, const SlotDecl& slot) {
+    const std::vector<bool> reached = lighting.reachable(std::span(&value, 1));
+    for (std::size_t p = 1; p < slot.function->params.size(); ++p) {
+        const std::string_view name = slot.function->params[p].name;
+        const auto is_read_by = [&](const PortValue& port) { return port.value && reads(*port.value, name); };
+        if (is_read_by(value)) return true;
+        for (std::size_t i = 0; i < reached.size(); ++i) {
+            const Node& node = lighting.graph->nodes[i];
+            if (reached[i] && ((node.expr && reads(*node.expr, name)) ||
+                               std::any_of(node.inputs.begin(), node.inputs.end(), is_read_by)))
+                return true;
+        }
+    }
+    return false;
+}
+
+// The slot that has the sums of the others, if the value that a preview shows reads them: the others are then as in the
+// picture. Else null.
+const SlotDecl* shown_sum(const Lowering& lowering) {
+    const Material& material = lowering.material;
+    if (!material.shown_value.value) return nullptr;
+    for (const SlotDecl& slot : lowering.session.paths->slots) {
+        const bool is_sum = !slot.is_derived() && !slot.light_param && slot.function->params.size() > 1;
+        if (is_sum && reads_parameter(*material.lighting, material.shown_value, slot)) return &slot;
+    }
+    return nullptr;
+}
+
 // A preview of a value of the lighting graph: it is the only light. If it depends on the light, it is summed over
 // them; else it counts once.
 void lower_shown(Lowering& lowering, GraphScope& material) {
@@ -154,6 +188,8 @@ void lower_slots(Lowering& lowering) {
     ir::Builder unused_builder(lowering.out.module, unused, lowering.emitter.options);
     GraphScope material(lowering, *lowering.material.graph, unused_builder, false);
     const CheckedGraph& lighting = *lowering.material.lighting;
+    const SlotDecl* const sum = shown_sum(lowering);
+    const bool is_only_light = lowering.material.shown_value.value && !sum;
     for (const SlotDecl& declared : lowering.session.paths->slots) {
         if (declared.is_derived()) continue;
         const FunctionDecl* slot = declared.function;
@@ -163,8 +199,12 @@ void lower_slots(Lowering& lowering) {
         if (slot->params.empty()) {
             if (!surface) continue;
             made.function = lowering.setup = lower_setup(lowering, *slot, surface, members);
-        } else if (lowering.material.shown_value.value) {
+        } else if (is_only_light) {
             continue;
+        } else if (&declared == sum) {
+            const LoweredOutput lowered = lower_lighting(lowering, declared, lowering.material.shown_value, material);
+            made.function = lowered.function;
+            made.needs_quad = lowered.needs_quad;
         } else if (output != lighting.graph->outputs.end()) {
             if (!output->value) continue;
             const LoweredOutput lowered = lower_lighting(lowering, declared, *output, material);
@@ -175,7 +215,7 @@ void lower_slots(Lowering& lowering) {
         }
         if (made.function) lowering.emitter.known.slots[std::string(slot->name)] = made;
     }
-    if (lowering.material.shown_value.value) lower_shown(lowering, material);
+    if (is_only_light) lower_shown(lowering, material);
 }
 
 }  // namespace patina::graph

@@ -35,7 +35,8 @@ namespace {
 Typed surface_value(Lowering& lowering, GraphScope& scope, std::span<const Input* const> inputs, const Input& input,
                     Type type) {
     const std::vector<PortValue>& ports = lowering.material.graph->graph->surface;
-    const bool shows_input = lowering.material.is_preview && !lowering.material.shown_value.value;
+    const Material& material = lowering.material;
+    const bool shows_input = material.is_preview && !material.shown_value.value && !material.shows_all_light;
     for (const PortValue& port : ports) {
         if (!shows_input) lowering.session.diagnostics.set_context("surface", port.name);
         if (port.name == input.name) {

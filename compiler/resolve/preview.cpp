@@ -116,11 +116,21 @@ const Expr* output_of(const Graph& lighting, std::string_view name) {
     return found == lighting.outputs.end() || has_node(lighting, name) ? nullptr : found->value;
 }
 
+// A slot that passes call with the sums of the others, and that a lighting graph may leave to its default.
+bool is_sum(Session& session, std::string_view name) {
+    const SlotDecl* slot = session.paths->slot(name);
+    return slot && !slot->is_derived() && slot->function->has_body && slot->function->params.size() > 1;
+}
+
 bool show_lighting(Session& session, Graph& graph, const Graph& workflow, const Shown& port, Material& material) {
     std::string ignored;
     const CheckedGraph* lighting = find_lighting(session, graph, lighting_of(graph, workflow), ignored);
     if (!lighting) return false;
     if (const Expr* output = output_of(*lighting->graph, port.text)) return show_lit(graph, output, material);
+    if (is_sum(session, port.text) && !has_node(*lighting->graph, port.text)) {
+        draw_solid(graph);
+        return material.shows_all_light = true;
+    }
     material.shown_in_lighting = port;
     return show_lit(graph, parse_shown(session, port), material);
 }

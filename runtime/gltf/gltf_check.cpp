@@ -178,11 +178,29 @@ private:
                 wrong(where, "has " + std::to_string(width) + " numbers, not " + std::to_string(least) +
                                  (least == most ? "" : " or " + std::to_string(most)));
         };
+        check_type(where, name, accessor);
         if (name == "POSITION" || name == "NORMAL") has_width(3, 3);
         if (name == "TANGENT") has_width(3, 4);
         if (name.starts_with("TEXCOORD_")) has_width(2, 2);
         if (name.starts_with("COLOR_")) has_width(3, 4);
         if (name.starts_with("JOINTS_") || name.starts_with("WEIGHTS_")) has_width(4, 4);
+    }
+
+    // The core of glTF has floats, and for some attributes shares of the largest whole number (section 3.7.2.1).
+    void check_type(const std::string& where, const std::string& name, const tinygltf::Accessor& accessor) {
+        const auto names = [](const std::vector<std::string>& extensions) {
+            return std::find(extensions.begin(), extensions.end(), "KHR_mesh_quantization") != extensions.end();
+        };
+        const bool is_quantized = names(model_.extensionsUsed) || names(model_.extensionsRequired);
+        const bool is_float = accessor.componentType == TINYGLTF_COMPONENT_TYPE_FLOAT;
+        if (is_quantized || is_float) return;
+        const bool is_share = accessor.normalized && (accessor.componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE ||
+                                                      accessor.componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT);
+        const bool needs_float = name == "POSITION" || name == "NORMAL" || name == "TANGENT";
+        if (needs_float || (name.starts_with("TEXCOORD_") && !is_share))
+            wrong(where,
+                  "has whole numbers, which only the extension KHR_mesh_quantization allows: name it in "
+                  "extensionsUsed, or write floats");
     }
 
     void mesh(std::size_t i) {

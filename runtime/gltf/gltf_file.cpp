@@ -122,6 +122,16 @@ std::string located(const std::string& why) {
                        reason == why.npos ? "" : ": " + why.substr(reason + 3));
 }
 
+// Its message for a buffer that claims more than the second chunk of a .glb holds, with the place; empty: another one.
+std::string short_chunk(const std::string& why) {
+    double claimed = 0, held = 0;
+    const std::size_t at = why.find("`byteLength' = ");
+    if (at == why.npos || std::sscanf(why.c_str() + at, "`byteLength' = %lf, binary size = %lf", &claimed, &held) != 2)
+        return {};
+    return fmt::format("buffers[0].byteLength: the buffer shall have {:.0f} bytes, and the chunk BIN has {:.0f}",
+                       claimed, held);
+}
+
 // tinygltf's messages are lines; some end in a full stop. Some quote a whole data URI.
 std::string one_line(std::string text) {
     if (const std::size_t at = text.find(";base64,"); at != text.npos) text.resize(at + 8), text += "...";
@@ -166,6 +176,7 @@ Outcome<tinygltf::Model> open_gltf(const std::string& path) {
         why = one_line(why);
         if (why.starts_with("File not found : "))
             return Failure{path + ": the file '" + why.substr(17) + "' cannot be read"};
+        if (const std::string mistake = short_chunk(why); !mistake.empty()) return Failure{path + ": " + mistake};
         if (const std::string place = located(why); !place.empty() && !has_header_of_glb(bytes))
             return Failure{path + place};
         return Failure{path + " is not a glTF file that can be read: " + (why.empty() ? "it is broken" : why)};

@@ -30,6 +30,35 @@ bool is_whole_png(std::string_view bytes) {
     return false;
 }
 
+constexpr std::array<std::uint32_t, 256> kCrc = [] {
+    std::array<std::uint32_t, 256> table{};
+    for (std::uint32_t i = 0; i < 256; ++i) {
+        table[i] = i;
+        for (int bit = 0; bit < 8; ++bit) table[i] = table[i] >> 1 ^ (table[i] & 1 ? 0xedb88320 : 0);
+    }
+    return table;
+}();
+
+std::uint32_t crc_of(std::string_view bytes) {
+    std::uint32_t crc = 0xffffffff;
+    for (const char byte : bytes) crc = kCrc[(crc ^ static_cast<unsigned char>(byte)) & 0xff] ^ crc >> 8;
+    return ~crc;
+}
+
+// Of the chunks that a picture needs: their names begin with a capital. The checksum is of name and data (PNG
+// specification, annex D).
+bool is_intact_png(std::string_view bytes) {
+    for (std::size_t at = 8; at + 12 <= bytes.size();) {
+        const std::size_t length = big_endian(bytes, at, 4);
+        const bool is_needed = (bytes[at + 4] & 0x20) == 0;
+        if (is_needed && crc_of(bytes.substr(at + 4, length + 4)) != big_endian(bytes, at + 8 + length, 4))
+            return false;
+        if (bytes.substr(at + 4, 4) == "IEND") return true;
+        at += 12 + length;
+    }
+    return true;
+}
+
 // Segments with a length, up to the first that begins the picture; the mark of the end is after that. A preview inside
 // of a segment has an end of its own.
 bool is_whole_jpeg(std::string_view bytes) {
@@ -131,7 +160,7 @@ struct Row {
     std::size_t inner_at = 0;  // where `inner` stands
 };
 constexpr Row kRows[] = {
-    {{"PNG", kPng, true, is_whole_png}, "\x89PNG\r\n\x1a\n"sv},
+    {{"PNG", kPng, true, is_whole_png, is_intact_png}, "\x89PNG\r\n\x1a\n"sv},
     {{"JPEG", kJpeg, true, is_whole_jpeg}, "\xff\xd8\xff"sv},
     {{"WebP", kWebp, true, is_whole_webp}, "RIFF"sv, "WEBP"sv, 8},
     {{"OpenEXR", kExr}, "\x76\x2f\x31\x01"sv},
@@ -169,6 +198,11 @@ const PictureKind* picture_kind(std::string_view bytes) {
     return nullptr;
 }
 
+std::string_view damage_of(const PictureKind& kind, std::string_view bytes) {
+    if (kind.is_whole && !kind.is_whole(bytes)) return "without its end";
+    return !kind.is_intact || kind.is_intact(bytes) ? "" : "whose bytes are damaged: a checksum does not fit";
+}
+
 std::string picture_fault(const std::string& path, std::string_view bytes) {
     if (bytes.empty()) return "it has no bytes";
     const PictureKind* const kind = picture_kind(bytes);
@@ -182,8 +216,8 @@ std::string picture_fault(const std::string& path, std::string_view bytes) {
         const std::filesystem::path right = std::filesystem::path(path).filename().replace_extension(kind->endings[0]);
         return "it is a " + name + " file: name it '" + right.string() + "'";
     }
-    if (kind->is_whole && !kind->is_whole(bytes)) return "it is a " + name + " file without its end";
-    return "";
+    const std::string_view damage = damage_of(*kind, bytes);
+    return damage.empty() ? "" : "it is a " + name + " file " + std::string(damage);
 }
 
 }  // namespace patina::runtime

@@ -17,9 +17,14 @@ struct PictureKind {
     bool is_readable = true;                    // OpenImageIO reads it
     // False if the file ends too early. Null: whoever decodes the pixels finds that.
     bool (*is_whole)(std::string_view bytes) = nullptr;
+    // False if a checksum of a whole file does not fit. Null: it has none, or whoever decodes the pixels finds that.
+    bool (*is_intact)(std::string_view bytes) = nullptr;
 };
 // By the first bytes. Null: none that is known.
 const PictureKind* picture_kind(std::string_view bytes);
+
+// What is wrong with the bytes of a picture of this kind: "without its end", "whose bytes are damaged"; or nothing.
+std::string_view damage_of(const PictureKind& kind, std::string_view bytes);
 
 // Why the bytes cannot be a picture of this name, or nothing.
 std::string picture_fault(const std::string& path, std::string_view bytes);

@@ -98,13 +98,19 @@ std::optional<Clipping> clipping(const Image& linear) {
         peaks.push_back(peak);
     }
     const std::size_t count = linear.pixels.size() / 4;
-    if (peaks.size() * 1000 < count || peaks.empty()) return std::nullopt;
-    Clipping clipped{.share = double(peaks.size()) / double(count)};
-    const std::size_t highlights = std::size_t(kHighlights * double(count));
-    if (highlights >= peaks.size()) return clipped;
-    std::ranges::nth_element(peaks, peaks.begin() + std::ptrdiff_t(highlights), std::greater());
-    clipped.exposure = std::floor(-std::log2(double(peaks[highlights])) * 100) / 100;
-    return clipped;
+    if (double(peaks.size()) < kUnseen * double(count) || peaks.empty()) return std::nullopt;
+    std::ranges::sort(peaks, std::greater());
+    // So many of the brightest pixels clip.
+    const auto exposure_leaving = [&](std::size_t left) {
+        return left < peaks.size() ? std::floor(-std::log2(double(peaks[left])) * 100) / 100 : 0.0;
+    };
+    const double for_all = exposure_leaving(std::size_t(std::ceil(kUnseen * double(count))) - 1);
+    const double for_most = exposure_leaving(std::size_t(kHighlights * double(count)));
+    const double exposure = for_most - for_all > 1 ? for_most : for_all;
+    const auto is_left = [&](float peak) { return peak * std::exp2(exposure) > double(kWhite); };
+    return Clipping{.share = double(peaks.size()) / double(count),
+                    .exposure = exposure,
+                    .left = double(std::ranges::count_if(peaks, is_left)) / double(count)};
 }
 
 }  // namespace patina::runtime

@@ -38,11 +38,15 @@ Image toned(Image linear, const Tone& tone);
 
 // Pixels brighter than white, of those that are not transparent.
 struct Clipping {
-    double share = 0;     // of all pixels
-    double exposure = 0;  // stops to add, a negative number, so that only kHighlights is left; two decimals
+    double share = 0;  // of all pixels
+    // Stops to add, a negative number of two decimals. They leave less than kUnseen, so that this is nothing any more;
+    // or kHighlights, if the brightest pixels are more than a stop brighter than all others.
+    double exposure = 0;
+    double left = 0;  // the share that clips then
 };
+inline constexpr double kUnseen = 0.001;     // of the pixels
 inline constexpr double kHighlights = 0.05;  // of the pixels: as many as highlights may cover
-// Nothing if less than a thousandth of the pixels clips.
+// Nothing if less than kUnseen clips.
 std::optional<Clipping> clipping(const Image& linear);
 
 }  // namespace patina::runtime

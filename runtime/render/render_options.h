@@ -56,7 +56,7 @@ struct DrawnShader {
 struct RenderOutcome {
     bool ok = false;
     Image image;                              // linear
-    double exposure = 0;                      // stops that suit it if nobody says how bright it is (exposure_for())
+    double exposure = 0;                      // stops to show it with: the request's, or what suits it (exposure_for())
     std::vector<Image> also_shown{};          // as RenderOptions::also_shown; of a failure: none
     Reflection reflection{};                  // of the only material; of several: of the first
     DataSummary values{};                     // of the picture; of a preview: of what the object covers

@@ -96,7 +96,7 @@ bool is_empty(const Image& image, const Scene& view) {
     if (view.backdrop != SceneBackdrop::Color) return false;
     for (std::size_t i = 0; i < image.pixels.size(); ++i) {
         const float without = background[int(i % 4)];
-        if (!(std::abs(image.pixels[i] - without) <= 1e-5f)) return false;
+        if (!(std::abs(image.pixels[i] - without) <= 1e-5f * std::max(1.0f, without))) return false;
     }
     return true;
 }
@@ -202,6 +202,38 @@ RenderOutcome draw(const Compiler& compiler, const RenderRequest& request, const
     RenderOutcome drawn = draw_world(compiler, world, options, machine);
     if (drawn.ok) drawn.values = summarise(drawn.image);
     if (drawn.values.not_finite > 0) drawn.diagnostics.push_back(not_finite(compiler, request, world, options, drawn));
+    return drawn;
+}
+
+// A render target of the rendering path, as a preview names it: "gbuffer/gbufferNormal". Null if it names none.
+const RenderTarget* shown_target(const Compiler& compiler, const RenderOptions& options) {
+    const std::size_t slash = options.preview.find('/');
+    const std::string pass = options.preview.substr(0, slash);
+    if (slash == std::string::npos) return nullptr;
+    for (const PathInfo& path : compiler.paths()) {
+        if (path.name != options.path) continue;
+        for (const PassInfo& each : path.passes) {
+            for (const RenderTarget& target : each.state.targets)
+                if (each.state.name == pass && target.name == options.preview.substr(slash + 1)) return &target;
+        }
+    }
+    return nullptr;
+}
+
+// What is in the target when the picture is done.
+RenderOutcome render_target(const Compiler& compiler, RenderRequest request, const World& world,
+                            const std::string& target, RenderMachine& machine) {
+    if (target == "color")
+        return failed({}, "the target 'color' of '" + request.options.preview + "' is the picture: leave out --node");
+    request.options.preview.clear();
+    request.options.also_shown = {target};
+    RenderOutcome drawn = draw_world(compiler, world, request.options, machine);
+    if (!drawn.ok) return drawn;
+    drawn.image = std::move(drawn.also_shown[0]);
+    drawn.also_shown.clear();
+    for (std::size_t i = 3; i < drawn.image.pixels.size(); i += 4) drawn.image.pixels[i] = 1;  // it may hold any data
+    drawn.values = summarise(drawn.image);
+    show_values(request, drawn.image);
     return drawn;
 }
 
@@ -323,10 +355,14 @@ RenderOutcome render(const Compiler& compiler, const RenderRequest& request, Ren
         return failed({}, "an object or a material is chosen for a preview: name a node, too");
     if (std::string error = keep_light(request, world); !error.empty())
         return failed(std::move(outcome), std::move(error));
-    RenderOutcome drawn = !is_preview         ? draw(compiler, request, world, request.options, machine)
+    const double exposure = is_preview ? 0 : request.exposure.value_or(exposure_for(world.view));
+    for (int c = 0; c < 3; ++c) world.view.background[c] *= float(std::exp2(-exposure));
+    const RenderTarget* const target = shown_target(compiler, request.options);
+    RenderOutcome drawn = target              ? render_target(compiler, request, world, target->name, machine)
+                          : !is_preview       ? draw(compiler, request, world, request.options, machine)
                           : is_scene(request) ? render_scene_preview(compiler, request, world, machine)
                                               : render_preview(compiler, request, world, machine);
-    if (!is_preview) drawn.exposure = exposure_for(world.view);
+    drawn.exposure = exposure;
     put_first(outcome.diagnostics, drawn);
     drawn.dependencies.insert(drawn.dependencies.end(), outcome.dependencies.begin(), outcome.dependencies.end());
     if (!is_scene(request) && drawn.ok && is_empty(drawn.image, world.view))

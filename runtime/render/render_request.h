@@ -36,12 +36,15 @@ struct RenderRequest {
     std::map<std::string, std::string> overrides{};  // property -> "0.2", "1,0,0", "#ff8800", "true", "Wet", "rust.png"
     std::optional<double> time{};                    // seconds; nothing: the scene's own, or 0
     std::vector<std::string>
-        lights{};                // empty: the default three, none if the environment is a picture; {"none"}: none
-    std::string ambient{};       // empty: the default sky
-    std::string environment{};   // "sunset.hdr", "sunset.hdr rotation=90 intensity=2", "studio"; empty: the studio
-    std::string camera{};        // empty: frames the mesh
-    std::string background{};    // "#203040", "0.2", "none" (transparent), "env", "blur"; empty: dark grey, but
-                                 // the environment where a picture of it is seen through a material
+        lights{};               // empty: the default three, none if the environment is a picture; {"none"}: none
+    std::string ambient{};      // empty: the default sky
+    std::string environment{};  // "sunset.hdr", "sunset.hdr rotation=90 intensity=2", "studio"; empty: the studio
+    std::string camera{};       // empty: frames the mesh
+    std::string background{};   // "#203040", "0.2", "none" (transparent), "env", "blur"; empty: dark grey, but
+                                // the environment where a picture of it is seen through a material
+    // Stops that the picture will be shown with: a background colour is what it says after them. Nothing: those that
+    // suit it (RenderOutcome::exposure).
+    std::optional<double> exposure{};
     std::optional<int> light{};  // of a preview: the only light that there is, by its number; nothing: all of them
     // Of a preview: its values in this range as colours (data_picture.h); nothing: the values as they are.
     std::optional<DataRange> range{};

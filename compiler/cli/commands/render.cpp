@@ -115,11 +115,16 @@ void say_clipping(const Console& console, const Arguments& arguments, const std:
     // A dark picture is no answer to highlights.
     const bool is_too_bright =
         clipped->share >= runtime::kHighlights && (clipped->exposure >= kDarkest || clipped->share >= kMostOfIt);
+    const bool has_highlights = clipped->left >= runtime::kUnseen;
     std::string advice;
     if (is_too_bright)
-        advice = fmt::format("--exposure {:.2f} shows all but highlights{}", exposure, has_curve ? "" : ", and ");
+        advice = fmt::format("--exposure {:.2f} shows all{}{}", exposure,
+                             has_highlights ? fmt::format(" but highlights, {:.1f} %", 100 * clipped->left) : "",
+                             has_curve ? "" : ", and ");
     if (!has_curve)
-        advice += fmt::format("--tonemap khronos-neutral shows {}", is_too_bright ? "these, too" : "such highlights");
+        advice += fmt::format("--tonemap khronos-neutral shows {}", !is_too_bright   ? "such highlights"
+                                                                    : has_highlights ? "these, too"
+                                                                                     : "it without that");
     remark(console, fmt::format("{:.1f} % of the pixels are brighter than white and clip{}{}", 100 * clipped->share,
                                 advice.empty() ? "" : ": ", advice));
 }
@@ -240,6 +245,7 @@ void take_tone(Arguments& arguments) {
         throw CLI::ValidationError("--tonemap",
                                    "an EXR file holds the light as it is: leave out --tonemap, or write a PNG");
     if (arguments.output.ends_with(".exr") && !arguments.tone.exposure) arguments.tone.exposure = 0;
+    arguments.request.exposure = arguments.tone.exposure;
     if ((has_curve || arguments.tone.exposure.value_or(0) != 0) && !arguments.request.options.preview.empty())
         throw CLI::ValidationError(has_curve ? "--tonemap" : "--exposure",
                                    "--node shows values, not light: leave one of them out");

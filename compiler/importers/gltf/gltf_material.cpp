@@ -108,22 +108,28 @@ Term set_metal(MaterialGraph& graph, Object& material, Object& metal, bool has_a
         has_alpha, use.has_colors);
     graph.set("baseColor", base.color);
     const std::string_view slot = slot_of_roughness(material, metal);
-    graph.set("metallic", graph.scalar(metal, {.factor = "metallicFactor",
+    const Term metallic = graph.scalar(metal, {.factor = "metallicFactor",
                                                .texture = "metallicRoughnessTexture",
                                                .slot = slot,
                                                .channel = "b",
-                                               .property = "_Metallic"}));
-    graph.set("roughness", graph.scalar(metal, {.factor = "roughnessFactor",
+                                               .property = "_Metallic",
+                                               .shares_texture = true});
+    graph.set("metallic", metallic);
+    const Term roughness = graph.scalar(metal, {.factor = "roughnessFactor",
                                                 .texture = "metallicRoughnessTexture",
                                                 .slot = slot,
                                                 .channel = "g",
-                                                .property = "_Roughness"}));
+                                                .property = "_Roughness",
+                                                .shares_texture = true});
+    graph.set("roughness", roughness);
+    if (metallic.is(0) && roughness.is(0))
+        metal.child("metallicRoughnessTexture").all_taken("it has no effect: both factors are 0");
     metal.rest();
     return base.alpha;
 }
 
-// f0 is stated, and the diffuse colour loses its largest channel: with 'specularColor' that is a dielectric of any f0.
 Term set_specular(MaterialGraph& graph, Object& gloss, bool has_alpha, const MaterialUse& use) {
+    graph.graph.workflow = "specular-glossiness";
     const Base base =
         base_of(graph, gloss,
                 {.factor = "diffuseFactor", .texture = "diffuseTexture", .slot = "diffuse", .property = "_Diffuse"},
@@ -132,7 +138,8 @@ Term set_specular(MaterialGraph& graph, Object& gloss, bool has_alpha, const Mat
                     .texture = "specularGlossinessTexture",
                     .slot = "specularGlossiness",
                     .channel = "rgb",
-                    .property = "_Specular"};
+                    .property = "_Specular",
+                    .shares_texture = true};
     const Term specular = graph.color(gloss, slot);
     const std::string node = graph.texel(gloss, slot.texture, slot.slot, "color");
     const auto factor = gloss.number("glossinessFactor", 0, 1);
@@ -143,12 +150,9 @@ Term set_specular(MaterialGraph& graph, Object& gloss, bool has_alpha, const Mat
         gloss.taken("glossinessFactor", "the property '_Glossiness'");
     }
     gloss.taken("glossinessFactor", "1: the texture alone");
-    const Term glossiness = product(factors, constant(1));
-    graph.node({.id = "f0", .expression = specular.expression.empty() ? specular.inside() : specular.expression});
-    graph.set("baseColor", expression(base.color.inside() + " * (1 - max(max(f0.r, f0.g), f0.b))"));
-    graph.set("metallic", constant(0));
-    graph.set("roughness", glossiness.is(1) ? constant(0) : expression("1 - " + glossiness.inside()));
-    graph.set("specularColor", expression("f0 / 0.04"));
+    graph.set("baseColor", base.color);
+    graph.set("specular", specular);
+    graph.set("glossiness", product(factors, constant(1)));
     gloss.rest();
     return base.alpha;
 }
@@ -208,12 +212,30 @@ Term set_unlit(MaterialGraph& graph, Object& material, Object& metal, bool has_a
     return base.alpha;
 }
 
+// Which numbers, "occlusion" or "thickness", a material's textures hold: those that are neither colours nor normals.
+void find_packed(const Json& object, std::map<std::size_t, std::vector<std::string>>& packed) {
+    constexpr std::string_view kEnding = "Texture";
+    for (const graph::JsonMember& member : object.members) {
+        const std::string& key = member.key;
+        if (member.value.kind != Json::Kind::Object) continue;
+        const Json* index = member.value.find("index");
+        std::string name = key.ends_with(kEnding) ? key.substr(0, key.size() - kEnding.size()) : std::string();
+        const bool is_number = !name.empty() && !name.ends_with("olor") && !name.ends_with("ormal") &&
+                               name != "emissive" && name != "diffuse" && name != "specularGlossiness";
+        if (is_number && index && index->kind == Json::Kind::Number && index->number >= 0)
+            packed[static_cast<std::size_t>(index->number)].push_back(std::move(name));
+        find_packed(member.value, packed);
+    }
+}
+
 }  // namespace
 
 GraphFile material_graph(const Context& context, Pictures& pictures, std::size_t index, const MaterialUse& use) {
     MaterialGraph graph(context, pictures, use.name);
     graph.lacks_coordinates = use.lacks_coordinates;
     Object material = element(context, "materials", index);
+    if (material) find_packed(*material.json(), graph.packed);
+    for (auto& [texture, held] : graph.packed) std::sort(held.begin(), held.end());
     graph.graph.name = material.word("name").value_or(use.name);
     graph.graph.workflow = "metallic-roughness";
     material.taken("name", "the graph's name");
@@ -233,11 +255,7 @@ GraphFile material_graph(const Context& context, Pictures& pictures, std::size_t
         if (gloss) {
             metal.all_taken("it has no effect: the material has KHR_materials_pbrSpecularGlossiness");
             metal.rest();
-            context.report.add(
-                Remark::Kind::Changed, gloss.path(),
-                "a dielectric whose 'specularColor' gives f0: diffuse light loses the largest channel of "
-                "the Fresnel term, not each channel its own",
-                gloss.json());
+            context.report.add(Remark::Kind::Taken, gloss.path(), "the workflow 'specular-glossiness'", gloss.json());
         }
         opacity =
             gloss ? set_specular(graph, gloss, has_alpha, use) : set_metal(graph, material, metal, has_alpha, use);

@@ -43,7 +43,15 @@ std::string fault_of(std::string_view bytes) {
     if (bytes.empty()) return "has no bytes";
     if (!kind || std::find(kOfModels.begin(), kOfModels.end(), kind->name) == kOfModels.end())
         return "is neither a PNG nor a JPEG file: convert it";
-    return kind->is_whole(bytes) ? "" : fmt::format("is a {} file without its end", kind->name);
+    const std::string_view damage = runtime::damage_of(*kind, bytes);
+    return damage.empty() ? "" : fmt::format("is a {} file {}", kind->name, damage);
+}
+
+// "image/png": the kinds of models have their own names there, in small letters.
+std::string mime_type(const runtime::PictureKind& kind) {
+    std::string type = "image/" + std::string(kind.name);
+    std::transform(type.begin(), type.end(), type.begin(), [](unsigned char c) { return std::tolower(c); });
+    return type;
 }
 
 }  // namespace
@@ -185,6 +193,11 @@ std::string Pictures::file_of(std::size_t index, const std::string& name) {
         found->second = "./" + file;
         image.taken(known.bufferView < 0 ? "uri" : "bufferView", fmt::format("the file {}", file));
     }
+    const runtime::PictureKind& kind = *runtime::picture_kind(bytes);
+    const std::string stated = image.word("mimeType").value_or(""), held = mime_type(kind);
+    if (!stated.empty() && stated != held)
+        image.changed("mimeType", fmt::format("'{}' is wrong: the bytes are a {} file, '{}'", graph::shown(stated),
+                                              kind.name, held));
     image.taken("mimeType", "the ending of the file");
     image.taken("name", fmt::format("the file {}", found->second));
     image.rest();

@@ -109,6 +109,12 @@ std::string element_mistake(std::string_view list, const Json& element, std::str
             if (uri->string.find("%") == std::string::npos &&
                 !fs::is_regular_file(fs::path(folder) / uri->string, error))
                 return fmt::format("the file '{}' cannot be read", graph::shown(uri->string));
+            const std::uintmax_t held = fs::file_size(fs::path(folder) / uri->string, error);
+            if (!error && length && length->kind == Json::Kind::Number && length->number > static_cast<double>(held)) {
+                key = "byteLength";
+                return fmt::format("the buffer shall have {:.0f} bytes, and the file '{}' has {}", length->number,
+                                   graph::shown(uri->string), held);
+            }
         }
     }
     return {};

@@ -168,13 +168,30 @@ std::string MaterialGraph::coordinates(Object& info) {
     return found->second;
 }
 
-std::string MaterialGraph::texel(Object& from, std::string_view key, std::string_view slot, std::string_view usage) {
+// One texture often holds several values in its channels. A node that reads them is named by all: "occlusionThickness".
+std::string MaterialGraph::name_of(std::size_t texture, std::string_view slot, std::string_view usage) const {
+    const auto found = packed.find(texture);
+    if (usage != "data" || found == packed.end() || found->second.size() < 2) return std::string(slot);
+    const std::vector<std::string>& held = found->second;
+    constexpr std::size_t kLongest = 24;
+    const bool has_prefix = held[1].starts_with(held[0]);  // "clearcoat" is of both of its numbers
+    if (held.size() > 2) return "packed";
+    if (held[0] == "metallicRoughness" && held[1] == "occlusion") return "orm";
+    if (!has_prefix && held[0].size() + held[1].size() > kLongest) return "packed";
+    std::string second = held[1];
+    second[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(second[0])));
+    return has_prefix ? held[0] : held[0] + second;
+}
+
+std::string MaterialGraph::texel(Object& from, std::string_view key, std::string_view own_slot,
+                                 std::string_view usage) {
     Object info = from.child(key);
     const auto texture = info.index("index", "textures", count_of(context(), "textures"));
     if (!texture) {
         if (info) context().report.wrong(info.path(), "has no 'index'", info.json());
         return {};
     }
+    const std::string slot = name_of(*texture, own_slot, usage);
     const std::string property = texture_property(*texture, slot, usage);
     if (property.empty()) {
         info.left_out("index", "its texture cannot be read: the factor alone is used");
@@ -185,7 +202,7 @@ std::string MaterialGraph::texel(Object& from, std::string_view key, std::string
     const bool is_normal = usage == "normal";
     const auto [found, is_new] = samples_.try_emplace({property, uv, std::string(usage)});
     if (is_new) {
-        found->second = std::string(slot);
+        found->second = slot;
         GraphNode sample{.id = found->second, .node = is_normal ? "SampleNormalMap" : "SampleTexture2D"};
         sample.inputs.push_back({"texture", text("$" + property)});
         if (!uv.empty()) sample.inputs.push_back({"uv", text(uv)});
@@ -214,28 +231,41 @@ std::string MaterialGraph::normal(Object& from, std::string_view key, std::strin
     return strong;
 }
 
+// A texture is multiplied by its factor, so beside 0 it has no effect.
+bool MaterialGraph::is_zero(Object& from, const Slot& slot, double factor) {
+    if (factor != 0 || !from.has(slot.texture)) return false;
+    const std::string why = fmt::format("it has no effect: '{}' is 0", slot.factor);
+    from.taken(slot.factor, "0, whatever the texture holds");
+    if (slot.shares_texture) return true;
+    Object info = from.child(slot.texture);
+    info.all_taken(why);
+    info.rest();
+    return true;
+}
+
 Term MaterialGraph::scalar(Object& from, const Slot& slot) {
-    const std::string node = slot.texture.empty() ? std::string() : texel(from, slot.texture, slot.slot, "data");
     const auto factor = from.number(slot.factor, 0, slot.high);
+    const double value = factor.value_or(slot.otherwise);
+    if (is_zero(from, slot, value)) return constant(0);
+    const std::string node = slot.texture.empty() ? std::string() : texel(from, slot.texture, slot.slot, "data");
     std::vector<std::string> factors;
     if (!node.empty()) factors.push_back(fmt::format("{}.{}", node, slot.channel));
-    const double value = factor.value_or(slot.otherwise);
     if (factor && (value != 1 || node.empty())) {
         factors.push_back(number_property(slot.property, value, 0, std::min(slot.high, std::max(1.0, value))));
         from.taken(slot.factor, fmt::format("the property '{}'", slot.property));
     }
     from.taken(slot.factor, "1: the texture alone");
-    // Without a factor of its own a texture is multiplied by the default one.
-    if (!factor && !node.empty() && value != 1) return product({words(value), factors[0]}, {});
     return product(factors, constant(value));
 }
 
 Term MaterialGraph::color(Object& from, const Slot& slot) {
-    const std::string node = slot.texture.empty() ? std::string() : texel(from, slot.texture, slot.slot, "color");
     const auto factor = from.numbers(slot.factor, 3, 0, slot.high);
+    const std::vector<double> value = factor.value_or(std::vector<double>(3, slot.otherwise));
+    const bool is_black = value == std::vector<double>(3, 0);
+    if (is_zero(from, slot, is_black ? 0 : 1)) return {.numbers = value};
+    const std::string node = slot.texture.empty() ? std::string() : texel(from, slot.texture, slot.slot, "color");
     std::vector<std::string> factors;
     if (!node.empty()) factors.push_back(fmt::format("{}.{}", node, slot.channel));
-    const std::vector<double> value = factor.value_or(std::vector<double>(3, slot.otherwise));
     const bool is_one = value == std::vector<double>(3, 1);
     if (factor && (!is_one || node.empty())) {
         factors.push_back(color_property(slot.property, value) + ".rgb");

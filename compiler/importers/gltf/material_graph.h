@@ -41,6 +41,7 @@ struct Slot {
     std::string_view property{};  // "_Roughness"
     double otherwise = 1;         // if the factor is not stated
     double high = 1;              // the factor's range begins at 0
+    bool shares_texture = false;  // with another value of its owner, which says what the texture does
 };
 
 class MaterialGraph {
@@ -63,9 +64,12 @@ public:
 
     const Context& context() const { return *context_; }
     GraphFile graph{};
+    std::map<std::size_t, std::vector<std::string>> packed{};  // texture -> the numbers that the material reads of it
     std::array<bool, 2> lacks_coordinates{};  // by set: a mesh that shows the material has no such coordinates
 
 private:
+    bool is_zero(Object& from, const Slot& slot, double factor);
+    std::string name_of(std::size_t texture, std::string_view slot, std::string_view usage) const;
     std::string coordinates(Object& info);
     std::string texture_property(std::size_t texture, std::string_view slot, std::string_view usage);
 

@@ -162,6 +162,29 @@ TEST(Preview, ShowsValuesOfTheLightingGraph) {
     EXPECT_EQ(text.find("100"), std::string::npos) << text;
 }
 
+// A value that reads the sums is computed after all lights, which are as in the picture.
+TEST(Preview, ShowsWhatIsComputedAfterTheLights) {
+    std::string graph = kOwnLighting;
+    const std::string last = "\"indirect\": \"= share\"";
+    graph.replace(graph.find(last), last.size(), "\"indirect\": \"= share\", \"final\": \"= dimmed + 0.25\"");
+    const std::string node = "{ \"id\": \"share\"";
+    graph.replace(graph.find(node), 0, "{ \"id\": \"dimmed\", \"expr\": \"@sum.direct * 0.875\" }, ");
+    for (const std::string port : {"lighting/final", "lighting/dimmed"}) {
+        const Result result = preview(port, graph);
+        ASSERT_TRUE(result.ok) << port << ": " << result.diagnostics[0].message;
+        const std::string& text = result.shaders.back().text;
+        EXPECT_NE(text.find("0.875"), std::string::npos) << text;
+        EXPECT_NE(text.find("for ("), std::string::npos) << text;
+        EXPECT_EQ(text.find("0.25") != std::string::npos, port == "lighting/final") << text;
+        EXPECT_EQ(text.find("100"), std::string::npos) << text;
+    }
+    // Without a 'final' of its own: all light, and the emission.
+    const Result all = preview("lighting/final", kOwnLighting);
+    ASSERT_TRUE(all.ok) << all.diagnostics[0].message;
+    for (const char* part : {"100", "0.375", "for ("})
+        EXPECT_NE(all.shaders.back().text.find(part), std::string::npos) << all.shaders.back().text;
+}
+
 TEST(Preview, ShowsValuesOfAnExtraPass) {
     EXPECT_EQ(shown("rim/color", kOwnLighting), "0.75");
 }

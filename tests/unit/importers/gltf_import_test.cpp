@@ -164,6 +164,19 @@ TEST(GltfImport, PicturesAreNamedOrWritten) {
     EXPECT_NE(made.graphs[2].text.find("\"../square.gltf#square/0\""), std::string::npos);
 }
 
+TEST(GltfImport, AWrongMimeTypeIsReported) {
+    const std::string picture = picture_of(png_of(1, 1, {255, 0, 0, 255}), R"(,"mimeType":"image/webp")");
+    const Imported made =
+        import(save_gltf({.materials = R"([{"pbrMetallicRoughness":{"baseColorTexture":{"index":0}}}])",
+                          .textures = R"("textures":[{"source":0}],"images":[)" + picture + "]"}));
+    EXPECT_EQ(made.error, "");
+    const auto is_it = [](const Remark& remark) {
+        return remark.part == "images[0].mimeType" && remark.kind == Remark::Kind::Changed &&
+               remark.text == "'image/webp' is wrong: the bytes are a PNG file, 'image/png'";
+    };
+    EXPECT_EQ(std::count_if(made.remarks.begin(), made.remarks.end(), is_it), 1);
+}
+
 // --- nothing is dropped silently
 
 // Every key of the JSON has a remark: of itself, of something inside, or of what it lies in.
@@ -259,6 +272,8 @@ TEST(GltfImport, EveryPropertyHasARemark) {
 
 TEST(GltfImport, BrokenFilesAreRefusedAtTheirPlace) {
     const std::string png = png_of(4, 4, std::vector<int>(64, 7));
+    std::string scratched = png;  // in the middle of its pixels
+    scratched[scratched.find("IDAT") + 8] ^= 0x55;
     const std::string material = R"([{"pbrMetallicRoughness":{"baseColorTexture":{"index":0}}}])";
     const auto with_picture = [&](const std::string& images, const std::string& textures = R"([{"source":0}])") {
         return Square{.materials = material, .textures = "\"textures\":" + textures + ",\"images\":" + images};
@@ -272,6 +287,10 @@ TEST(GltfImport, BrokenFilesAreRefusedAtTheirPlace) {
         {with_picture("[" + picture_of(png.substr(0, png.size() - 20)) + "]"),
          "images[0]: is a PNG file without its end"},
         {with_picture("[" + picture_of("\xff\xd8\xff\xe0") + "]"), "images[0]: is a JPEG file without its end"},
+        {with_picture("[" + picture_of(scratched) + "]"), "images[0]: is a PNG file whose bytes are damaged"},
+        {{.meshes = R"([{"primitives":[{"attributes":{"POSITION":6}}]}])", .has_bytes = true},
+         "meshes[0].primitives[0].attributes.POSITION: has whole numbers, which only the extension "
+         "KHR_mesh_quantization allows"},
         {with_picture("[" + picture_of("no picture") + "]"), "images[0]: is neither a PNG nor a JPEG file"},
         {with_picture(R"([{"bufferView":0,"mimeType":"image/png"}])"), "images[0]: is neither a PNG nor a JPEG file"},
         {with_picture(R"([{"bufferView":99,"mimeType":"image/png"}])"), "bufferView \"99\" not found"},
@@ -314,6 +333,11 @@ TEST(GltfImport, BrokenContainersAreRefusedAtTheirPlace) {
     struct Broken {
         std::string name, bytes, error;
     };
+    const std::string json = R"({"asset":{"version":"2.0"},"buffers":[{"byteLength":1000000000}]})";
+    const std::string text = json + std::string((4 - json.size() % 4) % 4, ' ');
+    const auto size = static_cast<unsigned>(text.size());
+    const std::string claim = "glTF" + number(2) + number(32 + size) + number(size) + "JSON" + text + number(4) +
+                              std::string("BIN\0", 4) + "abcd";
     const std::vector<Broken> cases = {
         {"cut.glb", "glTF" + number(2) + number(100) + number(80) + "JSON{}",
          "byte 8: the file shall have 100 bytes, and has 22: it is cut off"},
@@ -324,6 +348,7 @@ TEST(GltfImport, BrokenContainersAreRefusedAtTheirPlace) {
         {"chunk.glb", "glTF" + number(2) + number(22) + number(90) + "JSON{}",
          "byte 12: the first chunk shall have 90 bytes, and 2 are left"},
         {"text.gltf", "{ \"asset\": { \"version\": \"2.0\" },\n  \"nodes\": [ { ] ] }", "text.gltf:2:16: broken JSON"},
+        {"claim.glb", claim, "buffers[0].byteLength: the buffer shall have 1000000000 bytes, and the chunk BIN has 4"},
         {"empty.gltf", "", "the file is empty"},
         {"tiny.glb", "glTF", "the file has 4 bytes, less than the header of a .glb"},
         {"magic.glb", "XXXX" + number(2) + number(12), "byte 0: it begins neither with 'glTF'"},

@@ -203,6 +203,43 @@ TEST(GltfMaterial, TexturesHaveTheChannelsOfTheSpecification) {
     }
 }
 
+// A texture is multiplied by its factor, so beside a factor of 0 no texture is read, and the report says so.
+TEST(GltfMaterial, AFactorOfZeroNeedsNoTexture) {
+    const std::string sheen = R"([{"pbrMetallicRoughness":{"metallicFactor":0,"metallicRoughnessTexture":{"index":0}},
+        "extensions":{"KHR_materials_sheen":{"sheenColorFactor":[1,1,1],"sheenRoughnessTexture":{"index":0}}}}])";
+    const Square square{.materials = sheen, .textures = kTexture};
+    const std::string surface = part_of(graph_of(square), "surface");
+    EXPECT_EQ(surface.find("sheenRoughness"), surface.npos) << surface;
+    EXPECT_NE(surface.find(R"("metallic": 0, "roughness": "packed.g")"), surface.npos) << surface;
+    const Imported made = import(save_gltf(square));
+    const auto told = [&](const std::string& part, const std::string& what) {
+        return std::count_if(made.remarks.begin(), made.remarks.end(), [&](const Remark& remark) {
+            return remark.part == "materials[0]." + part && remark.text.find(what) != std::string::npos;
+        });
+    };
+    EXPECT_EQ(told("extensions.KHR_materials_sheen.sheenRoughnessTexture.index", "'sheenRoughnessFactor' is 0"), 1);
+    EXPECT_EQ(told("pbrMetallicRoughness.metallicRoughnessTexture.index", "read by the node"), 1);
+}
+
+// A node is named by all that its texture holds.
+TEST(GltfMaterial, APackedTextureIsNamedByWhatItHolds) {
+    const auto surface = [](const std::string& more, const std::string& extensions) {
+        return part_of(graph_of({.materials = R"([{"occlusionTexture":{"index":0})" + more + R"(,"extensions":{)" +
+                                              extensions + "}}]",
+                                 .textures = kTexture}),
+                       "surface");
+    };
+    const std::string anisotropy =
+        R"("KHR_materials_anisotropy":{"anisotropyStrength":1,"anisotropyTexture":{"index":0}})";
+    const std::string two = surface("", anisotropy);
+    EXPECT_NE(two.find(R"("occlusion": "anisotropyOcclusion.r")"), two.npos) << two;
+    EXPECT_NE(two.find(R"("anisotropyDirection": "= anisotropyOcclusion.rg * 2 - 1")"), two.npos) << two;
+    const std::string three =
+        surface(R"(,"pbrMetallicRoughness":{"metallicRoughnessTexture":{"index":0}})", anisotropy);
+    EXPECT_NE(three.find(R"("roughness": "packed.g")"), three.npos) << three;
+    EXPECT_NE(three.find(R"("occlusion": "packed.r")"), three.npos) << three;
+}
+
 // The specification's colours are sRGB, all else is data: one picture with both uses is two properties.
 TEST(GltfMaterial, ATextureIsDecodedOnlyAsAColor) {
     const std::string text = graph_of(
@@ -265,9 +302,9 @@ TEST(GltfMaterial, OtherWorkflows) {
     const std::string gloss = graph_of({.materials = R"([{"extensions":{"KHR_materials_pbrSpecularGlossiness":{
                                         "diffuseFactor":[0.5,0.25,1,1],"specularFactor":[0.1,0.2,0.3],
                                         "glossinessFactor":0.6}}}])"});
+    EXPECT_EQ(part_of(gloss, "workflow"), "\"specular-glossiness\"");
     EXPECT_EQ(part_of(gloss, "surface"),
-              R"x({"baseColor": "= $_Diffuse.rgb * (1 - max(max(f0.r, f0.g), f0.b))", "metallic": 0, )x"
-              R"("roughness": "= 1 - $_Glossiness", "specularColor": "= f0 / 0.04"})");
+              R"({"baseColor": "$_Diffuse.rgb", "specular": "$_Specular.rgb", "glossiness": "$_Glossiness"})");
 }
 
 // The example of the extension's specification: offset (0, 1), rotation pi / 2 and scale 0.5 show the lower left

@@ -56,6 +56,7 @@ struct Square {
     std::string meshes{};     // empty: one, with the first material if there is one
     std::string textures{};   // with "images" and "samplers": R"("textures":[...],"images":[...])"
     std::string more{};       // other members of the file
+    bool has_bytes = false;   // accessor 6: four positions of whole numbers of one byte
     bool has_colors = false;  // of the default mesh: the left side is black, the right side red
     std::string name = "square.gltf";
 };
@@ -87,8 +88,10 @@ inline std::string save_gltf(const Square& square) {
         R"("}],"bufferViews":[)" + view(0, 48) + "," + view(48, 48) + "," + view(96, 32) + "," + view(128, 32) + "," +
         view(160, 64) + "," + view(224, 6) + R"(],"accessors":[)" + accessor(0, "VEC3", 4) + "," +
         accessor(1, "VEC3", 4) + "," + accessor(2, "VEC2", 4) + "," + accessor(3, "VEC2", 4) + "," +
-        accessor(4, "VEC4", 4) + "," + accessor(5, "SCALAR", 6, 5121) + R"(],"nodes":)" + square.nodes +
-        ",\"meshes\":" + meshes + (square.materials == "[]" ? "" : ",\"materials\":" + square.materials) +
+        accessor(4, "VEC4", 4) + "," + accessor(5, "SCALAR", 6, 5121) +
+        (square.has_bytes ? R"(,{"bufferView":0,"componentType":5120,"type":"VEC3","count":4})" : "") +
+        R"(],"nodes":)" + square.nodes + ",\"meshes\":" + meshes +
+        (square.materials == "[]" ? "" : ",\"materials\":" + square.materials) +
         (square.textures.empty() ? "" : "," + square.textures) + (square.more.empty() ? "" : "," + square.more) + "}";
     const std::filesystem::path path = std::filesystem::path(new_folder()) / square.name;
     std::ofstream(path, std::ios::binary) << text;

@@ -144,5 +144,37 @@ TEST_F(PictureLight, WhiteStaysBelowWhite) {
     EXPECT_TRUE(clipping(outcome.image));
 }
 
+// A background colour is what was asked for, in every exposure.
+TEST_F(PictureLight, ABackgroundColorIsNotExposed) {
+    request.environment = even(9);
+    request.background = "#ff8040";
+    const auto corner = [&](const std::string& via, std::optional<double> exposure) {
+        request.options.via = via;
+        request.exposure = exposure;
+        const RenderOutcome outcome = drawn();
+        EXPECT_EQ(outcome.exposure, exposure.value_or(outcome.exposure));
+        const Image shown = toned(outcome.image, {.exposure = outcome.exposure});
+        const float* pixel = shown.pixels.data();
+        return std::array{pixel[0], pixel[1], pixel[2], pixel[3]};
+    };
+    const std::array<float, 4> orange = {1, 0.2158605f, 0.0512695f, 1};
+    for (const std::string via : {"cpu", "glsl"}) {
+        for (const std::optional<double> exposure : {std::optional<double>(), std::optional(0.0), std::optional(3.5)}) {
+            const auto seen = corner(via, exposure);
+            for (std::size_t c = 0; c < 4; ++c) EXPECT_NEAR(seen[c], orange[c], 1e-5) << via;
+        }
+    }
+    EXPECT_LT(drawn().exposure, 4);
+    request.graph = write("white.scene.json", R"({ "patina": 1, "kind": "scene", "environment": "even.exr",
+        "lights": [], "background": "#ff8040", "camera": { "position": [0, 0, 4], "target": [0, 0, 0] },
+        "materials": [{ "name": "white", "graph": "white.graph.json" }],
+        "objects": [{ "id": "ball", "mesh": "sphere", "material": "white" }] })");
+    request.environment.clear();
+    request.background.clear();
+    const auto seen = corner("cpu", {});
+    for (std::size_t c = 0; c < 4; ++c) EXPECT_NEAR(seen[c], orange[c], 1e-5);
+    EXPECT_LT(drawn().exposure, -2);
+}
+
 }  // namespace
 }  // namespace patina::runtime

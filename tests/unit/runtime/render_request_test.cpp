@@ -43,6 +43,29 @@ struct OwnGraph {
     std::filesystem::path folder, path;
 };
 
+// A render target of the rendering path, as it is when the picture is done: here the normal, as the G-buffer holds it.
+TEST(RenderRequest, ShowsATargetOfAPass) {
+    const OwnGraph graph(R"({ "patina": 1, "workflow": "metallic-roughness", "surface": { "roughness": 0.25 } })");
+    const Compiler compiler;
+    RenderMachine machine;
+    RenderRequest request{.graph = graph.path.string(),
+                          .size = 33,
+                          .samples = 1,
+                          .camera = "position=0,0,4 target=0,0,0 fov=20",
+                          .options = {.path = "deferred", .preview = "gbuffer/gbufferNormal", .via = "cpu"}};
+    const RenderOutcome normal = render(compiler, request, machine);
+    ASSERT_TRUE(normal.ok) << normal.error;
+    const auto pixel = normal.image.at(16, 16);
+    for (const auto& [channel, value] : {std::pair(0u, 0.5f), {1u, 0.5f}, {2u, 1.0f}, {3u, 1.0f}})
+        EXPECT_NEAR(pixel[channel], value, 0.02f) << channel;
+    request.options.preview = "gbuffer/gbufferSpecular";
+    EXPECT_NEAR(render(compiler, request, machine).image.at(16, 16)[0], 0.04f, 0.004f);  // the f0 of a dielectric
+    request.options.preview = "gbuffer/color";
+    EXPECT_NE(render(compiler, request, machine).error.find("is the picture: leave out --node"), std::string::npos);
+    request.options.preview = "gbuffer/gbufferNormals";
+    EXPECT_FALSE(render(compiler, request, machine).ok);
+}
+
 // The node that divides by zero is reported, not the one that reads it. The left half of the plane is finite.
 constexpr const char* kDivides = R"json({
   "patina": 1, "workflow": "unlit",

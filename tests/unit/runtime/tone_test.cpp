@@ -67,6 +67,7 @@ TEST(Clipping, SaysTheExposureInWhichOnlyHighlightsClip) {
     ASSERT_TRUE(clipped);
     EXPECT_EQ(clipped->share, 1.0 / 16);
     EXPECT_NEAR(clipped->exposure, -std::log2(5), 0.01);
+    EXPECT_EQ(clipped->left, 0);
     EXPECT_FALSE(clipping(toned(image, {.exposure = clipped->exposure})));
     // 5 of 100 pixels are highlights, however bright. With a sixth one, it is the darkest of them that must not clip.
     Image sparkling = make_image(10, 10, 0.5f, 0.5f, 0.5f);
@@ -75,6 +76,7 @@ TEST(Clipping, SaysTheExposureInWhichOnlyHighlightsClip) {
     sparkling.at(5, 0)[0] = 4;
     EXPECT_NEAR(clipping(sparkling)->exposure, -2, 0.01);
     EXPECT_NEAR(clipping(toned(sparkling, {.exposure = -2}))->share, 0.05, 1e-9);
+    EXPECT_NEAR(clipping(sparkling)->left, 0.05, 1e-9);
     image.at(1, 2)[3] = 0;  // which nobody sees
     EXPECT_FALSE(clipping(image));
     Image large = make_image(100, 100, 0, 0, 0);
@@ -82,6 +84,22 @@ TEST(Clipping, SaysTheExposureInWhichOnlyHighlightsClip) {
     EXPECT_FALSE(clipping(large));
     large.at(9, 0)[0] = 2;
     EXPECT_TRUE(clipping(large));
+}
+
+// A matt ball has no highlights: in the exposure that is told, nothing of it clips.
+TEST(Clipping, WhatFallsOffSmoothlyIsNoHighlight) {
+    Image ball = make_image(100, 100, 0, 0, 0);
+    for (int y = 0; y < 100; ++y)
+        for (int x = 0; x < 100; ++x) {
+            const double away = std::hypot(x - 50, y - 50) / 50;
+            if (away < 1) ball.at(x, y)[1] = float(40 * std::sqrt(1 - away * away));
+        }
+    const auto clipped = clipping(ball);
+    ASSERT_TRUE(clipped);
+    EXPECT_GT(clipped->share, 0.7);
+    EXPECT_LT(clipped->left, kUnseen);
+    EXPECT_FALSE(clipping(toned(ball, {.exposure = clipped->exposure})));
+    EXPECT_NEAR(clipped->exposure, -std::log2(40), 0.05);
 }
 
 }  // namespace
