@@ -117,14 +117,14 @@ void say_clipping(const Console& console, const Arguments& arguments, const std:
         clipped->share >= runtime::kHighlights && (clipped->exposure >= kDarkest || clipped->share >= kMostOfIt);
     const bool has_highlights = clipped->left >= runtime::kUnseen;
     std::string advice;
-    if (is_too_bright)
-        advice = fmt::format("--exposure {:.2f} shows all{}{}", exposure,
-                             has_highlights ? fmt::format(" but highlights, {:.1f} %", 100 * clipped->left) : "",
-                             has_curve ? "" : ", and ");
-    if (!has_curve)
-        advice += fmt::format("--tonemap khronos-neutral shows {}", !is_too_bright   ? "such highlights"
-                                                                    : has_highlights ? "these, too"
-                                                                                     : "it without that");
+    if (is_too_bright && has_highlights)
+        advice = fmt::format("--exposure {:.2f} shows all but highlights, {:.1f} %{}", exposure, 100 * clipped->left,
+                             has_curve ? "" : ", and --tonemap khronos-neutral shows these, too");
+    else if (is_too_bright)
+        advice = fmt::format("--exposure {:.2f} shows all{}", exposure,
+                             has_curve ? "" : ", and so does --tonemap khronos-neutral");
+    else if (!has_curve)
+        advice = "--tonemap khronos-neutral shows such highlights";
     remark(console, fmt::format("{:.1f} % of the pixels are brighter than white and clip{}{}", 100 * clipped->share,
                                 advice.empty() ? "" : ": ", advice));
 }
