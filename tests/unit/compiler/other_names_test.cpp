@@ -70,7 +70,7 @@ TEST(OtherNames, NameWhatExists) {
     for (const OtherName& row : other_names()) {
         Ast ast;
         Diagnostics diagnostics;
-        for (const std::string_view own : split(nodelang::Text(row.own), " and ")) {
+        for (const std::string_view own : patina::split(row.own, " and ")) {
             if (own.empty()) continue;
             const Expr* expr = parse_expression({.text = own}, ast, diagnostics);
             ASSERT_TRUE(expr) << row.other << ": " << own;
