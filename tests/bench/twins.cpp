@@ -3,7 +3,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "patina/spirv_size.h"
+#include "patina/cost.h"
 #include "patina/validate.h"
 
 namespace patina::bench {
@@ -40,8 +40,10 @@ StageTexts by_hand(const Twin& twin) {
 }
 
 StageCost cost_of(const Shader& shader) {
-    const SpirvSize size = size_of(optimised(validate(shader).spirv));
-    return {.instructions = size.in_functions, .per_light = size.in_loops, .bytes = shader.text.size()};
+    const StageCost cost = measure(shader);
+    return {.instructions = std::size_t(cost.total().instructions),
+            .per_light = std::size_t(cost.per_light.instructions),
+            .bytes = shader.text.size()};
 }
 
 }  // namespace patina::bench
