@@ -40,7 +40,7 @@ StageTexts by_hand(const Twin& twin) {
 }
 
 StageCost cost_of(const Shader& shader) {
-    const StageCost cost = measure(shader);
+    const patina::StageCost cost = patina::measure(shader);
     return {.instructions = std::size_t(cost.total().instructions),
             .per_light = std::size_t(cost.per_light.instructions),
             .bytes = shader.text.size()};
