@@ -32,14 +32,11 @@ struct Material {
     // Of a preview of a value that lighting computes or reads: it takes the place of the lighting graph's outputs. Its
     // value is null in other previews.
     PortValue shown_value{};
-    bool shows_all_light = false;     // a preview of what a lighting graph without a value of its own for it shows
     Shown shown_in_lighting{};        // the port of the lighting graph that this reads; else null
     const ExtraPass* pass = nullptr;  // the extra pass that this is; null: the material itself
 
     // The inputs that the surface may set: the workflow's and those that the lighting model declares.
     std::vector<const Input*> surface_inputs() const;
-    // The value that the workflow gives an input of the lighting model, so that the surface may not; else null.
-    const PortValue* given_by_workflow(const Input& input) const;
 };
 
 // `preview`: "mask", "rust.amount" or "layers/mask" (in a sub-graph), or nothing. Null after errors that leave nothing

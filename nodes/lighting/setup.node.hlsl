@@ -253,21 +253,19 @@ float RoughnessFromSpecPower(
 /// for that.
 ///
 /// formula: specular = lerp(0.04, baseColor, metallic), glossiness = 1 - roughness,
-/// formula: diffuse = baseColor diffuseShare (1 - metallic) / (1 - max(specular))
-/// source: the two set-ups of Unity's Standard shader, made equal; with a share of 1, those of glTF
+/// formula: diffuse = baseColor 0.96 (1 - metallic) / (1 - max(specular))
+/// source: the two set-ups of Unity's Standard shader, made equal
 /// test: SpecularFromMetallic(float3(0.8, 0.4, 0.1), 0, 0.3).specular == float3(0.04, 0.04, 0.04)
 /// test: SpecularFromMetallic(float3(0.8, 0.4, 0.1), 0, 0.3).diffuse == float3(0.8, 0.4, 0.1)
 /// test: SpecularFromMetallic(float3(0.8, 0.4, 0.1), 1, 0.3).specular == float3(0.8, 0.4, 0.1)
 /// test: SpecularFromMetallic(float3(0.8, 0.4, 0.1), 1, 0.3).diffuse == float3(0, 0, 0)
 /// test: SpecularFromMetallic(float3(0.8, 0.4, 0.1), 0.5, 0.3).diffuse == float3(0.384, 0.192, 0.048) / 0.58
 /// test: SpecularFromMetallic(float3(0.8, 0.4, 0.1), 0.5, 0.3).glossiness == 0.7
-/// test: SpecularFromMetallic(float3(0.8, 0.4, 0.1), 0.5, 0.3, 1).diffuse == float3(0.4, 0.2, 0.05) / 0.58
 [node("Lighting/Setup/Specular from Metallic")]
 void SpecularFromMetallic(
     [color] float3 baseColor = 0.5,      ///< colour of the surface
     [range(0, 1)] float metallic = 0,     ///< 0 is a dielectric, 1 a metal
     [range(0, 1)] float roughness = 0.5,  ///< perceptual roughness
-    [range(0, 1)] float diffuseShare = 0.96,  ///< of a dielectric's base colour, what is scattered; 1 in glTF
     [range(0, 1)] out float3 diffuse,     ///< base colour of the specular workflow
     [range(0, 1)] out float3 specular,    ///< reflectance at normal incidence
     [range(0, 1)] out float glossiness    ///< 1 - roughness
@@ -275,7 +273,7 @@ void SpecularFromMetallic(
     specular = MetallicSetup(baseColor, metallic).f0;
     float rest = 1 - SpecularStrength(specular, Largest);
     // A white metal has no diffuse colour: the limit only prevents a division by zero.
-    diffuse = baseColor * (diffuseShare * (1 - metallic)) / max(rest, 1e-4);
+    diffuse = MetallicSetup(baseColor, metallic).diffuseColor / max(rest, 1e-4);
     glossiness = 1 - roughness;
 }
 
@@ -287,25 +285,25 @@ enum MetallicFit {
 
 // The nearest base colour for a given metallic: in each channel, its diffuse and specular colours have equal errors. It
 // is exact if an exact one exists.
-float3 fittedBaseColor(float3 scattered, float3 specular, float metallic, float diffuseShare) {
+float3 fittedBaseColor(float3 scattered, float3 specular, float metallic) {
     float dielectric = 1 - metallic;
-    return saturate((scattered + specular - 0.04 * dielectric) / max(diffuseShare * dielectric + metallic, 1e-6));
+    return saturate((scattered + specular - 0.04 * dielectric) / (0.96 * dielectric + metallic));
 }
 
 // The largest difference in any channel of the diffuse and the specular colour.
-float metallicFitError(float3 scattered, float3 specular, float metallic, float diffuseShare) {
-    float3 baseColor = fittedBaseColor(scattered, specular, metallic, diffuseShare);
-    float3 offDiffuse = abs(baseColor * (diffuseShare * (1 - metallic)) - scattered);
+float metallicFitError(float3 scattered, float3 specular, float metallic) {
+    float3 baseColor = fittedBaseColor(scattered, specular, metallic);
+    float3 offDiffuse = abs(MetallicSetup(baseColor, metallic).diffuseColor - scattered);
     float3 offSpecular = abs(MetallicSetup(baseColor, metallic).f0 - specular);
     return max(SpecularStrength(offDiffuse, Largest), SpecularStrength(offSpecular, Largest));
 }
 
 // The metallic with the smallest error: the best of 64, refined by golden-section search between its neighbours.
-float bestMetallic(float3 scattered, float3 specular, float quick, float diffuseShare) {
+float bestMetallic(float3 scattered, float3 specular, float quick) {
     float best = quick;
-    float least = metallicFitError(scattered, specular, quick, diffuseShare);
+    float least = metallicFitError(scattered, specular, quick);
     for (int i = 0; i < 65; i++) {
-        float error = metallicFitError(scattered, specular, float(i) / 64, diffuseShare);
+        float error = metallicFitError(scattered, specular, float(i) / 64);
         best = error < least ? float(i) / 64 : best;
         least = min(error, least);
     }
@@ -314,12 +312,12 @@ float bestMetallic(float3 scattered, float3 specular, float quick, float diffuse
     for (int k = 0; k < 16; k++) {
         float a = lerp(high, low, 0.6180339887);
         float b = lerp(low, high, 0.6180339887);
-        bool left = metallicFitError(scattered, specular, a, diffuseShare) < metallicFitError(scattered, specular, b, diffuseShare);
+        bool left = metallicFitError(scattered, specular, a) < metallicFitError(scattered, specular, b);
         low = left ? low : a;
         high = left ? b : high;
     }
     float middle = 0.5 * (low + high);
-    return metallicFitError(scattered, specular, middle, diffuseShare) < least ? middle : best;
+    return metallicFitError(scattered, specular, middle) < least ? middle : best;
 }
 
 /// Converts a specular/gloss surface to metallic/roughness, exactly if possible and approximately otherwise.
@@ -329,9 +327,9 @@ float bestMetallic(float3 scattered, float3 specular, float quick, float diffuse
 /// colour is the nearest for that metallic. `error` is the largest difference in any channel of the resulting diffuse
 /// and specular colours; it is 0 if the conversion is exact.
 ///
-/// formula: metallic m solves 0.04 (1 - m) + b m = s and share (1 - m) b = d for the strongest channel:
-/// formula: 0.04 m^2 + (d / share + s - 0.08) m + 0.04 - s = 0; b = (d + s - 0.04 (1 - m)) / (share (1 - m) + m)
-/// source: Khronos, KHR_materials_pbrSpecularGlossiness, appendix
+/// formula: metallic m solves 0.04 (1 - m) + b m = s and 0.96 (1 - m) b = d for the strongest channel:
+/// formula: 0.04 m^2 + (d / 0.96 + s - 0.08) m + 0.04 - s = 0; b = (d + s - 0.04 (1 - m)) / (0.96 (1 - m) + m)
+/// source: Khronos, KHR_materials_pbrSpecularGlossiness, appendix, with 0.96 for the diffuse share as here
 /// test: MetallicFromSpecular(float3(0.8, 0.4, 0.1), float3(0.04, 0.04, 0.04), 0.7).metallic == 0
 /// test: MetallicFromSpecular(float3(0.8, 0.4, 0.1), float3(0.04, 0.04, 0.04), 0.7).baseColor == float3(0.8, 0.4, 0.1)
 /// test: MetallicFromSpecular(float3(0, 0, 0), float3(0.8, 0.4, 0.1), 0.7).metallic == 1
@@ -339,15 +337,12 @@ float bestMetallic(float3 scattered, float3 specular, float quick, float diffuse
 /// test: MetallicFromSpecular(float3(0, 0, 0), float3(0, 0, 0), 0.7).error == 0.04
 /// test: MetallicFromSpecular(float3(0, 0, 0), float3(0, 0, 0), 0.7, Best).error == 0 within 1e-3
 /// test: MetallicFromSpecular(float3(0.5, 0.5, 0.5), float3(0.2, 0.2, 0.2), 0.7).roughness == 0.3
-/// test: MetallicFromSpecular(float3(0.4, 0.2, 0.05) / 0.58, float3(0.42, 0.22, 0.07), 0.7, Quick, 1).metallic == 0.5
-/// test: MetallicFromSpecular(float3(0.4, 0.2, 0.05) / 0.58, float3(0.42, 0.22, 0.07), 0.7, Quick, 1).error == 0
 [node("Lighting/Setup/Metallic from Specular")]
 void MetallicFromSpecular(
     [color] float3 diffuse = 0.5,          ///< base colour of the specular workflow
     [color] float3 specular = 0.04,        ///< reflectance at normal incidence
     [range(0, 1)] float glossiness = 0.5,  ///< 1 - roughness
     const MetallicFit fit = Quick,         ///< how to find metallic if no conversion is exact
-    [range(0, 1)] float diffuseShare = 0.96,  ///< of a dielectric's base colour, what is scattered; 1 in glTF
     [range(0, 1)] out float3 baseColor,   ///< colour of the surface
     [range(0, 1)] out float metallic,      ///< 0 is a dielectric, 1 a metal
     [range(0, 1)] out float roughness,     ///< perceptual roughness
@@ -356,14 +351,14 @@ void MetallicFromSpecular(
     float3 scattered = diffuse * (1 - SpecularStrength(specular, Largest));
     float d = SpecularStrength(scattered, Largest);
     float s = SpecularStrength(specular, Largest);
-    float halfB = 0.5 * (d / max(diffuseShare, 1e-6) + s - 0.08);
+    float halfB = 0.5 * (d / 0.96 + s - 0.08);
     float c = 0.04 - s;
     // The root between 0 and 1 of 0.04 m^2 + 2 halfB m + c, in the form that stays precise for a small c.
     float root = sqrt(max(halfB * halfB - 0.04 * c, 0));
     float plain = halfB > 0 ? -c / max(halfB + root, 1e-6) : (root - halfB) / 0.04;
     metallic = saturate(s <= 0.04 ? 0 : plain);
-    if (fit == Best) { metallic = bestMetallic(scattered, specular, metallic, diffuseShare); }
-    baseColor = fittedBaseColor(scattered, specular, metallic, diffuseShare);
+    if (fit == Best) { metallic = bestMetallic(scattered, specular, metallic); }
+    baseColor = fittedBaseColor(scattered, specular, metallic);
     roughness = 1 - glossiness;
-    error = metallicFitError(scattered, specular, metallic, diffuseShare);
+    error = metallicFitError(scattered, specular, metallic);
 }

@@ -173,8 +173,7 @@ private:
                 else if (is_layer(input.name) || input.name == kStrength)
                     layers_.push_back(input.name);
                 else
-                    lose(named, input.type == "float3" ? "its normal map in tangent space is not made"
-                                                       : "glTF has no such input");
+                    lose(named, "its normal map in tangent space is not made");
             }
         }
     }
