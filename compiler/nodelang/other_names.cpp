@@ -175,13 +175,12 @@ std::string word_advice(std::string_view word) {
 const FunctionDecl* known_as(const Declarations& declarations, std::string_view word) {
     const std::string plain = spelled_alike(word);
     const FunctionDecl* found = nullptr;
-    for (const Declarations* scope = &declarations; scope; scope = scope->parent) {
-        for (const auto& [name, function] : scope->functions) {
-            const Attribute* also = function->attribute("also");
-            if (!also) continue;
-            for (const Expr* each : also->args) {
-                if (spelled_alike(each->text) == plain && (!found || name < found->name)) found = function;
-            }
+    for (const std::string_view name : declarations.function_names()) {
+        const FunctionDecl* function = declarations.function(name);
+        const Attribute* also = function ? function->attribute("also") : nullptr;
+        if (!also) continue;
+        for (const Expr* each : also->args) {
+            if (spelled_alike(each->text) == plain && (!found || name < found->name)) found = function;
         }
     }
     return found;
