@@ -32,6 +32,7 @@ struct Material {
     // Of a preview of a value that lighting computes or reads: it takes the place of the lighting graph's outputs. Its
     // value is null in other previews.
     PortValue shown_value{};
+    bool shows_all_light = false;     // a preview of what a lighting graph without a value of its own for it shows
     Shown shown_in_lighting{};        // the port of the lighting graph that this reads; else null
     const ExtraPass* pass = nullptr;  // the extra pass that this is; null: the material itself
 
