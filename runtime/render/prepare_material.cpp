@@ -77,7 +77,9 @@ void show_port(CompileOptions& options, std::string port) {
 Result compile_material(const Compiler& compiler, const WorldMaterial& material, CompileOptions options) {
     if (!material.preview.empty()) {
         show_port(options, material.preview);
-        options.switches.emplace_back("fog", "false");  // which would change the value
+        // Fog would change the value.
+        std::erase_if(options.switches, [](const auto& each) { return each.first == "fog"; });
+        options.switches.emplace_back("fog", "false");
     }
     if (!material.path.empty()) options.passes()->path = material.path;
     Result made = compiler.compile_file(material.graph, options);

@@ -95,6 +95,7 @@ void append(Writer& w, const KeptText& kept, const std::vector<OriginId>& origin
         const bool changes = w.lines.empty() ? static_cast<bool>(origin) : w.lines.back().origin != origin;
         if (changes) w.lines.push_back({first + line.line, origin});
     }
+    for (const int line : kept.light_loops) w.light_loops.push_back(first + line);
     w.text += kept.text;
     w.next_line += static_cast<int>(std::count(kept.text.begin(), kept.text.end(), '\n'));
 }
@@ -102,13 +103,15 @@ void append(Writer& w, const KeptText& kept, const std::vector<OriginId>& origin
 // What has been appended since, as it can be kept.
 KeptText kept_of(const Writer& w, std::size_t begin, std::size_t first, int first_line, OriginId before,
                  const std::vector<OriginId>& origins, Names::Asked asked) {
-    KeptText kept{.text = w.text.substr(begin), .lines = {}, .asked = std::move(asked)};
+    KeptText kept{.text = w.text.substr(begin), .lines = {}, .light_loops = {}, .asked = std::move(asked)};
     const auto add = [&](int line, OriginId origin) {
         const auto place = std::find(origins.begin(), origins.end(), origin) - origins.begin();
         kept.lines.push_back({line, origin ? OriginId{static_cast<std::uint32_t>(place)} : origin});
     };
     if (first == w.lines.size() || w.lines[first].line != first_line) add(0, before);
     for (std::size_t i = first; i < w.lines.size(); ++i) add(w.lines[i].line - first_line, w.lines[i].origin);
+    for (const int line : w.light_loops)
+        if (line >= first_line) kept.light_loops.push_back(line - first_line);
     return kept;
 }
 

@@ -16,6 +16,7 @@ struct KeptText {
     // The number of a line counts from 0; an origin is its place in the order in which the function mentions origins.
     // Where the origin changes, and at the first line.
     std::vector<PrintedLine> lines;
+    std::vector<int> light_loops;  // lines at which a loop over lights begins, counted as those of `lines`
     Names::Asked asked;
 };
 
