@@ -41,6 +41,7 @@ std::string compiled_for(const Compiler& compiler, const Graph& graph, std::vect
     for (const Diagnostic& diagnostic : result.diagnostics) all += to_json(diagnostic) + "\n";
     for (const Shader& shader : result.shaders) {
         all += "--- " + shader.file_name + " " + shader.hash + "\n" + shader.text;
+        for (const int line : shader.light_loops) all += "light loop " + std::to_string(line) + "\n";
         for (const LineOrigin& line : shader.line_map)
             all += std::to_string(line.line) + " " + line.node + " " + line.file + ":" +
                    std::to_string(line.source_line) + ":" + std::to_string(line.source_column) + "-" +
