@@ -137,11 +137,7 @@ void describe_stencil(Fields& f, Given<Fields, Stencil>& s) {
 
 template <class Fields>
 void describe(Fields& f, Given<Fields, CostCounts>& c) {
-    f.key("instructions", c.instructions, "SPIR-V instructions after spirv-opt -O, without declarations");
-    f.key("arithmetic", c.arithmetic, "of them: sums, products, comparisons, conversions, choices");
-    f.key("transcendental", c.transcendental, "of them: roots, powers, exponentials, logarithms, trigonometry");
-    f.key("textures", c.textures, "of them: texture reads");
-    f.key("derivatives", c.derivatives, "of them: derivatives by screen coordinates");
+    for (const CostFigure& figure : kCostFigures) f.key(figure.name, c.*figure.count, figure.doc);
 }
 
 template <class Fields>

@@ -59,11 +59,8 @@ CostCounts cost_of(const SpirvInst& inst) {
 }
 
 CostCounts times(CostCounts cost, std::uint32_t factor) {
-    return {.instructions = cost.instructions * factor,
-            .arithmetic = cost.arithmetic * factor,
-            .transcendental = cost.transcendental * factor,
-            .textures = cost.textures * factor,
-            .derivatives = cost.derivatives * factor};
+    for (const CostFigure& figure : kCostFigures) cost.*figure.count *= factor;
+    return cost;
 }
 
 struct Counted {

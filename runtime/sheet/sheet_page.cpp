@@ -18,7 +18,7 @@ std::string cell(const std::string& html, bool is_number = false) {
     return fmt::format("<td{}>{}</td>", is_number ? " class=\"number\"" : "", html);
 }
 
-std::string table(std::initializer_list<std::string_view> columns, const std::string& rows) {
+std::string table(const std::vector<std::string_view>& columns, const std::string& rows) {
     if (rows.empty()) return {};
     std::string head;
     for (const std::string_view column : columns) head += fmt::format("<th>{}</th>", column);
@@ -84,8 +84,16 @@ std::string count(std::uint32_t number) {
 }
 
 std::string counts(const CostCounts& counts) {
-    return count(counts.instructions) + count(counts.arithmetic) + count(counts.transcendental) +
-           count(counts.textures) + count(counts.derivatives);
+    std::string cells;
+    for (const CostFigure& figure : kCostFigures) cells += count(counts.*figure.count);
+    return cells;
+}
+
+// The titles of these cells stand between the others.
+std::vector<std::string_view> titles(std::vector<std::string_view> before, const std::vector<std::string_view>& after) {
+    for (const CostFigure& figure : kCostFigures) before.emplace_back(figure.name);
+    before.insert(before.end(), after.begin(), after.end());
+    return before;
 }
 
 std::string passes(const SheetEntry& entry) {
@@ -103,9 +111,7 @@ std::string passes(const SheetEntry& entry) {
         add_stage(pass.name, "vertex", pass.cost.vertex, 0);
         add_stage("", "pixel", pass.cost.fragment, pass.cost.uniform_bytes);
     }
-    const std::string made = table({"pass", "for each", "instructions", "arithmetic", "transcendental", "textures",
-                                    "derivatives", "varyings", "registers", "uniform bytes"},
-                                   rows);
+    const std::string made = table(titles({"pass", "for each"}, {"varyings", "registers", "uniform bytes"}), rows);
     if (made.empty()) return made;
     return "<h3>Passes and their cost</h3>\n" + made +
            "<p class=\"note\">Instructions of SPIR-V after <code>spirv-opt -O</code>; each loop counts one "
@@ -128,9 +134,7 @@ std::string shares(const SheetEntry& entry) {
     if (entry.passes.empty()) return rows;
     for (const CostShare& share : entry.passes.front().fragment.shares)
         rows += "<tr>" + cell(part_of(share)) + counts(share.once) + count(share.per_light.instructions) + "</tr>\n";
-    const std::string made = table({"node", "instructions", "arithmetic", "transcendental", "textures", "derivatives",
-                                    "instructions for each light"},
-                                   rows);
+    const std::string made = table(titles({"node"}, {"instructions for each light"}), rows);
     if (made.empty()) return made;
     return fmt::format("<h3>What each node adds to a pixel of the pass {}</h3>\n{}", escaped(entry.passes.front().name),
                        made);

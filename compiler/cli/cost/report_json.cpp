@@ -23,11 +23,7 @@ void write(Writer& writer, const char* key, std::uint32_t count) {
 void write(Writer& writer, const char* key, const CostCounts& counts) {
     writer.Key(key);
     writer.StartObject();
-    write(writer, "instructions", counts.instructions);
-    write(writer, "arithmetic", counts.arithmetic);
-    write(writer, "transcendental", counts.transcendental);
-    write(writer, "textures", counts.textures);
-    write(writer, "derivatives", counts.derivatives);
+    for (const CostFigure& figure : kCostFigures) write(writer, figure.name, counts.*figure.count);
     writer.EndObject();
 }
 

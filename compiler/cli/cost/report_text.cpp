@@ -14,9 +14,14 @@ std::string number(std::uint32_t count) {
 }
 
 void add(Row& row, const CostCounts& counts) {
-    for (const std::uint32_t count :
-         {counts.instructions, counts.arithmetic, counts.transcendental, counts.textures, counts.derivatives})
-        row.push_back(number(count));
+    for (const CostFigure& figure : kCostFigures) row.push_back(number(counts.*figure.count));
+}
+
+// The titles of what add() adds stand between the others.
+Row titles(Row before, const Row& after) {
+    for (const CostFigure& figure : kCostFigures) before.emplace_back(figure.name);
+    before.insert(before.end(), after.begin(), after.end());
+    return before;
 }
 
 // Columns as wide as their widest cell. The first `texts` ones are words, and the others numbers.
@@ -49,8 +54,7 @@ void add_stage(std::vector<Row>& rows, std::string pass, std::string each, const
 }
 
 std::string passes_table(const CostReport& report) {
-    std::vector<Row> rows = {{"pass", "for each", "instructions", "arithmetic", "transcendental", "textures",
-                              "derivatives", "varyings", "registers", "uniform bytes"}};
+    std::vector<Row> rows = {titles({"pass", "for each"}, {"varyings", "registers", "uniform bytes"})};
     for (const MeasuredPass& pass : report.passes) {
         add_stage(rows, pass.name, "vertex", pass.cost.vertex, 0);
         add_stage(rows, "", "pixel", pass.cost.fragment, pass.cost.uniform_bytes);
@@ -69,8 +73,7 @@ std::string name_of(const CostShare& share) {
 }
 
 std::string shares_table(const MeasuredStage& stage) {
-    std::vector<Row> rows = {{"node", "instructions", "arithmetic", "transcendental", "textures", "derivatives",
-                              "instructions for each light"}};
+    std::vector<Row> rows = {titles({"node"}, {"instructions for each light"})};
     const auto add_row = [&](std::string name, const CostCounts& once, const CostCounts& per_light) {
         Row& row = rows.emplace_back(Row{std::move(name)});
         add(row, once);

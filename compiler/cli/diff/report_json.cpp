@@ -71,12 +71,8 @@ void write_cost(Writer& writer, const char* key, const StageCost& cost) {
     if (total.instructions == 0) return;
     writer.Key(key);
     writer.StartObject();
-    write_count(writer, "instructions", total.instructions);
+    for (const CostFigure& figure : kCostFigures) write_count(writer, figure.name, total.*figure.count);
     write_count(writer, "perLight", cost.per_light.instructions);
-    write_count(writer, "arithmetic", total.arithmetic);
-    write_count(writer, "transcendental", total.transcendental);
-    write_count(writer, "textures", total.textures);
-    write_count(writer, "derivatives", total.derivatives);
     write_count(writer, "varyings", cost.varyings);
     write_count(writer, "registers", cost.registers);
     writer.EndObject();

@@ -163,18 +163,31 @@ struct CostCounts {
     std::uint32_t transcendental = 0;  // roots, powers, exponentials, logarithms, trigonometry
     std::uint32_t textures = 0;        // texture reads
     std::uint32_t derivatives = 0;     // by screen coordinates
-    // True if all five are equal.
+    // True if all counts are equal.
     friend bool operator==(const CostCounts&, const CostCounts&) = default;
-    // Adds each figure.
-    CostCounts& operator+=(const CostCounts& other) {
-        instructions += other.instructions;
-        arithmetic += other.arithmetic;
-        transcendental += other.transcendental;
-        textures += other.textures;
-        derivatives += other.derivatives;
-        return *this;
-    }
 };
+
+// A row for each count: tables, JSON and sums go through these rows.
+struct CostFigure {
+    const char* name;                  // the key in JSON, and the title of a column: "textures"
+    std::uint32_t CostCounts::*count;  // its member
+    std::string_view doc;              // "of them: texture reads"
+};
+// In the order in which they are shown.
+inline constexpr CostFigure kCostFigures[] = {
+    {"instructions", &CostCounts::instructions, "SPIR-V instructions after spirv-opt -O, without declarations"},
+    {"arithmetic", &CostCounts::arithmetic, "of them: sums, products, comparisons, conversions, choices"},
+    {"transcendental", &CostCounts::transcendental, "of them: roots, powers, exponentials, logarithms, trigonometry"},
+    {"textures", &CostCounts::textures, "of them: texture reads"},
+    {"derivatives", &CostCounts::derivatives, "of them: derivatives by screen coordinates"}};
+static_assert(sizeof kCostFigures / sizeof *kCostFigures * sizeof(std::uint32_t) == sizeof(CostCounts),
+              "each count needs a row");
+
+// Adds each count.
+inline CostCounts& operator+=(CostCounts& to, const CostCounts& added) {
+    for (const CostFigure& figure : kCostFigures) to.*figure.count += added.*figure.count;
+    return to;
+}
 
 // What a stage of a pass costs.
 struct StageCost {
@@ -185,7 +198,10 @@ struct StageCost {
     // True if all figures are equal.
     friend bool operator==(const StageCost&, const StageCost&) = default;
     // With one light.
-    CostCounts total() const { return CostCounts(once) += per_light; }
+    CostCounts total() const {
+        CostCounts sum = once;
+        return sum += per_light;
+    }
 };
 
 // What a pass costs.
