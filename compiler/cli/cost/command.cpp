@@ -1,10 +1,9 @@
-// patina cost: what the passes of graphs cost, and what each node adds.
+// patina cost: measures the shaders of graphs, pass by pass, and the share of each node.
 #include <memory>
 
 #include "compiler/cli/commands/commands.h"
 #include "compiler/cli/cost/report.h"
 #include "compiler/cli/inputs.h"
-#include "patina/validate.h"
 
 namespace patina::cli {
 namespace {
@@ -32,12 +31,9 @@ Measured measure_graph(const Compiler& compiler, const Arguments& arguments, con
     Measured made{.report = {.graph = graph}, .diagnostics = result.diagnostics, .ok = result.ok};
     if (!result.ok) return made;
     made.report.passes = measure(result);
-    if (all_measured(made.report.passes)) return made;
-    made.ok = false;
-    for (const Shader& shader : result.shaders) {
-        const std::vector<Diagnostic> why = validate(shader).diagnostics;
-        made.diagnostics.insert(made.diagnostics.end(), why.begin(), why.end());
-    }
+    const std::vector<Diagnostic> refused = refusals(result, made.report.passes);
+    made.ok = refused.empty();
+    made.diagnostics.insert(made.diagnostics.end(), refused.begin(), refused.end());
     return made;
 }
 
