@@ -23,8 +23,12 @@
 namespace patina::runtime {
 namespace {
 
-// The paths that draw the textures of each workflow, and one that has all that a material is made of.
-constexpr const char *kPath = "bake", *kSpecularPath = "bake-specular", *kWholePath = "forward";
+// The paths that draw the textures: of metallic and roughness, of the same if the workflow states f0, and of specular
+// and glossiness. And the path that has all that a material is made of.
+constexpr const char *kPath = "bake", *kConvertedPath = "bake-converted", *kSpecularPath = "bake-specular",
+                     *kWholePath = "forward";
+// The workflow that states f0.
+constexpr std::string_view kSpecularWorkflow = "specular-glossiness";
 const std::vector<std::string> kTargets = {"bakedColor", "bakedReflection", "bakedNormal", "bakedEmission",
                                            "bakedCutoff"};
 constexpr const char *kValuePath = "bake-value", *kValueTarget = "bakedValue";
@@ -50,7 +54,7 @@ public:
         world.value.objects[0].mesh = std::make_shared<const Mesh>(std::move(layout.value.mesh));
         world.value.view.samples = 1;
         world.value.view.background = glm::vec4(0);
-        std::vector<Image> drawn = draw(world.value, request_.is_specular ? kSpecularPath : kPath, kTargets);
+        std::vector<Image> drawn = draw(world.value, path_, kTargets);
         if (drawn.empty()) return std::move(out_);
         std::optional<std::vector<LayerValue>> layers = draw_layers(world.value);
         if (!layers) return std::move(out_);
@@ -110,7 +114,7 @@ private:
     // The node at the first texel that is not finite.
     std::optional<Cause> cause_of(const BakedMaterial& made, const World& world) const {
         RenderOptions options = draw_options();
-        options.path = request_.is_specular ? kSpecularPath : kPath;
+        options.path = path_;
         options.also_shown = kTargets;
         return cause_at(compiler_, world, options, {.x = made.first_x, .y = made.first_y});
     }
@@ -131,6 +135,9 @@ private:
         const Reflection& reflection = whole.reflection;
         out_.lighting = reflection.lighting;
         out_.is_unlit = reflection.lighting == kUnlit;
+        path_ = request_.is_specular                       ? kSpecularPath
+                : reflection.workflow == kSpecularWorkflow ? kConvertedPath
+                                                           : kPath;
         state_ = {.surface = reflection.surface, .is_unlit = out_.is_unlit, .is_specular = request_.is_specular};
         if (reflection.surface == SurfaceKind::Additive || reflection.surface == SurfaceKind::Multiply) {
             return refuse(fmt::format("glTF has no surface of the kind '{}': use opaque, cutout, fade or transparent",
@@ -173,7 +180,8 @@ private:
                 else if (is_layer(input.name) || input.name == kStrength)
                     layers_.push_back(input.name);
                 else
-                    lose(named, "its normal map in tangent space is not made");
+                    lose(named, input.type == "float3" ? "its normal map in tangent space is not made"
+                                                       : "glTF has no such input");
             }
         }
     }
@@ -205,7 +213,7 @@ private:
         for (const Fixed& each : fixed()) {
             if (!each.is_on) continue;
             CompileOptions options = compile_options(draw_options(each.name));
-            options.passes()->path = request_.is_specular ? kSpecularPath : kPath;
+            options.passes()->path = path_;
             options.targets.clear();
             for (Diagnostic refusal : compile_material(compiler_, material, std::move(options)).diagnostics) {
                 if (refusal.severity != Severity::Error) continue;
@@ -300,6 +308,7 @@ private:
     const Compiler& compiler_;
     const BakeRequest& request_;
     RenderMachine& machine_;
+    const char* path_ = kPath;  // that draws the textures
     BakedState state_{};
     std::vector<std::string> layers_{};  // inputs of the lighting model
     std::set<std::string> said_{};

@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "compiler/cli/model_file.h"
 #include "runtime/files/files.h"
 #include "runtime/picture/compare.h"
 #include "runtime/picture/image.h"
@@ -301,86 +302,26 @@ TEST(Bake, AConstantStretchIsARotation) {
 
 // --- pictures
 
-// The graph that reads the baked files as a viewer does: each texture times its factor.
-std::string viewer(const Folder& folder, const Baked& made, bool is_specular) {
-    const auto& material = made.material();
-    std::string properties, nodes, surface;
-    const auto has_file = [&](const std::string& map) {
-        const bool is_there = fs::exists(folder.path / ("baked." + map + ".png"));
-        if (is_there) {
-            const bool is_color =
-                map == "baseColor" || map == "diffuse" || map == "specularGlossiness" || map == "emissive";
-            properties += (properties.empty() ? "" : ",") + (R"({ "name": "_)" + map) +
-                          R"(", "type": "texture2d", "usage": ")" +
-                          (map == "normal" ? "normal"
-                           : is_color      ? "color"
-                                           : "data") +
-                          R"(", "default": "./baked.)" + map + R"(.png", "sampler": { "wrap": "clamp" } })";
-            nodes += (nodes.empty() ? "" : ",") + (R"({ "id": ")" + map) + R"(", "node": ")" +
-                     (map == "normal" ? "SampleNormalMap" : "SampleTexture2D") + R"(", "in": { "texture": "$_)" + map +
-                     R"(" } })";
-        }
-        return is_there;
-    };
-    const auto number = [](const rapidjson::Value& object, const char* name, double otherwise) {
-        return std::to_string(object.HasMember(name) ? object[name].GetDouble() : otherwise);
-    };
-    const auto color = [](const rapidjson::Value& object, const char* name, double otherwise) {
-        std::string text = "float3(";
-        for (unsigned i = 0; i < 3; i++)
-            text += (i ? ", " : "") + std::to_string(object.HasMember(name) ? object[name][i].GetDouble() : otherwise);
-        return text + ")";
-    };
-    const auto set = [&](const char* input, const std::string& value) {
-        surface += (surface.empty() ? "\"" : ", \"") + std::string(input) + "\": \"= " + value + "\"";
-    };
-    if (is_specular) {
-        const auto& extension = material["extensions"]["KHR_materials_pbrSpecularGlossiness"];
-        set("baseColor", color(extension, "diffuseFactor", 1) + (has_file("diffuse") ? " * diffuse.rgb" : ""));
-        const bool has = has_file("specularGlossiness");
-        set("specular", color(extension, "specularFactor", 1) + (has ? " * specularGlossiness.rgb" : ""));
-        set("glossiness", number(extension, "glossinessFactor", 1) + (has ? " * specularGlossiness.a" : ""));
-    } else {
-        const auto& pbr = material["pbrMetallicRoughness"];
-        set("baseColor", color(pbr, "baseColorFactor", 1) + (has_file("baseColor") ? " * baseColor.rgb" : ""));
-        const bool has = has_file("metallicRoughness");
-        set("roughness", number(pbr, "roughnessFactor", 1) + (has ? " * metallicRoughness.g" : ""));
-        set("metallic", number(pbr, "metallicFactor", 1) + (has ? " * metallicRoughness.b" : ""));
-    }
-    if (has_file("normal")) set("normalTS", "normal");
-    if (has_file("occlusion")) set("occlusion", "occlusion.r");
-    if (material.HasMember("emissiveFactor")) {
-        double strength = 1;
-        if (material.HasMember("extensions") && material["extensions"].HasMember("KHR_materials_emissive_strength"))
-            strength = material["extensions"]["KHR_materials_emissive_strength"]["emissiveStrength"].GetDouble();
-        set("emission", std::to_string(strength) + " * " + color(material, "emissiveFactor", 0) +
-                            (has_file("emissive") ? " * emissive.rgb" : ""));
-    }
-    std::string render;
-    if (material.HasMember("alphaMode")) {
-        EXPECT_STREQ(material["alphaMode"].GetString(), "MASK");
-        set("alpha", "baseColor.a");
-        set("alphaClip", number(material, "alphaCutoff", 0.5));
-        render =
-            R"("surface": "cutout", "cull": ")" + std::string(material.HasMember("doubleSided") ? "off\"" : "back\"");
-    }
-    return folder.write("viewer.graph.json", std::string(R"({ "patina": 1, "render": {)") + render +
-                                                 R"(}, "workflow": ")" +
-                                                 (is_specular ? "specular-glossiness" : "metallic-roughness") +
-                                                 R"(", "lighting": "gltf", "properties": [)" + properties +
-                                                 R"(], "nodes": [)" + nodes + R"(], "surface": {)" + surface + "} }");
-}
-
-Image picture(const std::string& graph, const std::string& mesh) {
+Image picture(RenderRequest request) {
     const Compiler compiler;
     RenderMachine machine;
-    RenderOutcome drawn = render(
-        compiler, {.graph = graph, .mesh = mesh, .size = 192, .camera = "position=1.5,1.2,3.4 target=0,0,0 fov=34"},
-        machine);
+    request.size = 192;
+    request.camera = "position=1.5,1.2,3.4 target=0,0,0 fov=34";
+    RenderOutcome drawn = render(compiler, request, machine);
     EXPECT_TRUE(drawn.ok) << drawn.error;
     for (const Diagnostic& each : drawn.diagnostics) EXPECT_NE(each.severity, Severity::Error) << to_text(each);
     encode_srgb(drawn.image);
     return drawn.image;
+}
+
+// The baked model as `patina render` draws it: by its import.
+Image picture_of_model(const Folder& folder) {
+    const Outcome<cli::ModelFile> model = cli::import_model((folder.path / "baked.glb").string(), {});
+    EXPECT_EQ(model.error, "");
+    EXPECT_EQ(model.value.refused, 0u);
+    RenderRequest request{.graph = model.value.scene};
+    request.options.files = model.value.files;
+    return picture(request);
 }
 
 // A bumpy surface of which every input varies, in object space and by texture coordinates.
@@ -411,8 +352,7 @@ TEST(Bake, TheModelLooksLikeTheGraph) {
         const Baked made = baked(folder, {.render = {.graph = graph, .mesh = mesh, .size = 1024}});
         ASSERT_TRUE(made.outcome.ok);
         EXPECT_EQ(made.outcome.files.size(), 6u);
-        expect_alike(picture(graph, mesh), picture(viewer(folder, made, false), (folder.path / "baked.glb").string()),
-                     mesh);
+        expect_alike(picture({.graph = graph, .mesh = mesh}), picture_of_model(folder), mesh);
     }
 }
 
@@ -426,8 +366,7 @@ TEST(Bake, SoDoesACutoutFromBothSides) {
         "baseColor": "= 0.2 + 0.7 * wave", "normalTS": "bump", "alpha": "@uv0.y", "alphaClip": 0.45 } })js");
     const Baked made = baked(folder, {.render = {.graph = graph, .mesh = "sphere", .size = 1024}});
     ASSERT_TRUE(made.outcome.ok);
-    expect_alike(picture(graph, "sphere"), picture(viewer(folder, made, false), (folder.path / "baked.glb").string()),
-                 "cutout");
+    expect_alike(picture({.graph = graph, .mesh = "sphere"}), picture_of_model(folder), "cutout");
 }
 
 TEST(Bake, SoDoesTheSpecularModel) {
@@ -437,15 +376,26 @@ TEST(Bake, SoDoesTheSpecularModel) {
         "lighting": "gltf", )") + kVaried + R"js("surface": { "baseColor": "= (0.2 + 0.7 * wave) * (1 - metal)",
         "specular": "= lerp(float3(0.04), 0.3 + 0.6 * wave, metal)", "glossiness": "= 0.2 + 0.5 * wave.z",
         "normalTS": "bump" } })js");
-    const Image expected = picture(graph, "sphere");
+    const Image expected = picture({.graph = graph, .mesh = "sphere"});
     for (const bool is_specular : {true, false}) {
         const Folder own;
         const Baked made =
             baked(own, {.render = {.graph = graph, .mesh = "sphere", .size = 1024}, .is_specular = is_specular});
         ASSERT_TRUE(made.outcome.ok);
-        expect_alike(expected, picture(viewer(own, made, is_specular), (own.path / "baked.glb").string()),
-                     is_specular ? "specular" : "metallic");
+        expect_alike(expected, picture_of_model(own), is_specular ? "specular" : "metallic");
     }
+}
+
+// No base colour and metallic give a blue diffuse colour below a grey f0 of 0.3.
+TEST(Bake, SoDoesASurfaceThatMetallicCannotExpress) {
+    const Folder folder;
+    const std::string surface = R"("baseColor": [0.1, 0.2, 0.6], "specular": [0.3, 0.3, 0.3], "glossiness": 0.6)";
+    const std::string graph = folder.write(
+        "blue.graph.json",
+        R"({ "patina": 1, "workflow": "specular-glossiness", "lighting": "gltf", "surface": {)" + surface + "} }");
+    const Baked made = baked(folder, {.render = {.graph = graph, .mesh = "sphere", .size = 64}, .is_specular = true});
+    ASSERT_TRUE(made.outcome.ok);
+    expect_alike(picture({.graph = graph, .mesh = "sphere"}), picture_of_model(folder), "blue");
 }
 
 }  // namespace
