@@ -1,5 +1,5 @@
-// What one value is, and what arithmetic makes of it: a position plus an offset is a position. It knows no graphs:
-// meanings.h carries meanings through them.
+// The meaning of a value, such as "a position in world space", and the meaning of a sum, a product or a mix of values.
+// It knows no graphs: meanings.h carries meanings through them.
 //
 //   const Meaning moved = sum_of({.meaning = meaning_of("positionWS")}, {.is_constant = true}, true);  // a position
 #pragma once
