@@ -65,7 +65,11 @@ public:
                                                    .emission = std::move(drawn[3]),
                                                    .cutoff = std::move(drawn[4])},
                                                   *layers, state_);
-        report_losses(made, world.value);
+        for (const BakedMaterial::Loss& loss : made.losses) lose(loss.what, loss.why);
+        report_not_finite(made.not_finite, world.value, path_, kTargets, "the textures");
+        for (const LayerValue& layer : *layers)
+            report_not_finite(layer.not_finite, showing(world.value, layer.input), kValuePath, {kValueTarget},
+                              fmt::format("'{}'", layer.input));
         write(made, *mesh);
         return std::move(out_);
     }
@@ -97,26 +101,22 @@ private:
                           {request_.render.mesh, fmt::format("{:.1f}", 100 * layout.overlap)})});
     }
 
-    void report_losses(const BakedMaterial& made, const World& world) {
-        for (const BakedMaterial::Loss& loss : made.losses) lose(loss.what, loss.why);
-        if (made.not_finite == 0) return;
-        const int size = request_.render.size;
-        const std::optional<Cause> cause = cause_of(made, world);
-        Diagnostic warning =
-            complaint(request_.render.graph, Severity::Warning, Complaint::PixelsNotFinite,
-                      {std::to_string(made.not_finite), std::to_string(std::size_t(size) * std::size_t(size)),
-                       std::to_string(made.first_x), std::to_string(made.first_y),
-                       (cause ? words_of(*cause) : "") + "; they are 0 in the textures"});
+    // Names the node at the first texel. `world`, `path`, `targets`: what was drawn. `where`: what holds 0 instead.
+    void report_not_finite(const NotFinite& found, const World& world, const char* path,
+                           const std::vector<std::string>& targets, std::string_view where) {
+        if (found.count == 0) return;
+        RenderOptions options = draw_options();
+        options.path = path;
+        options.also_shown = targets;
+        const std::optional<Cause> cause =
+            cause_at(compiler_, world, options, {.x = found.first_x, .y = found.first_y});
+        const std::size_t size = std::size_t(request_.render.size);
+        Diagnostic warning = complaint(
+            request_.render.graph, Severity::Warning, Complaint::PixelsNotFinite,
+            {std::to_string(found.count), std::to_string(size * size), std::to_string(found.first_x),
+             std::to_string(found.first_y), fmt::format("{}; they are 0 in {}", cause ? words_of(*cause) : "", where)});
         if (cause) blame(warning, *cause);
         report({warning});
-    }
-
-    // The node at the first texel that is not finite.
-    std::optional<Cause> cause_of(const BakedMaterial& made, const World& world) const {
-        RenderOptions options = draw_options();
-        options.path = path_;
-        options.also_shown = kTargets;
-        return cause_at(compiler_, world, options, {.x = made.first_x, .y = made.first_y});
     }
 
     // --- the material
@@ -249,18 +249,25 @@ private:
         return drawn.ok ? std::move(drawn.also_shown) : std::vector<Image>();
     }
 
-    std::optional<std::vector<LayerValue>> draw_layers(World world) {
+    std::optional<std::vector<LayerValue>> draw_layers(const World& world) {
         std::vector<LayerValue> made;
-        const WorldMaterial material = world.materials[0];
         for (const std::string& input : layers_) {
-            world.materials[0] = showing(material, input);
-            keep_known(world.materials[0]);
-            std::vector<Image> drawn = draw(world, kValuePath, {kValueTarget});
+            std::vector<Image> drawn = draw(showing(world, input), kValuePath, {kValueTarget});
             if (drawn.empty()) return std::nullopt;
-            const std::vector<std::uint8_t> covered = covered_texels(drawn[0]);
-            made.push_back({.input = input, .image = shrunk(std::move(drawn[0]), covered)});
+            Image& image = drawn[0];
+            const std::vector<std::uint8_t> covered = covered_texels(image);
+            std::vector<std::uint8_t> broken(covered.size());
+            make_finite(image, broken);
+            const NotFinite found = not_finite(broken, covered, image.width);
+            made.push_back({.input = input, .image = shrunk(std::move(image), covered), .not_finite = found});
         }
         return made;
+    }
+
+    World showing(World world, const std::string& input) const {
+        world.materials[0] = showing(std::move(world.materials[0]), input);
+        keep_known(world.materials[0]);
+        return world;
     }
 
     // A preview has no lighting, so properties of the lighting have no place in it.

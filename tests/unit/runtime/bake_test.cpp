@@ -97,6 +97,25 @@ TEST(Bake, TexelsThatAreNotFiniteAreTracedToTheirNode) {
     }
 }
 
+// The layer is drawn by itself. What is left of it is the same everywhere: 0.
+TEST(Bake, SoAreThoseOfALayer) {
+    const Folder folder;
+    const std::string nodes = R"j("lighting": "gltf", "nodes": [ { "id": "mask", "expr": "step(0.5, @uv0.x)" },
+        { "id": "share", "expr": "mask / (1 - mask)" } ],)j";
+    const Baked made = baked_surface(folder, R"j("baseColor": 0.5, "clearcoat": "share")j", false, nodes);
+    std::vector<Diagnostic> found;
+    for (const Diagnostic& each : made.outcome.diagnostics)
+        if (each.code == "pixels-not-finite") found.push_back(each);
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_TRUE(found[0].message.starts_with("2048 of 4096 pixels are not finite; the first is 32,0"))
+        << found[0].message;
+    EXPECT_NE(found[0].message.find("'share.out' is inf there; they are 0 in 'clearcoat'"), std::string::npos)
+        << found[0].message;
+    EXPECT_EQ(found[0].node, "share");
+    EXPECT_EQ(found[0].line, 2);
+    EXPECT_EQ(made.outcome.files.size(), 1u);
+}
+
 TEST(Bake, WhatIsTheSameEverywhereIsAFactor) {
     const Folder folder;
     const Baked made = baked_surface(
