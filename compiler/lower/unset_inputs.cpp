@@ -28,18 +28,22 @@ std::vector<double> numbers_of(const Expr& value, ir::Type type) {
     return numbers.size() == type.components() ? numbers : std::vector<double>();
 }
 
-// By member of the lighting surface: the default of a model's input that the material does not set.
+// By member of the lighting surface: the default of a model's input that the material does not set, or the number that
+// its workflow gives it.
 std::map<std::uint32_t, std::vector<double>> unset_members(const Lowering& lowering, ir::Type surface) {
     std::map<std::uint32_t, std::vector<double>> unset;
     const std::vector<PortValue>& set = lowering.material.graph->graph->surface;
     const std::vector<ir::Member>& members = lowering.out.module.structs[surface.ref].members;
     for (const Input& input : lowering.material.lighting->graph->inputs) {
-        if (!input.value) continue;
-        if (std::any_of(set.begin(), set.end(), [&](const PortValue& p) { return p.name == input.name; })) continue;
+        const PortValue* given = lowering.material.given_by_workflow(input);
+        const auto& value = given ? given->value : input.value;
+        if (!value) continue;
+        if (!given && std::any_of(set.begin(), set.end(), [&](const PortValue& p) { return p.name == input.name; }))
+            continue;
         const auto member =
             std::find_if(members.begin(), members.end(), [&](const ir::Member& m) { return m.name == input.name; });
         if (member == members.end() || !member->type.is_numeric()) continue;
-        const std::vector<double> numbers = numbers_of(*input.value, member->type);
+        const std::vector<double> numbers = numbers_of(*value, member->type);
         if (!numbers.empty()) unset[static_cast<std::uint32_t>(member - members.begin())] = numbers;
     }
     return unset;
@@ -190,11 +194,12 @@ void leave_out_unset_inputs(Lowering& lowering) {
     for (const Input& input : lowering.material.lighting->graph->inputs) {
         if (std::any_of(set.begin(), set.end(), [&](const PortValue& p) { return p.name == input.name; })) continue;
         const auto place = member_named(module, lit, input.name), source = member_named(module, given, input.name);
-        if (!place || !source || !module.structs[lit.ref].members[*place].type.is_numeric()) continue;
+        const bool has_source = source || lowering.material.given_by_workflow(input);
+        if (!place || !has_source || !module.structs[lit.ref].members[*place].type.is_numeric()) continue;
         // One without a literal default may be read.
         if (is_read(module, lit, *place)) continue;
         drop_member(module, lit.ref, *place);
-        drop_member(module, given.ref, *source);
+        if (source) drop_member(module, given.ref, *source);
     }
 }
 

@@ -303,11 +303,18 @@ void warn_unused(Session& session, const Material& material) {
     check_meanings(session, material);
 }
 
+const PortValue* Material::given_by_workflow(const Input& input) const {
+    const std::vector<PortValue>& given = workflow->graph->surface;
+    const auto found = std::find_if(given.begin(), given.end(), [&](const auto& p) { return p.name == input.name; });
+    return found == given.end() ? nullptr : &*found;
+}
+
 std::vector<const Input*> Material::surface_inputs() const {
     std::vector<const Input*> inputs;
     for (const Input& input : workflow->graph->inputs) inputs.push_back(&input);
     if (lighting) {
-        for (const Input& input : lighting->graph->inputs) inputs.push_back(&input);
+        for (const Input& input : lighting->graph->inputs)
+            if (!given_by_workflow(input)) inputs.push_back(&input);
     }
     return inputs;
 }

@@ -38,6 +38,8 @@ struct Material {
 
     // The inputs that the surface may set: the workflow's and those that the lighting model declares.
     std::vector<const Input*> surface_inputs() const;
+    // The value that the workflow gives an input of the lighting model, so that the surface may not; else null.
+    const PortValue* given_by_workflow(const Input& input) const;
 };
 
 // `preview`: "mask", "rust.amount" or "layers/mask" (in a sub-graph), or nothing. Null after errors that leave nothing

@@ -307,11 +307,12 @@ private:
                 if (const std::optional<Value> output = output_of(found->second, expr.text)) return *output;
             }
         }
-        if (whole.kind == Expr::Kind::Semantic) return {.meaning = member_of_semantic(whole.text, expr.text)};
+        const bool is_all = expr.text == "rgb" || expr.text == "xyz" || expr.text == "rgba" || expr.text == "xyzw";
+        if (whole.kind == Expr::Kind::Semantic && !is_all)
+            return {.meaning = member_of_semantic(whole.text, expr.text)};
         Value value = value_of(whole);
         value.texture = nullptr;
         if (is_alpha(expr.text, value.texel_of)) return {};  // alpha is never decoded
-        const bool is_all = expr.text == "rgb" || expr.text == "xyz" || expr.text == "rgba" || expr.text == "xyzw";
         if (!is_all) value.meaning = {}, value.texel_of = nullptr;
         return value;
     }
@@ -360,6 +361,18 @@ private:
                std::all_of(parts.begin(), parts.end(), [](const Value& part) { return part.is_constant; });
     }
 
+    static bool is_sum(const Expr& expr) {
+        return expr.kind == Expr::Kind::Binary && (expr.text == "+" || expr.text == "-");
+    }
+
+    // Vectors are added in one space: the first one's.
+    void same_space(const Expr& sum, std::span<const Value> parts) {
+        const Meaning &first = parts[0].meaning, &second = parts[1].meaning;
+        if (!first.is_vector() || !second.is_vector()) return;
+        const Meaning wanted{.kind = second.kind, .space = first.space};
+        if (DiagnosticRecord* record = warn_of_other(parts[1], wanted, sum.text, sum.args[1]->span)) record->at(node_);
+    }
+
     // What an operation makes of its operands.
     static Meaning meaning_of_parts(const Expr& expr, std::span<const Value> parts) {
         const auto operand = [&](std::size_t i) {
@@ -372,8 +385,7 @@ private:
         };
         const bool is_call = expr.kind == Expr::Kind::Call;
         if (expr.kind == Expr::Kind::Unary && (expr.text == "-" || expr.text == "+")) return parts[0].meaning;
-        if (expr.kind == Expr::Kind::Binary && (expr.text == "+" || expr.text == "-"))
-            return sum_of(operand(0), operand(1), expr.text == "+");
+        if (is_sum(expr)) return sum_of(operand(0), operand(1), expr.text == "+");
         if (expr.kind == Expr::Kind::Binary && (expr.text == "*" || expr.text == "/"))
             return product_of(factor(0), factor(1), expr.text == "/");
         if (expr.kind == Expr::Kind::Ternary && parts.size() == 3) return mix_of(operand(1), operand(2));
@@ -414,6 +426,7 @@ private:
             parts.push_back(value_of(*argument));
             made.textures.insert(parts.back().textures.begin(), parts.back().textures.end());
         }
+        if (is_sum(expr)) same_space(expr, parts);
         made.meaning = meaning_of_parts(expr, parts);
         made.is_constant = is_constant(expr, parts);
         if (made.meaning.kind == Kind::Texel) made.texel_of = texel_of(parts);
@@ -455,25 +468,29 @@ private:
     }
 
     void compare(const Value& value, const Meaning& wanted, std::string_view port, Span where) {
-        if (wanted.kind != Kind::Direction && wanted.kind != Kind::Position) return;
+        if (DiagnosticRecord* record = warn_of_other(value, wanted, port, where)) record->at(node_, port);
+    }
+
+    // Null if the value may be what is wanted. `taker`: the port or the operator that takes it.
+    DiagnosticRecord* warn_of_other(const Value& value, const Meaning& wanted, std::string_view taker, Span where) {
+        if (!wanted.is_vector()) return nullptr;
         const Meaning& given = value.meaning;
         if (given.kind == Kind::Texel && wanted.kind == Kind::Direction) {
             colors_.insert(value.textures.begin(), value.textures.end());  // one warning is enough
-            DiagnosticRecord& record = session_.diagnostics.report(Code::WrongMeaning, where, port, described(wanted),
+            DiagnosticRecord& record = session_.diagnostics.report(Code::WrongMeaning, where, taker, described(wanted),
                                                                    "the texel of a texture");
-            record.at(node_, port);
             note_converter(record, {.kind = Kind::Texel}, wanted);
-            return;
+            return &record;
         }
-        if (given.kind != Kind::Direction && given.kind != Kind::Position) return;
+        if (!given.is_vector()) return nullptr;
         const bool is_other_space = !given.space.empty() && !wanted.space.empty() && given.space != wanted.space;
         // A direction may be the offset of a position.
         const bool is_other_kind = given.kind != wanted.kind && wanted.space == given.space;
-        if (!is_other_space && !is_other_kind) return;
+        if (!is_other_space && !is_other_kind) return nullptr;
         DiagnosticRecord& record =
-            session_.diagnostics.report(Code::WrongMeaning, where, port, described(wanted), described(given));
-        record.at(node_, port);
+            session_.diagnostics.report(Code::WrongMeaning, where, taker, described(wanted), described(given));
         note_converter(record, given, wanted);
+        return &record;
     }
 
     // Names the library's nodes that take the one and return the other.

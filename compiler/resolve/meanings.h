@@ -11,6 +11,7 @@ namespace patina::graph {
 
 // Carries the meanings of values through the material's nodes, as far as they are plain. Warns of
 // - a texel where a direction is wanted, a direction where a position is wanted, and another space than the wanted one;
+// - a sum or a difference of vectors in two spaces;
 // - a normal map that is decoded as a colour;
 // - a texture that is decoded as a colour although all that reads it wants data, unless its "usage" is stated.
 void check_meanings(Session& session, const Material& material);

@@ -43,7 +43,7 @@ BakedSurface bakedSurface(LightingSurface lit, float3 normal) {
     return baked;
 }
 
-[pass("bake")] [pass("bake-specular")] [pass("bake-value")] [vertex]
+[pass("bake")] [pass("bake-converted")] [pass("bake-specular")] [pass("bake-value")] [vertex]
 float4 bakeVertex(float2 place = uv0) {
     return float4(2 * place.x - 1, 1 - 2 * place.y, 0.5, 1);
 }

@@ -23,8 +23,12 @@
 namespace patina::runtime {
 namespace {
 
-// The paths that draw the textures of each workflow, and one that has all that a material is made of.
-constexpr const char *kPath = "bake", *kSpecularPath = "bake-specular", *kWholePath = "forward";
+// The paths that draw the textures: of metallic and roughness, of the same if the workflow states f0, and of specular
+// and glossiness. And the path that has all that a material is made of.
+constexpr const char *kPath = "bake", *kConvertedPath = "bake-converted", *kSpecularPath = "bake-specular",
+                     *kWholePath = "forward";
+// The workflow that states f0.
+constexpr std::string_view kSpecularWorkflow = "specular-glossiness";
 const std::vector<std::string> kTargets = {"bakedColor", "bakedReflection", "bakedNormal", "bakedEmission",
                                            "bakedCutoff"};
 constexpr const char *kValuePath = "bake-value", *kValueTarget = "bakedValue";
@@ -50,7 +54,7 @@ public:
         world.value.objects[0].mesh = std::make_shared<const Mesh>(std::move(layout.value.mesh));
         world.value.view.samples = 1;
         world.value.view.background = glm::vec4(0);
-        std::vector<Image> drawn = draw(world.value, request_.is_specular ? kSpecularPath : kPath, kTargets);
+        std::vector<Image> drawn = draw(world.value, path_, kTargets);
         if (drawn.empty()) return std::move(out_);
         std::optional<std::vector<LayerValue>> layers = draw_layers(world.value);
         if (!layers) return std::move(out_);
@@ -61,7 +65,11 @@ public:
                                                    .emission = std::move(drawn[3]),
                                                    .cutoff = std::move(drawn[4])},
                                                   *layers, state_);
-        report_losses(made, world.value);
+        for (const BakedMaterial::Loss& loss : made.losses) lose(loss.what, loss.why);
+        report_not_finite(made.not_finite, world.value, path_, kTargets, "the textures");
+        for (const LayerValue& layer : *layers)
+            report_not_finite(layer.not_finite, showing(world.value, layer.input), kValuePath, {kValueTarget},
+                              fmt::format("'{}'", layer.input));
         write(made, *mesh);
         return std::move(out_);
     }
@@ -93,26 +101,22 @@ private:
                           {request_.render.mesh, fmt::format("{:.1f}", 100 * layout.overlap)})});
     }
 
-    void report_losses(const BakedMaterial& made, const World& world) {
-        for (const BakedMaterial::Loss& loss : made.losses) lose(loss.what, loss.why);
-        if (made.not_finite == 0) return;
-        const int size = request_.render.size;
-        const std::optional<Cause> cause = cause_of(made, world);
-        Diagnostic warning =
-            complaint(request_.render.graph, Severity::Warning, Complaint::PixelsNotFinite,
-                      {std::to_string(made.not_finite), std::to_string(std::size_t(size) * std::size_t(size)),
-                       std::to_string(made.first_x), std::to_string(made.first_y),
-                       (cause ? words_of(*cause) : "") + "; they are 0 in the textures"});
+    // Names the node at the first texel. `world`, `path`, `targets`: what was drawn. `where`: what holds 0 instead.
+    void report_not_finite(const NotFinite& found, const World& world, const char* path,
+                           const std::vector<std::string>& targets, std::string_view where) {
+        if (found.count == 0) return;
+        RenderOptions options = draw_options();
+        options.path = path;
+        options.also_shown = targets;
+        const std::optional<Cause> cause =
+            cause_at(compiler_, world, options, {.x = found.first_x, .y = found.first_y});
+        const std::size_t size = std::size_t(request_.render.size);
+        Diagnostic warning = complaint(
+            request_.render.graph, Severity::Warning, Complaint::PixelsNotFinite,
+            {std::to_string(found.count), std::to_string(size * size), std::to_string(found.first_x),
+             std::to_string(found.first_y), fmt::format("{}; they are 0 in {}", cause ? words_of(*cause) : "", where)});
         if (cause) blame(warning, *cause);
         report({warning});
-    }
-
-    // The node at the first texel that is not finite.
-    std::optional<Cause> cause_of(const BakedMaterial& made, const World& world) const {
-        RenderOptions options = draw_options();
-        options.path = request_.is_specular ? kSpecularPath : kPath;
-        options.also_shown = kTargets;
-        return cause_at(compiler_, world, options, {.x = made.first_x, .y = made.first_y});
     }
 
     // --- the material
@@ -131,6 +135,9 @@ private:
         const Reflection& reflection = whole.reflection;
         out_.lighting = reflection.lighting;
         out_.is_unlit = reflection.lighting == kUnlit;
+        path_ = request_.is_specular                       ? kSpecularPath
+                : reflection.workflow == kSpecularWorkflow ? kConvertedPath
+                                                           : kPath;
         state_ = {.surface = reflection.surface, .is_unlit = out_.is_unlit, .is_specular = request_.is_specular};
         if (reflection.surface == SurfaceKind::Additive || reflection.surface == SurfaceKind::Multiply) {
             return refuse(fmt::format("glTF has no surface of the kind '{}': use opaque, cutout, fade or transparent",
@@ -173,7 +180,8 @@ private:
                 else if (is_layer(input.name) || input.name == kStrength)
                     layers_.push_back(input.name);
                 else
-                    lose(named, "its normal map in tangent space is not made");
+                    lose(named, input.type == "float3" ? "its normal map in tangent space is not made"
+                                                       : "glTF has no such input");
             }
         }
     }
@@ -205,7 +213,7 @@ private:
         for (const Fixed& each : fixed()) {
             if (!each.is_on) continue;
             CompileOptions options = compile_options(draw_options(each.name));
-            options.passes()->path = request_.is_specular ? kSpecularPath : kPath;
+            options.passes()->path = path_;
             options.targets.clear();
             for (Diagnostic refusal : compile_material(compiler_, material, std::move(options)).diagnostics) {
                 if (refusal.severity != Severity::Error) continue;
@@ -241,18 +249,25 @@ private:
         return drawn.ok ? std::move(drawn.also_shown) : std::vector<Image>();
     }
 
-    std::optional<std::vector<LayerValue>> draw_layers(World world) {
+    std::optional<std::vector<LayerValue>> draw_layers(const World& world) {
         std::vector<LayerValue> made;
-        const WorldMaterial material = world.materials[0];
         for (const std::string& input : layers_) {
-            world.materials[0] = showing(material, input);
-            keep_known(world.materials[0]);
-            std::vector<Image> drawn = draw(world, kValuePath, {kValueTarget});
+            std::vector<Image> drawn = draw(showing(world, input), kValuePath, {kValueTarget});
             if (drawn.empty()) return std::nullopt;
-            const std::vector<std::uint8_t> covered = covered_texels(drawn[0]);
-            made.push_back({.input = input, .image = shrunk(std::move(drawn[0]), covered)});
+            Image& image = drawn[0];
+            const std::vector<std::uint8_t> covered = covered_texels(image);
+            std::vector<std::uint8_t> broken(covered.size());
+            make_finite(image, broken);
+            const NotFinite found = not_finite(broken, covered, image.width);
+            made.push_back({.input = input, .image = shrunk(std::move(image), covered), .not_finite = found});
         }
         return made;
+    }
+
+    World showing(World world, const std::string& input) const {
+        world.materials[0] = showing(std::move(world.materials[0]), input);
+        keep_known(world.materials[0]);
+        return world;
     }
 
     // A preview has no lighting, so properties of the lighting have no place in it.
@@ -300,6 +315,7 @@ private:
     const Compiler& compiler_;
     const BakeRequest& request_;
     RenderMachine& machine_;
+    const char* path_ = kPath;  // that draws the textures
     BakedState state_{};
     std::vector<std::string> layers_{};  // inputs of the lighting model
     std::set<std::string> said_{};

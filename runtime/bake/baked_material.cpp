@@ -4,8 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <limits>
 
 #include "runtime/bake/layers.h"
 #include "runtime/bake/padding.h"
@@ -28,8 +26,10 @@ public:
     }
 
     BakedMaterial run() {
+        std::vector<std::uint8_t> broken(covered_.size());
         for (Image* image : {&drawn_.color, &drawn_.reflection, &drawn_.normal, &drawn_.emission, &drawn_.cutoff})
-            make_finite(*image);
+            make_finite(*image, broken);
+        out_.not_finite = not_finite(broken, covered_, drawn_.normal.width);
         out_.material.is_unlit = state_.is_unlit;
         out_.material.is_double_sided = state_.is_double_sided;
         if (state_.is_unlit) show_emission();
@@ -44,22 +44,6 @@ public:
 
 private:
     // --- the texels
-
-    void make_finite(Image& image) {
-        for (std::size_t i = 0; i < covered_.size(); i++) {
-            bool is_finite = true;
-            for (std::size_t c = 0; c < 4; c++) {
-                float& value = image.pixels[4 * i + c];
-                if (std::isfinite(value)) continue;
-                is_finite = false;
-                value = 0;
-            }
-            if (is_finite || !covered_[i]) continue;
-            if (out_.not_finite++ > 0) continue;
-            out_.first_x = int(i % std::size_t(image.width));
-            out_.first_y = int(i / std::size_t(image.width));
-        }
-    }
 
     Range range(const Image& image, int channel) const { return range_of(image, covered_, channel); }
 

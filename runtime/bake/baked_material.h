@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "patina/words.h"
+#include "runtime/bake/texels.h"
 #include "runtime/gltf/gltf_writer.h"
 #include "runtime/picture/image.h"
 
@@ -20,10 +21,11 @@ struct BakedTargets {
 };
 
 // An input of the lighting model that the graph sets, as the pass `bake-value` has drawn it; one texel if it is the
-// same everywhere.
+// same everywhere. Its numbers are finite.
 struct LayerValue {
     std::string input{};
     Image image{};
+    NotFinite not_finite{};  // texels that were not
 };
 
 // What the pass does not draw.
@@ -48,8 +50,7 @@ struct BakedMaterial {
         std::string what, why;
     };
     std::vector<Loss> losses;
-    std::size_t not_finite = 0;  // texels with a number that is not finite, which becomes 0
-    int first_x = 0, first_y = 0;
+    NotFinite not_finite{};  // texels of the targets with a number that is not finite, which becomes 0
 };
 
 BakedMaterial baked_material(const std::string& name, BakedTargets drawn, const std::vector<LayerValue>& layers,

@@ -1,6 +1,7 @@
 #include "runtime/bake/texels.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace patina::runtime {
@@ -9,6 +10,24 @@ std::vector<std::uint8_t> covered_texels(const Image& image) {
     std::vector<std::uint8_t> covered(image.pixels.size() / 4);
     for (std::size_t i = 0; i < covered.size(); i++) covered[i] = image.pixels[4 * i + 3] > 0.5f;
     return covered;
+}
+
+void make_finite(Image& image, std::vector<std::uint8_t>& broken) {
+    for (std::size_t i = 0; i < image.pixels.size(); i++) {
+        if (std::isfinite(image.pixels[i])) continue;
+        image.pixels[i] = 0;
+        broken[i / 4] = 1;
+    }
+}
+
+NotFinite not_finite(const std::vector<std::uint8_t>& broken, const std::vector<std::uint8_t>& covered, int width) {
+    NotFinite found;
+    for (std::size_t i = 0; i < broken.size(); i++) {
+        if (!broken[i] || !covered[i] || found.count++ > 0) continue;
+        found.first_x = int(i % std::size_t(width));
+        found.first_y = int(i / std::size_t(width));
+    }
+    return found;
 }
 
 Range range_of(const Image& image, const std::vector<std::uint8_t>& covered, int channel) {

@@ -1,4 +1,4 @@
-// The values of drawn textures where the mesh is: their range, and whether they are one value.
+// The values of drawn textures where the mesh is: whether they are finite, their range, and whether they are one value.
 //
 //   const Range red = range_of(image, covered, 0);
 //   if (red.is_constant()) factor = red.middle();
@@ -24,6 +24,16 @@ struct Range {
 
 // Texel by texel, 1 where alpha says that the mesh is there.
 std::vector<std::uint8_t> covered_texels(const Image& image);
+
+// Replaces numbers that are not finite by 0, and marks their texels in `broken`, which has a place for each texel.
+void make_finite(Image& image, std::vector<std::uint8_t>& broken);
+
+// The covered ones among broken texels: how many, and where the first is.
+struct NotFinite {
+    std::size_t count = 0;
+    int first_x = 0, first_y = 0;
+};
+NotFinite not_finite(const std::vector<std::uint8_t>& broken, const std::vector<std::uint8_t>& covered, int width);
 
 // Of one channel of the covered texels. An image of one texel stands for a value that is the same everywhere.
 Range range_of(const Image& image, const std::vector<std::uint8_t>& covered, int channel);

@@ -7,11 +7,14 @@
 
 namespace patina::runtime {
 
-// The unit direction through the middle of a texel.
-inline glm::vec3 cube_direction(int face, int x, int y, int size) {
-    float s = 2 * (float(x) + 0.5f) / float(size) - 1, t = 2 * (float(y) + 0.5f) / float(size) - 1;
+// The unit direction through a place on a face. `s`, `t`: to the right and down, from -1 to 1.
+inline glm::vec3 cube_direction(int face, float s, float t) {
     const glm::vec3 directions[6] = {{1, -t, -s}, {-1, -t, s}, {s, 1, t}, {s, -1, -t}, {s, -t, 1}, {-s, -t, -1}};
     return glm::normalize(directions[face]);
+}
+// The same through the middle of a texel.
+inline glm::vec3 cube_direction(int face, int x, int y, int size) {
+    return cube_direction(face, 2 * (float(x) + 0.5f) / float(size) - 1, 2 * (float(y) + 0.5f) / float(size) - 1);
 }
 
 // Where a direction meets the cube: the face, and the place on it from 0 to 1.

@@ -15,14 +15,20 @@ constexpr float kK2 = 1.0925484305920792f;
 constexpr float kK3 = 0.31539156525252005f;
 constexpr float kK4 = 0.5462742152960396f;
 
+// What the cosine lobe leaves of the bands 1 and 2, over pi.
+constexpr float kBand1 = 2.0f / 3, kBand2 = 1.0f / 4;
+
+std::size_t band_of(std::size_t coefficient) {
+    return coefficient < 1 ? 0 : coefficient < 4 ? 1 : 2;
+}
+
 struct Range {
     float low = 0, high = 0;
 };
 
-// Irradiance over pi in all directions and channels.
+// Of the irradiance over pi, in all directions and channels, and of 0.
 Range irradiance_range(const SphericalHarmonics& light) {
-    constexpr std::array<float, 9> kBands = {1,        2.0f / 3, 2.0f / 3, 2.0f / 3, 1.0f / 4,
-                                             1.0f / 4, 1.0f / 4, 1.0f / 4, 1.0f / 4};
+    constexpr std::array<float, 3> kBands = {1, kBand1, kBand2};
     // So smooth a function is less than a thousandth larger between directions that are 3 degrees apart.
     constexpr int kFaceSize = 32;
     Range range;
@@ -31,13 +37,23 @@ Range irradiance_range(const SphericalHarmonics& light) {
             for (int x = 0; x < kFaceSize; x++) {
                 const std::array<float, 9> basis = spherical_harmonics_basis(cube_direction(face, x, y, kFaceSize));
                 glm::vec3 sum(0);
-                for (std::size_t i = 0; i < basis.size(); i++) sum += kBands[i] * basis[i] * light.coefficients[i];
+                for (std::size_t i = 0; i < basis.size(); i++)
+                    sum += kBands[band_of(i)] * basis[i] * light.coefficients[i];
                 range.low = std::min({range.low, sum.r, sum.g, sum.b});
                 range.high = std::max({range.high, sum.r, sum.g, sum.b});
             }
         }
     }
     return range;
+}
+
+// Sloan's window of this width ("Stupid Spherical Harmonics Tricks", GDC 2008, "windowing"): 1 / (1 + w l^2 (l + 1)^2)
+// of band l.
+SphericalHarmonics windowed(SphericalHarmonics light, float width) {
+    constexpr std::array<float, 3> kOfBand = {0, 1 * 4, 4 * 9};
+    for (std::size_t i = 0; i < light.coefficients.size(); i++)
+        light.coefficients[i] /= 1 + width * kOfBand[band_of(i)];
+    return light;
 }
 
 }  // namespace
@@ -122,27 +138,24 @@ float largest_irradiance(const SphericalHarmonics& light) {
 }
 
 SphericalHarmonics without_negative_light(const SphericalHarmonics& light) {
-    const auto windowed = [&](float w) {
-        SphericalHarmonics smooth = light;
-        for (std::size_t i = 1; i < smooth.coefficients.size(); i++)
-            smooth.coefficients[i] /= 1 + w * (i < 4 ? 4.0f : 36.0f);
-        return smooth;
-    };
+    // Negative light that is rounding alone, as a share of the brightest.
+    constexpr float kRounding = 1e-4f;
+    // The largest width leaves 1/257 of band 1, which is at most twice band 0, and less of band 2: no surface is then
+    // black. Halving the interval 20 times finds the least width that will do.
+    constexpr float kLargestWidth = 64;
+    constexpr int kHalvings = 20;
     const Range range = irradiance_range(light);
-    const float least = -1e-4f * range.high;  // what rounding makes of no light
+    const float least = -kRounding * range.high;
     if (range.low >= least) return light;
-    // A width of 64 leaves a hundredth of all bands but the first. Halving it twenty times finds the least that will
-    // do.
-    float enough = 64, too_little = 0;
-    for (int i = 0; i < 20; i++) {
+    float enough = kLargestWidth, too_little = 0;
+    for (int i = 0; i < kHalvings; i++) {
         const float middle = (enough + too_little) / 2;
-        (irradiance_range(windowed(middle)).low >= least ? enough : too_little) = middle;
+        (irradiance_range(windowed(light, middle)).low >= least ? enough : too_little) = middle;
     }
-    return windowed(enough);
+    return windowed(light, enough);
 }
 
 PackedIrradiance packed_irradiance(const SphericalHarmonics& light) {
-    constexpr float kBand1 = 2.0f / 3, kBand2 = 1.0f / 4;
     PackedIrradiance packed;
     for (int channel = 0; channel < 3; channel++) {
         const auto c = [&](std::size_t i) { return light.coefficients[i][channel]; };

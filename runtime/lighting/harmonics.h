@@ -36,10 +36,9 @@ SphericalHarmonics scaled(SphericalHarmonics light, float factor);
 // The brightest that a white matt surface becomes, whichever way it faces: irradiance over pi, the largest of the
 // channels.
 float largest_irradiance(const SphericalHarmonics& light);
-// The same light, smoothed just so much that no surface receives less than none: nine coefficients of a small bright
-// lamp are negative on its other side, which would be a black spot on white things. Light without such a spot is
-// returned as it is. The window is Sloan's ("Stupid Spherical Harmonics Tricks", GDC 2008, "windowing"): 1 / (1 + w l^2
-// (l + 1)^2) for band l.
+// The same light, smoothed as little as makes the irradiance nowhere negative. Nine coefficients of a small bright lamp
+// give negative irradiance on its other side, which would be a black spot on white things. Light without such a spot is
+// returned as it is.
 SphericalHarmonics without_negative_light(const SphericalHarmonics& light);
 // The same light for a world whose z points the other way: right-handed to left-handed and back.
 SphericalHarmonics with_z_reversed(SphericalHarmonics light);

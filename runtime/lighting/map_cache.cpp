@@ -21,7 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // Changes whenever the same picture would give other numbers.
-constexpr std::uint32_t kVersion = 2;
+constexpr std::uint32_t kVersion = 3;
 constexpr std::string_view kEnding = ".environment";
 
 // A file: this, then `count` floats: the coefficients, and red, green and blue of each texel, level by level.

@@ -123,7 +123,7 @@ Pyramid pyramid_of(const Panorama& around, int face_size) {
 
 SphericalHarmonics ambient_of(const Pyramid& pyramid) {
     return without_negative_light(
-        project([&](glm::vec3 direction) { return pyramid.look(direction); }, pyramid.size()));
+        project([&](glm::vec3 direction) { return pyramid.radiance(direction); }, pyramid.size()));
 }
 
 }  // namespace patina::runtime

@@ -38,8 +38,14 @@ glm::vec3 mean_in_texel(const Radiance& radiance, int face, int x, int y, int si
     return sum / float(samples * samples);
 }
 
-// A part is small if its radius is at most this share of the distance over which the lobe changes.
-constexpr float kSmall = 0.15f;
+// A square is small if its radius is at most this share of the scale of the lobe there: the distance over which the
+// lobe changes. That is the lobe's own width in its middle, and the distance from the middle further away. The scale's
+// square is at most kLargestScale2, because n.l changes everywhere.
+constexpr float kSmall = 0.15f, kLargestScale2 = 0.5f;
+
+// Squares that wait while a sum is made. One that is not small leaves four, of which the next is one: three for each
+// level, and the six faces. That is enough for 2^19 texels along a face.
+constexpr std::size_t kMostOpen = 64;
 
 }  // namespace
 
@@ -61,95 +67,90 @@ TextureData sampled(const Radiance& radiance, int size, int samples) {
 }
 
 Pyramid::Pyramid(const Radiance& radiance, int size, int samples) : size_(size) {
-    std::vector<Part>& texels = levels_.emplace_back(std::size_t(6) * size * size);
+    levels_.push_back(texels(radiance, size, samples));
+    for (int coarse = size / 2; coarse > 0; coarse /= 2) levels_.push_back(coarser(levels_.back(), coarse));
+}
+
+Pyramid::Level Pyramid::texels(const Radiance& radiance, int size, int samples) {
+    Level made(std::size_t(6) * size * size);
     each_texel(size, [&](int face, int x, int y) {
-        Part& texel = texels[at(size, face, x, y)];
+        Square& texel = made[at(size, face, x, y)];
         texel.direction = cube_direction(face, x, y, size);
         texel.solid_angle = cube_solid_angle(x, y, size);
         texel.light = mean_in_texel(radiance, face, x, y, size, samples) * texel.solid_angle;
-        measure(texel, face, x, y, size);
     });
-    for (int half = size / 2; half > 0; half /= 2) {
-        const std::vector<Part>& finer = levels_.back();
-        std::vector<Part> parts(std::size_t(6) * half * half);
-        for (int face = 0; face < 6; face++) {
-            for (int y = 0; y < half; y++) {
-                for (int x = 0; x < half; x++) {
-                    const auto quarter = [&](int i, int j) { return &finer[at(2 * half, face, 2 * x + i, 2 * y + j)]; };
-                    Part& part = parts[at(half, face, x, y)];
-                    part = joined({quarter(0, 0), quarter(1, 0), quarter(0, 1), quarter(1, 1)});
-                    measure(part, face, x, y, half);
-                }
-            }
-        }
-        levels_.push_back(std::move(parts));
-    }
+    return made;
 }
 
-Pyramid::Part Pyramid::joined(const Part* const (&quarters)[4]) {
-    Part whole;
+// `size`: squares along a face of the coarser level.
+Pyramid::Level Pyramid::coarser(const Level& finer, int size) {
+    Level made(std::size_t(6) * size * size);
+    each_texel(size, [&](int face, int x, int y) {
+        const auto quarter = [&](int i, int j) { return finer[at(2 * size, face, 2 * x + i, 2 * y + j)]; };
+        Square& square = made[at(size, face, x, y)];
+        square = joined({quarter(0, 0), quarter(1, 0), quarter(0, 1), quarter(1, 1)});
+        const auto place = [&](int line) { return 2 * float(line) / float(size) - 1; };
+        for (const int column : {x, x + 1}) {
+            for (const int row : {y, y + 1}) {
+                const glm::vec3 corner = cube_direction(face, place(column), place(row));
+                square.radius = std::max(square.radius, glm::distance(corner, square.direction));
+            }
+        }
+    });
+    return made;
+}
+
+// The centre of the light is the mean of the quarters' directions by their light; without light, by their areas.
+Pyramid::Square Pyramid::joined(const std::array<Square, 4>& quarters) {
+    Square whole;
     glm::vec3 of_light(0), of_area(0);
-    for (const Part* quarter : quarters) {
-        whole.solid_angle += quarter->solid_angle;
-        whole.light += quarter->light;
-        of_light += quarter->direction * (quarter->light.r + quarter->light.g + quarter->light.b);
-        of_area += quarter->direction * quarter->solid_angle;
+    for (const Square& quarter : quarters) {
+        whole.solid_angle += quarter.solid_angle;
+        whole.light += quarter.light;
+        of_light += quarter.direction * (quarter.light.r + quarter.light.g + quarter.light.b);
+        of_area += quarter.direction * quarter.solid_angle;
     }
     const bool is_lit = glm::dot(of_light, of_light) > 0;
     whole.direction = glm::normalize(is_lit ? of_light : of_area);
     return whole;
 }
 
-void Pyramid::measure(Part& part, int face, int x, int y, int size) const {
-    for (const int i : {0, 1}) {
-        for (const int j : {0, 1}) {
-            // Nearly the corner: the middle of the outermost texel there, had the cube many more.
-            constexpr int kMany = 1024;
-            const glm::vec3 corner =
-                cube_direction(face, x * kMany + i * (kMany - 1), y * kMany + j * (kMany - 1), size * kMany);
-            part.radius = std::max(part.radius, glm::distance(corner, part.direction));
-        }
-    }
-}
-
-glm::vec3 Pyramid::look(glm::vec3 direction) const {
+glm::vec3 Pyramid::radiance(glm::vec3 direction) const {
     const CubePlace place = cube_place(direction);
     const auto inside = [&](float share) { return std::clamp(int(share * float(size_)), 0, size_ - 1); };
-    const Part& texel = levels_.front()[at(size_, place.face, inside(place.u), inside(place.v))];
+    const Square& texel = levels_.front()[at(size_, place.face, inside(place.u), inside(place.v))];
     return texel.light / texel.solid_angle;
 }
 
 glm::vec3 Pyramid::reflected(glm::vec3 normal, float roughness) const {
-    const float a2 = std::pow(roughness, 4.0f);
+    const float a2 = std::pow(roughness, 4.0f);  // alpha squared
     struct Place {
         std::size_t level;
         int face, x, y;
     };
-    // Each part that is taken apart leaves four, of which one is the next: three for each level, and the six faces.
-    std::array<Place, 64> open{};
+    std::array<Place, kMostOpen> open{};  // squares that are still to be added
     std::size_t count = 0;
     for (int face = 0; face < 6; face++) open[count++] = {levels_.size() - 1, face, 0, 0};
     glm::dvec3 sum(0);
     double weights = 0;
     while (count > 0) {
         const Place place = open[--count];
-        const int size = size_ >> place.level;
-        const Part& part = levels_[place.level][at(size, place.face, place.x, place.y)];
-        const float along = glm::dot(normal, part.direction);
-        if (along < -part.radius) continue;  // below the horizon
-        // The lobe changes over its own width at its middle, and over the distance from there further away.
-        const float distance2 = std::min(2 - 2 * along + 2 * a2, 0.5f);
-        if (place.level > 0 && part.radius * part.radius > kSmall * kSmall * distance2) {
+        const Square& square = levels_[place.level][at(size_ >> place.level, place.face, place.x, place.y)];
+        const float cosine = glm::dot(normal, square.direction);
+        if (cosine < -square.radius) continue;  // below the horizon
+        const float chord2 = 2 - 2 * cosine;    // from the middle of the lobe, squared
+        const float scale2 = std::min(chord2 + 2 * a2, kLargestScale2);
+        if (place.level > 0 && square.radius * square.radius > kSmall * kSmall * scale2) {
             for (const int i : {0, 1})
                 for (const int j : {0, 1})
                     open[count++] = {place.level - 1, place.face, 2 * place.x + i, 2 * place.y + j};
             continue;
         }
-        if (along <= 0) continue;
+        if (cosine <= 0) continue;
         // D n.l, without the factor that all have; n.h is the cosine of half the angle between n and l.
-        const float root = (1 + along) / 2 * (a2 - 1) + 1, weight = along / (root * root);
-        sum += glm::dvec3(part.light * weight);
-        weights += double(weight) * double(part.solid_angle);
+        const float root = (1 + cosine) / 2 * (a2 - 1) + 1, weight = cosine / (root * root);
+        sum += glm::dvec3(square.light * weight);
+        weights += double(weight) * double(square.solid_angle);
     }
     return glm::vec3(sum / weights);
 }
@@ -161,7 +162,7 @@ TextureLevel blurred(const Pyramid& pyramid, float roughness, int size, const Pr
         for (int y = 0; y < size; y++) {
             for (int x = 0; x < size; x++, texel += 4) {
                 const glm::vec3 normal = cube_direction(face, x, y, size);
-                const glm::vec3 mean = roughness > 0 ? pyramid.reflected(normal, roughness) : pyramid.look(normal);
+                const glm::vec3 mean = roughness > 0 ? pyramid.reflected(normal, roughness) : pyramid.radiance(normal);
                 texel[0] = mean.x, texel[1] = mean.y, texel[2] = mean.z, texel[3] = 1;
             }
             // The calling thread does the first face.

@@ -3,6 +3,7 @@
 //   TextureData map = prefiltered(Pyramid(radiance, 256), {});
 #pragma once
 
+#include <array>
 #include <functional>
 #include <glm/glm.hpp>
 #include <vector>
@@ -18,34 +19,38 @@ namespace patina::runtime {
 inline constexpr int kEnvironmentLevels = 6;
 float roughness_of_level(int level);
 
-// The radiance on the faces of a cube, as a tree: each part of it knows how much light comes from it, and from where.
-// What a rough surface reflects is a sum over parts that are small as seen by its lobe (after Barnes and Hut, "A
-// Hierarchical O(N log N) Force-Calculation Algorithm", Nature 324, 1986). So a lamp of a few pixels leaves no grain.
+// The radiance on the faces of a cube, as levels of squares: texels, four of them together, and so on up to whole
+// faces. Each square knows how much light comes from it, and from where. What a rough surface reflects is a sum over
+// squares: large ones where its lobe changes little, small ones elsewhere (after Barnes and Hut, "A Hierarchical O(N
+// log N) Force-Calculation Algorithm", Nature 324, 1986). All light is in that sum, so a lamp of a few pixels leaves no
+// grain.
 class Pyramid {
 public:
-    // `size`: texels along a face, a power of two. Each is the mean of `samples` x `samples` directions.
+    // `size`: texels along a face, a power of two. Each texel is the mean of `samples` x `samples` directions.
     Pyramid(const Radiance& radiance, int size, int samples = 1);
 
     int size() const { return size_; }
-    // The radiance of the texel that lies there.
-    glm::vec3 look(glm::vec3 direction) const;
+    // Of the texel in this direction.
+    glm::vec3 radiance(glm::vec3 direction) const;
     // The mean of the radiance over the GGX lobe around the unit normal, for a view along it, weighted by n.l (Karis,
     // SIGGRAPH 2013). `roughness`: perceptual, 0 to 1.
     glm::vec3 reflected(glm::vec3 normal, float roughness) const;
 
 private:
-    // A texel, or four parts of the next finer level.
-    struct Part {
-        glm::vec3 direction{0};  // the centre of its light
+    // A texel, or four squares of the next finer level.
+    struct Square {
+        glm::vec3 direction{0};  // to the centre of its light
         float solid_angle = 0;
         glm::vec3 light{0};  // the integral of the radiance
-        float radius = 0;    // from there to its furthest corner, as a chord of the unit sphere
+        float radius = 0;    // from `direction` to its furthest corner, as a chord of the unit sphere; 0 for a texel
     };
-    static Part joined(const Part* const (&quarters)[4]);
-    void measure(Part& part, int face, int x, int y, int size) const;
+    using Level = std::vector<Square>;  // face by face, row by row
+    static Level texels(const Radiance& radiance, int size, int samples);
+    static Level coarser(const Level& finer, int size);
+    static Square joined(const std::array<Square, 4>& quarters);
 
     int size_;
-    std::vector<std::vector<Part>> levels_{};  // the texels first, six parts last
+    std::vector<Level> levels_{};  // the texels first, the six faces last
 };
 
 // The radiance as a cube of one level: the mean of `samples` x `samples` directions in each texel.

@@ -18,6 +18,9 @@
 namespace patina::runtime {
 namespace {
 
+// The target of the passes that draw the picture itself.
+constexpr std::string_view kPictureTarget = "color";
+
 bool is_scene(const RenderRequest& request) {
     return request.graph.ends_with(".scene.json");
 }
@@ -205,25 +208,41 @@ RenderOutcome draw(const Compiler& compiler, const RenderRequest& request, const
     return drawn;
 }
 
-// A render target of the rendering path, as a preview names it: "gbuffer/gbufferNormal". Null if it names none.
-const RenderTarget* shown_target(const Compiler& compiler, const RenderOptions& options) {
+// The pass of the rendering path that a preview names: "gbuffer/gbufferNormal". Null if it names none.
+const PassInfo* shown_pass(const Compiler& compiler, const RenderOptions& options) {
     const std::size_t slash = options.preview.find('/');
-    const std::string pass = options.preview.substr(0, slash);
     if (slash == std::string::npos) return nullptr;
     for (const PathInfo& path : compiler.paths()) {
         if (path.name != options.path) continue;
-        for (const PassInfo& each : path.passes) {
-            for (const RenderTarget& target : each.state.targets)
-                if (each.state.name == pass && target.name == options.preview.substr(slash + 1)) return &target;
-        }
+        for (const PassInfo& each : path.passes)
+            if (each.state.name == options.preview.substr(0, slash)) return &each;
     }
     return nullptr;
+}
+
+// Null if the pass has no such target.
+const RenderTarget* shown_target(const PassInfo& pass, const RenderOptions& options) {
+    const std::string name = options.preview.substr(options.preview.find('/') + 1);
+    for (const RenderTarget& target : pass.state.targets)
+        if (target.name == name) return &target;
+    return nullptr;
+}
+
+// Whoever misspells a target is told that there is no such node: this adds the targets that there are.
+void name_targets(const PassInfo& pass, std::vector<Diagnostic>& diagnostics) {
+    const auto error = std::find_if(diagnostics.begin(), diagnostics.end(),
+                                    [](const Diagnostic& each) { return each.severity == Severity::Error; });
+    std::string names;
+    for (const RenderTarget& target : pass.state.targets)
+        if (target.name != kPictureTarget) names += (names.empty() ? "'" : ", '") + target.name + "'";
+    if (error != diagnostics.end() && !names.empty())
+        error->notes.push_back(note(fmt::format("the targets of the pass '{}' are {}", pass.state.name, names)));
 }
 
 // What is in the target when the picture is done.
 RenderOutcome render_target(const Compiler& compiler, RenderRequest request, const World& world,
                             const std::string& target, RenderMachine& machine) {
-    if (target == "color")
+    if (target == kPictureTarget)
         return failed({}, "the target 'color' of '" + request.options.preview + "' is the picture: leave out --node");
     request.options.preview.clear();
     request.options.also_shown = {target};
@@ -357,11 +376,13 @@ RenderOutcome render(const Compiler& compiler, const RenderRequest& request, Ren
         return failed(std::move(outcome), std::move(error));
     const double exposure = is_preview ? 0 : request.exposure.value_or(exposure_for(world.view));
     for (int c = 0; c < 3; ++c) world.view.background[c] *= float(std::exp2(-exposure));
-    const RenderTarget* const target = shown_target(compiler, request.options);
+    const PassInfo* const pass = shown_pass(compiler, request.options);
+    const RenderTarget* const target = pass ? shown_target(*pass, request.options) : nullptr;
     RenderOutcome drawn = target              ? render_target(compiler, request, world, target->name, machine)
                           : !is_preview       ? draw(compiler, request, world, request.options, machine)
                           : is_scene(request) ? render_scene_preview(compiler, request, world, machine)
                                               : render_preview(compiler, request, world, machine);
+    if (pass && !target && !drawn.ok) name_targets(*pass, drawn.diagnostics);
     drawn.exposure = exposure;
     put_first(outcome.diagnostics, drawn);
     drawn.dependencies.insert(drawn.dependencies.end(), outcome.dependencies.begin(), outcome.dependencies.end());

@@ -112,13 +112,18 @@ private:
     std::vector<std::string> found_;
 };
 
+bool gives(const ModelInfo& workflow, const std::string& name) {
+    return std::any_of(workflow.outputs.begin(), workflow.outputs.end(),
+                       [&](const auto& output) { return output.first == name; });
+}
+
 // Every input of the surface varies: a property times a coordinate of the mesh. `left_out`: the model's own inputs
 // whose names begin so.
 std::string varying_material(const ModelInfo& model, const ModelInfo& workflow, std::string_view left_out = "-") {
     std::string properties, surface;
     for (const std::vector<ModelInputInfo>* inputs : {&workflow.inputs, &model.inputs}) {
         for (const ModelInputInfo& input : *inputs) {
-            if (inputs == &model.inputs && input.name.starts_with(left_out)) continue;
+            if (inputs == &model.inputs && (input.name.starts_with(left_out) || gives(workflow, input.name))) continue;
             if (!input.gives.empty() || input.default_value.find('@') != std::string::npos) continue;
             const char* comma = properties.empty() ? "" : ", ";
             properties += fmt::format(R"({}{{ "name": "_{}", "type": "{}" }})", comma, input.name,

@@ -85,11 +85,20 @@ std::string exchanged(const std::string& model, const std::string& id, const Fun
 
 using Words = std::vector<std::pair<std::string, std::string>>;
 
-// Everything a model has to choose from, one choice at a time, and all that it declares of the surface away from zero.
+bool is_given_by_a_workflow(const std::string& input) {
+    return std::any_of(library().workflows.begin(), library().workflows.end(), [&](const auto& workflow) {
+        const std::vector<graph::PortValue>& given = workflow.second.get()->surface;
+        return std::any_of(given.begin(), given.end(), [&](const auto& port) { return port.name == input; });
+    });
+}
+
+// Everything a model has to choose from, one choice at a time, and all that it declares of the surface away from zero,
+// but for what another workflow gives.
 std::vector<Words> settings_of(const graph::Graph& graph) {
     Words surface = {{"baseColor", "0.8,0.5,0.3"}, {"metallic", "0.3"}, {"roughness", "0.6"}};
     for (const graph::Input& input : graph.inputs)
-        surface.push_back({input.name, input.type == "color3" ? "0.6,0.7,0.8" : "0.6"});
+        if (!is_given_by_a_workflow(input.name))
+            surface.push_back({input.name, input.type == "color3" ? "0.6,0.7,0.8" : "0.6"});
     // And with none of that: what is chosen instead of it.
     std::vector<Words> settings = {surface, Words(surface.begin(), surface.begin() + 3)};
     for (const graph::Property& property : graph.properties) {

@@ -128,8 +128,8 @@ Term set_metal(MaterialGraph& graph, Object& material, Object& metal, bool has_a
     return base.alpha;
 }
 
-// f0 is stated, and the diffuse colour loses its largest channel: with 'specularColor' that is a dielectric of any f0.
 Term set_specular(MaterialGraph& graph, Object& gloss, bool has_alpha, const MaterialUse& use) {
+    graph.graph.workflow = "specular-glossiness";
     const Base base =
         base_of(graph, gloss,
                 {.factor = "diffuseFactor", .texture = "diffuseTexture", .slot = "diffuse", .property = "_Diffuse"},
@@ -150,12 +150,9 @@ Term set_specular(MaterialGraph& graph, Object& gloss, bool has_alpha, const Mat
         gloss.taken("glossinessFactor", "the property '_Glossiness'");
     }
     gloss.taken("glossinessFactor", "1: the texture alone");
-    const Term glossiness = product(factors, constant(1));
-    graph.node({.id = "f0", .expression = specular.expression.empty() ? specular.inside() : specular.expression});
-    graph.set("baseColor", expression(base.color.inside() + " * (1 - max(max(f0.r, f0.g), f0.b))"));
-    graph.set("metallic", constant(0));
-    graph.set("roughness", glossiness.is(1) ? constant(0) : expression("1 - " + glossiness.inside()));
-    graph.set("specularColor", expression("f0 / 0.04"));
+    graph.set("baseColor", base.color);
+    graph.set("specular", specular);
+    graph.set("glossiness", product(factors, constant(1)));
     gloss.rest();
     return base.alpha;
 }
@@ -258,11 +255,7 @@ GraphFile material_graph(const Context& context, Pictures& pictures, std::size_t
         if (gloss) {
             metal.all_taken("it has no effect: the material has KHR_materials_pbrSpecularGlossiness");
             metal.rest();
-            context.report.add(
-                Remark::Kind::Changed, gloss.path(),
-                "a dielectric whose 'specularColor' gives f0: diffuse light loses the largest channel of "
-                "the Fresnel term, not each channel its own",
-                gloss.json());
+            context.report.add(Remark::Kind::Taken, gloss.path(), "the workflow 'specular-glossiness'", gloss.json());
         }
         opacity =
             gloss ? set_specular(graph, gloss, has_alpha, use) : set_metal(graph, material, metal, has_alpha, use);

@@ -302,9 +302,9 @@ TEST(GltfMaterial, OtherWorkflows) {
     const std::string gloss = graph_of({.materials = R"([{"extensions":{"KHR_materials_pbrSpecularGlossiness":{
                                         "diffuseFactor":[0.5,0.25,1,1],"specularFactor":[0.1,0.2,0.3],
                                         "glossinessFactor":0.6}}}])"});
+    EXPECT_EQ(part_of(gloss, "workflow"), "\"specular-glossiness\"");
     EXPECT_EQ(part_of(gloss, "surface"),
-              R"x({"baseColor": "= $_Diffuse.rgb * (1 - max(max(f0.r, f0.g), f0.b))", "metallic": 0, )x"
-              R"("roughness": "= 1 - $_Glossiness", "specularColor": "= f0 / 0.04"})");
+              R"({"baseColor": "$_Diffuse.rgb", "specular": "$_Specular.rgb", "glossiness": "$_Glossiness"})");
 }
 
 // The example of the extension's specification: offset (0, 1), rotation pi / 2 and scale 0.5 show the lower left

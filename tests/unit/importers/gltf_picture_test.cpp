@@ -168,6 +168,18 @@ TEST(GltfPicture, SpecularGlossinessWithoutSpecular) {
     expect_pixel(image, 8, 8, {0.5f, 0.25f, 1}, 5e-3f);
 }
 
+// Light, view and normal are one direction: F is f0, and the diffuse colour, less its share of the largest channel of
+// f0, gets what F leaves. A rough lobe with alpha = 1 adds D V F = f0 / pi / 4.
+TEST(GltfPicture, SpecularGlossinessHasTheStatedF0AndDiffuseColor) {
+    const glm::vec3 f0(0.1f, 0.2f, 0.3f), diffuse = glm::vec3(0.5f, 0.25f, 1) * 0.7f;
+    const Image image = picture_of_model(
+        {.materials = R"([{"extensions":{"KHR_materials_pbrSpecularGlossiness":{"diffuseFactor":[0.5,0.25,1,1],
+                          "specularFactor":[0.1,0.2,0.3],"glossinessFactor":0}}}])",
+         .nodes = nodes("", kLamp),
+         .more = light(R"("type":"directional","intensity":3.14159265)")});
+    expect_pixel(image, 8, 8, (1.0f - f0) * diffuse + f0 * 0.25f, 5e-3f);
+}
+
 TEST(GltfPicture, EmissionHasItsStrength) {
     const Image image = picture_of_model({.materials = R"([{"pbrMetallicRoughness":{"baseColorFactor":[0,0,0,1]},
         "emissiveFactor":[1,0.5,0.25],"extensions":{"KHR_materials_emissive_strength":{"emissiveStrength":4}}}])"});

@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "compiler/cli/model_file.h"
 #include "runtime/files/files.h"
 #include "runtime/picture/compare.h"
 #include "runtime/picture/image.h"
@@ -94,6 +95,25 @@ TEST(Bake, TexelsThatAreNotFiniteAreTracedToTheirNode) {
         EXPECT_EQ(found->line, 2) << surface;
         EXPECT_NE(found->message.find("'share.out' is inf there; they are 0"), std::string::npos) << found->message;
     }
+}
+
+// The layer is drawn by itself. What is left of it is the same everywhere: 0.
+TEST(Bake, SoAreThoseOfALayer) {
+    const Folder folder;
+    const std::string nodes = R"j("lighting": "gltf", "nodes": [ { "id": "mask", "expr": "step(0.5, @uv0.x)" },
+        { "id": "share", "expr": "mask / (1 - mask)" } ],)j";
+    const Baked made = baked_surface(folder, R"j("baseColor": 0.5, "clearcoat": "share")j", false, nodes);
+    std::vector<Diagnostic> found;
+    for (const Diagnostic& each : made.outcome.diagnostics)
+        if (each.code == "pixels-not-finite") found.push_back(each);
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_TRUE(found[0].message.starts_with("2048 of 4096 pixels are not finite; the first is 32,0"))
+        << found[0].message;
+    EXPECT_NE(found[0].message.find("'share.out' is inf there; they are 0 in 'clearcoat'"), std::string::npos)
+        << found[0].message;
+    EXPECT_EQ(found[0].node, "share");
+    EXPECT_EQ(found[0].line, 2);
+    EXPECT_EQ(made.outcome.files.size(), 1u);
 }
 
 TEST(Bake, WhatIsTheSameEverywhereIsAFactor) {
@@ -301,86 +321,26 @@ TEST(Bake, AConstantStretchIsARotation) {
 
 // --- pictures
 
-// The graph that reads the baked files as a viewer does: each texture times its factor.
-std::string viewer(const Folder& folder, const Baked& made, bool is_specular) {
-    const auto& material = made.material();
-    std::string properties, nodes, surface;
-    const auto has_file = [&](const std::string& map) {
-        const bool is_there = fs::exists(folder.path / ("baked." + map + ".png"));
-        if (is_there) {
-            const bool is_color =
-                map == "baseColor" || map == "diffuse" || map == "specularGlossiness" || map == "emissive";
-            properties += (properties.empty() ? "" : ",") + (R"({ "name": "_)" + map) +
-                          R"(", "type": "texture2d", "usage": ")" +
-                          (map == "normal" ? "normal"
-                           : is_color      ? "color"
-                                           : "data") +
-                          R"(", "default": "./baked.)" + map + R"(.png", "sampler": { "wrap": "clamp" } })";
-            nodes += (nodes.empty() ? "" : ",") + (R"({ "id": ")" + map) + R"(", "node": ")" +
-                     (map == "normal" ? "SampleNormalMap" : "SampleTexture2D") + R"(", "in": { "texture": "$_)" + map +
-                     R"(" } })";
-        }
-        return is_there;
-    };
-    const auto number = [](const rapidjson::Value& object, const char* name, double otherwise) {
-        return std::to_string(object.HasMember(name) ? object[name].GetDouble() : otherwise);
-    };
-    const auto color = [](const rapidjson::Value& object, const char* name, double otherwise) {
-        std::string text = "float3(";
-        for (unsigned i = 0; i < 3; i++)
-            text += (i ? ", " : "") + std::to_string(object.HasMember(name) ? object[name][i].GetDouble() : otherwise);
-        return text + ")";
-    };
-    const auto set = [&](const char* input, const std::string& value) {
-        surface += (surface.empty() ? "\"" : ", \"") + std::string(input) + "\": \"= " + value + "\"";
-    };
-    if (is_specular) {
-        const auto& extension = material["extensions"]["KHR_materials_pbrSpecularGlossiness"];
-        set("baseColor", color(extension, "diffuseFactor", 1) + (has_file("diffuse") ? " * diffuse.rgb" : ""));
-        const bool has = has_file("specularGlossiness");
-        set("specular", color(extension, "specularFactor", 1) + (has ? " * specularGlossiness.rgb" : ""));
-        set("glossiness", number(extension, "glossinessFactor", 1) + (has ? " * specularGlossiness.a" : ""));
-    } else {
-        const auto& pbr = material["pbrMetallicRoughness"];
-        set("baseColor", color(pbr, "baseColorFactor", 1) + (has_file("baseColor") ? " * baseColor.rgb" : ""));
-        const bool has = has_file("metallicRoughness");
-        set("roughness", number(pbr, "roughnessFactor", 1) + (has ? " * metallicRoughness.g" : ""));
-        set("metallic", number(pbr, "metallicFactor", 1) + (has ? " * metallicRoughness.b" : ""));
-    }
-    if (has_file("normal")) set("normalTS", "normal");
-    if (has_file("occlusion")) set("occlusion", "occlusion.r");
-    if (material.HasMember("emissiveFactor")) {
-        double strength = 1;
-        if (material.HasMember("extensions") && material["extensions"].HasMember("KHR_materials_emissive_strength"))
-            strength = material["extensions"]["KHR_materials_emissive_strength"]["emissiveStrength"].GetDouble();
-        set("emission", std::to_string(strength) + " * " + color(material, "emissiveFactor", 0) +
-                            (has_file("emissive") ? " * emissive.rgb" : ""));
-    }
-    std::string render;
-    if (material.HasMember("alphaMode")) {
-        EXPECT_STREQ(material["alphaMode"].GetString(), "MASK");
-        set("alpha", "baseColor.a");
-        set("alphaClip", number(material, "alphaCutoff", 0.5));
-        render =
-            R"("surface": "cutout", "cull": ")" + std::string(material.HasMember("doubleSided") ? "off\"" : "back\"");
-    }
-    return folder.write("viewer.graph.json", std::string(R"({ "patina": 1, "render": {)") + render +
-                                                 R"(}, "workflow": ")" +
-                                                 (is_specular ? "specular-glossiness" : "metallic-roughness") +
-                                                 R"(", "lighting": "gltf", "properties": [)" + properties +
-                                                 R"(], "nodes": [)" + nodes + R"(], "surface": {)" + surface + "} }");
-}
-
-Image picture(const std::string& graph, const std::string& mesh) {
+Image picture(RenderRequest request) {
     const Compiler compiler;
     RenderMachine machine;
-    RenderOutcome drawn = render(
-        compiler, {.graph = graph, .mesh = mesh, .size = 192, .camera = "position=1.5,1.2,3.4 target=0,0,0 fov=34"},
-        machine);
+    request.size = 192;
+    request.camera = "position=1.5,1.2,3.4 target=0,0,0 fov=34";
+    RenderOutcome drawn = render(compiler, request, machine);
     EXPECT_TRUE(drawn.ok) << drawn.error;
     for (const Diagnostic& each : drawn.diagnostics) EXPECT_NE(each.severity, Severity::Error) << to_text(each);
     encode_srgb(drawn.image);
     return drawn.image;
+}
+
+// The baked model as `patina render` draws it: by its import.
+Image picture_of_model(const Folder& folder, int samples = RenderRequest{}.samples) {
+    const Outcome<cli::ModelFile> model = cli::import_model((folder.path / "baked.glb").string(), {});
+    EXPECT_EQ(model.error, "");
+    EXPECT_EQ(model.value.refused, 0u);
+    RenderRequest request{.graph = model.value.scene, .samples = samples};
+    request.options.files = model.value.files;
+    return picture(request);
 }
 
 // A bumpy surface of which every input varies, in object space and by texture coordinates.
@@ -399,6 +359,14 @@ void expect_alike(const Image& expected, const Image& received, const char* what
     EXPECT_LE(same.average, 0.5 / 255) << what;
 }
 
+// The same of lines that are as narrow as a texel.
+void expect_nearly_alike(const Image& expected, const Image& received, const char* what) {
+    const Comparison same = compare(expected, received, 8.0 / 255);
+    std::printf("%s: %.2f %%, %.2f of 255\n", what, 100 * same.share, 255 * same.average);
+    EXPECT_LE(same.share, 0.04) << what;
+    EXPECT_LE(same.average, 1.0 / 255) << what;
+}
+
 TEST(Bake, TheModelLooksLikeTheGraph) {
     for (const char* mesh : {"sphere", "torus"}) {
         const Folder folder;
@@ -411,8 +379,7 @@ TEST(Bake, TheModelLooksLikeTheGraph) {
         const Baked made = baked(folder, {.render = {.graph = graph, .mesh = mesh, .size = 1024}});
         ASSERT_TRUE(made.outcome.ok);
         EXPECT_EQ(made.outcome.files.size(), 6u);
-        expect_alike(picture(graph, mesh), picture(viewer(folder, made, false), (folder.path / "baked.glb").string()),
-                     mesh);
+        expect_alike(picture({.graph = graph, .mesh = mesh}), picture_of_model(folder), mesh);
     }
 }
 
@@ -426,8 +393,7 @@ TEST(Bake, SoDoesACutoutFromBothSides) {
         "baseColor": "= 0.2 + 0.7 * wave", "normalTS": "bump", "alpha": "@uv0.y", "alphaClip": 0.45 } })js");
     const Baked made = baked(folder, {.render = {.graph = graph, .mesh = "sphere", .size = 1024}});
     ASSERT_TRUE(made.outcome.ok);
-    expect_alike(picture(graph, "sphere"), picture(viewer(folder, made, false), (folder.path / "baked.glb").string()),
-                 "cutout");
+    expect_alike(picture({.graph = graph, .mesh = "sphere"}), picture_of_model(folder), "cutout");
 }
 
 TEST(Bake, SoDoesTheSpecularModel) {
@@ -437,15 +403,44 @@ TEST(Bake, SoDoesTheSpecularModel) {
         "lighting": "gltf", )") + kVaried + R"js("surface": { "baseColor": "= (0.2 + 0.7 * wave) * (1 - metal)",
         "specular": "= lerp(float3(0.04), 0.3 + 0.6 * wave, metal)", "glossiness": "= 0.2 + 0.5 * wave.z",
         "normalTS": "bump" } })js");
-    const Image expected = picture(graph, "sphere");
+    const Image expected = picture({.graph = graph, .mesh = "sphere"});
     for (const bool is_specular : {true, false}) {
         const Folder own;
         const Baked made =
             baked(own, {.render = {.graph = graph, .mesh = "sphere", .size = 1024}, .is_specular = is_specular});
         ASSERT_TRUE(made.outcome.ok);
-        expect_alike(expected, picture(viewer(own, made, is_specular), (own.path / "baked.glb").string()),
-                     is_specular ? "specular" : "metallic");
+        expect_alike(expected, picture_of_model(own), is_specular ? "specular" : "metallic");
     }
+}
+
+// Painted tiles, and glowing cracks.
+TEST(Bake, SharpPatternsAreAsSharpAsTheTexels) {
+    for (const bool is_lava : {false, true}) {
+        const Folder folder;
+        RenderRequest request{
+            .graph = is_lava ? "examples/graphs/lava.graph.json" : "examples/graphs/azulejo.graph.json",
+            .size = 1024,
+            .time = 0,
+            .options = {.lighting = "gltf"}};
+        const Baked made = baked(folder, {.render = request, .is_specular = !is_lava});
+        ASSERT_TRUE(made.outcome.ok);
+        expect_nearly_alike(picture(request), picture_of_model(folder), request.graph.c_str());
+        // The lava's differences are those of the viewer's filter, which more samples make smaller.
+        request.samples = 12;
+        if (is_lava) expect_alike(picture(request), picture_of_model(folder, request.samples), "many samples");
+    }
+}
+
+// No base colour and metallic give a blue diffuse colour below a grey f0 of 0.3.
+TEST(Bake, SoDoesASurfaceThatMetallicCannotExpress) {
+    const Folder folder;
+    const std::string surface = R"("baseColor": [0.1, 0.2, 0.6], "specular": [0.3, 0.3, 0.3], "glossiness": 0.6)";
+    const std::string graph = folder.write(
+        "blue.graph.json",
+        R"({ "patina": 1, "workflow": "specular-glossiness", "lighting": "gltf", "surface": {)" + surface + "} }");
+    const Baked made = baked(folder, {.render = {.graph = graph, .mesh = "sphere", .size = 64}, .is_specular = true});
+    ASSERT_TRUE(made.outcome.ok);
+    expect_alike(picture({.graph = graph, .mesh = "sphere"}), picture_of_model(folder), "blue");
 }
 
 }  // namespace

@@ -63,7 +63,11 @@ TEST(RenderRequest, ShowsATargetOfAPass) {
     request.options.preview = "gbuffer/color";
     EXPECT_NE(render(compiler, request, machine).error.find("is the picture: leave out --node"), std::string::npos);
     request.options.preview = "gbuffer/gbufferNormals";
-    EXPECT_FALSE(render(compiler, request, machine).ok);
+    const RenderOutcome misspelt = render(compiler, request, machine);
+    ASSERT_EQ(misspelt.diagnostics.size(), 1u);
+    ASSERT_FALSE(misspelt.diagnostics[0].notes.empty());
+    EXPECT_EQ(misspelt.diagnostics[0].notes.back().message,
+              "the targets of the pass 'gbuffer' are 'gbufferDiffuse', 'gbufferSpecular', 'gbufferNormal'");
 }
 
 // The node that divides by zero is reported, not the one that reads it. The left half of the plane is finite.
