@@ -169,10 +169,10 @@ struct Keyword {
 
 // Who gives a global its value.
 enum class Group : std::uint8_t {
-    Engine,    // values of camera, frame, object and lights
+    Engine,    // values of camera, frame, object and lights: numbers are finite
     Material,  // properties
     Targets,   // what other passes have drawn
-    Included,  // an included file declares it: it is bound nowhere
+    Included,  // the engine, and an included file declares it: it is bound nowhere; numbers are finite
 };
 
 // Where a global is bound: by Vulkan's numbers, and by HLSL's register, which counts from 0 for each kind of a set. An
