@@ -46,10 +46,11 @@ private:
         content_.number(module.keywords.size());
         for (const ir::Keyword& keyword : module.keywords) content_.keyword(keyword);
         content_.number(module.semantics.size());
-        for (const auto& [name, type, rate, from_bottom] : module.semantics) {
+        for (const auto& [name, type, rate, from_bottom, is_unit] : module.semantics) {
             content_.text(name);
             content_.type(type);
-            content_.number(static_cast<std::uint64_t>(rate) | std::uint64_t{from_bottom} << 8);
+            content_.number(static_cast<std::uint64_t>(rate) | std::uint64_t{from_bottom} << 8 |
+                            std::uint64_t{is_unit} << 16);
         }
         content_.number(lowered_.picture_reads.size());
         for (const std::uint32_t global : lowered_.picture_reads) content_.number(global);

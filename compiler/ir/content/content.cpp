@@ -124,10 +124,11 @@ void Content::signature(const Function& function) {
     static_cast<void>(unused_probes);  // only functions that nothing tidies have any
     text(name);
     number(params.size());
-    for (const auto& [param_name, of, rate, is_semantic, from_bottom] : params) {
+    for (const auto& [param_name, of, rate, is_semantic, from_bottom, is_unit] : params) {
         text(param_name);
         type(of);
-        number(static_cast<std::uint64_t>(rate) | std::uint64_t{is_semantic} << 8 | std::uint64_t{from_bottom} << 16);
+        number(static_cast<std::uint64_t>(rate) | std::uint64_t{is_semantic} << 8 | std::uint64_t{from_bottom} << 16 |
+               std::uint64_t{is_unit} << 24);
     }
     type(result);
     const bool is_new_origin = is_new(made_by);

@@ -314,10 +314,12 @@ bool is_unit(const FactsOf& facts, Value value, int depth) {
     if (op == Op::Select) return is_unit_arg(1) && is_unit_arg(2);
     if (op == Op::Reflect) return is_unit_arg(0) && is_unit_arg(1);
     if (op == Op::Swizzle) return is_permutation(inst, function[args[0]].type.width()) && is_unit_arg(0);
+    if (op == Op::Semantic) return facts.module.semantics[inst.data].is_unit;
     if (op == Op::Param) {
-        return at_all_calls(facts, inst.data, [&](const FactsOf& caller, Value argument) {
-            return is_unit(caller, argument, depth + 1);
-        });
+        return function.params[inst.data].is_unit ||
+               at_all_calls(facts, inst.data, [&](const FactsOf& caller, Value argument) {
+                   return is_unit(caller, argument, depth + 1);
+               });
     }
     if (op == Op::Result) {
         const Inst& structure = function[args[0]];
@@ -347,6 +349,11 @@ Range range_of(const FactsOf& facts, Value value) {
 
 bool is_unit(const FactsOf& facts, Value value) {
     return is_unit(facts, value, 0);
+}
+
+bool returns_unit(const Module& module, const Function& function) {
+    const Value returned = returned_by(function);
+    return returned && is_unit({module, function}, returned);
 }
 
 }  // namespace patina::ir
