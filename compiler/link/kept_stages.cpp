@@ -30,7 +30,7 @@ public:
     }
 
     const ir::Content& content() const { return content_; }
-    std::string take() { return content_.take(); }
+    std::string take() const { return content_.take(); }
 
 private:
     // The numbers of globals and semantics are the same in all stages and in the reflection, so they count as they are.
@@ -178,8 +178,10 @@ ir::Module kept_stage(KeptResults* kept, const Linked& linked, const graph::Lowe
     StageContent stage(linked, pass, fragment);
     const ir::Content& content = stage.content();
     const ir::Module& module = linked.lowered.module;
-    if (const auto found = kept->stages.find(content.bytes())) return placed(*found, module, content.spans());
+    const auto [found, is_asked_again] = kept->stages.ask(content.bytes());
+    if (found) return placed(*found, module, content.spans());
     ir::Module made = make();
+    if (!is_asked_again) return made;
     if (std::optional<std::vector<std::uint32_t>> places = places_of(made, module, content)) {
         const std::size_t bytes = size_of(made);
         kept->stages.keep(stage.take(), {.module = made, .places = std::move(*places)}, bytes);
