@@ -3,8 +3,9 @@
 // object. If two threads make the same result at once, the first one's is kept.
 //
 //   Remembered<Printed> texts(16 << 20);
-//   if (const auto kept = texts.find(key)) return *kept;
-//   texts.keep(key, made, made.text.size());
+//   const auto [kept, is_asked_again] = texts.ask(key);
+//   if (kept) return *kept;
+//   if (is_asked_again) texts.keep(key, made, made.text.size());
 #pragma once
 
 #include <cstddef>
@@ -16,6 +17,7 @@
 #include <string_view>
 #include <unordered_map>
 #include <utility>
+#include <vector>
 
 namespace patina {
 
@@ -23,13 +25,21 @@ template <class Value>
 class Remembered {
 public:
     // `most`: about how many bytes of keys, values and entries are kept.
-    explicit Remembered(std::size_t most) : most_(most) {}
+    explicit Remembered(std::size_t most) : most_(most), asked_(kMostAsked) {}
 
     // Null if there is none.
-    std::shared_ptr<const Value> find(std::string_view key) {
-        std::shared_ptr<const Entry> entry = entry_of(hash_of(key));
-        if (!entry || entry->key != key) return nullptr;
-        return {entry, &entry->value};
+    std::shared_ptr<const Value> find(std::string_view key) { return ask(key).value; }
+
+    struct Answer {
+        std::shared_ptr<const Value> value;  // null if there is none
+        // If so, the value that is made now should be kept. Most of what a new graph asks for is never asked for again:
+        // to keep it would take more time and memory than it can save.
+        bool is_asked_again = false;
+    };
+    Answer ask(std::string_view key) {
+        const auto [entry, is_asked_again] = look_up(hash_of(key));
+        if (!entry || entry->key != key) return {nullptr, is_asked_again};
+        return {{entry, &entry->value}, is_asked_again};
     }
 
     // `bytes`: about how many the value has.
@@ -47,6 +57,7 @@ private:
         Value value;
         std::size_t size = 0;
     };
+    static constexpr std::size_t kMostAsked = 8192;
     using Entries = std::unordered_map<std::uint64_t, std::shared_ptr<const Entry>>;  // by the hash of the key
 
     // Keys are long, so it reads eight letters at a time. It need not be strong, because find() compares the keys.
@@ -67,9 +78,14 @@ private:
         return hash;
     }
 
+    std::pair<std::shared_ptr<const Entry>, bool> look_up(std::uint64_t hash) {
+        const std::lock_guard lock(mutex_);
+        const bool is_asked_again = std::exchange(asked_[hash % kMostAsked], hash) == hash;
+        return {entry_of(hash), is_asked_again};
+    }
+
     // What is used again moves to the newer half.
     std::shared_ptr<const Entry> entry_of(std::uint64_t hash) {
-        const std::lock_guard lock(mutex_);
         if (const auto found = newer_.find(hash); found != newer_.end()) return found->second;
         const auto found = older_.find(hash);
         if (found == older_.end()) return nullptr;
@@ -92,6 +108,7 @@ private:
 
     std::size_t most_;
     std::mutex mutex_;
+    std::vector<std::uint64_t> asked_;  // hashes of the keys that were asked for last; another one may take the place
     Entries newer_, older_;
     std::size_t size_ = 0;  // of newer_
 };

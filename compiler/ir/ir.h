@@ -72,6 +72,7 @@ struct Param {
     Rate rate = Rate::Pixel;
     bool is_semantic = false;  // added by link() for a semantic; may be removed where the function does not read it
     bool from_bottom = false;  // as Semantic::from_bottom
+    bool is_unit = false;      // as Semantic::is_unit
 };
 
 // Who calls or defines a function outside of its module.
@@ -169,10 +170,10 @@ struct Keyword {
 
 // Who gives a global its value.
 enum class Group : std::uint8_t {
-    Engine,    // values of camera, frame, object and lights
+    Engine,    // values of camera, frame, object and lights: numbers are finite
     Material,  // properties
     Targets,   // what other passes have drawn
-    Included,  // an included file declares it: it is bound nowhere
+    Included,  // the engine, and an included file declares it: it is bound nowhere; numbers are finite
 };
 
 // Where a global is bound: by Vulkan's numbers, and by HLSL's register, which counts from 0 for each kind of a set. An
@@ -232,6 +233,7 @@ struct Semantic {
     Type type{};
     Rate rate = Rate::Pixel;
     bool from_bottom = false;  // texture coordinates of an engine that counts y from the bottom (turn_textures())
+    bool is_unit = false;      // in all passes, a vector of length 1
 };
 
 // The graph node (or library function) that an instruction comes from.
@@ -267,6 +269,9 @@ struct StageInterface {
     std::vector<StageVariable> inputs{};   // one per param of entry
     std::vector<StageVariable> outputs{};  // one per member of entry's result struct
     std::vector<StageText> texts{};
+    // The stages of other passes have the same functions, and all are printed into one file: a function should not
+    // become another one for the sake of this stage's calls.
+    bool shares_functions = false;
 };
 
 struct Module {

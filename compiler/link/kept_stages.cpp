@@ -46,10 +46,11 @@ private:
         content_.number(module.keywords.size());
         for (const ir::Keyword& keyword : module.keywords) content_.keyword(keyword);
         content_.number(module.semantics.size());
-        for (const auto& [name, type, rate, from_bottom] : module.semantics) {
+        for (const auto& [name, type, rate, from_bottom, is_unit] : module.semantics) {
             content_.text(name);
             content_.type(type);
-            content_.number(static_cast<std::uint64_t>(rate) | std::uint64_t{from_bottom} << 8);
+            content_.number(static_cast<std::uint64_t>(rate) | std::uint64_t{from_bottom} << 8 |
+                            std::uint64_t{is_unit} << 16);
         }
         content_.number(lowered_.picture_reads.size());
         for (const std::uint32_t global : lowered_.picture_reads) content_.number(global);
@@ -186,8 +187,10 @@ ir::Module kept_stage(KeptResults* kept, const Linked& linked, const graph::Lowe
     StageContent stage(linked, pass, fragment);
     const ir::Content& content = stage.content();
     const ir::Module& module = linked.lowered.module;
-    if (const auto found = kept->stages.find(content.bytes())) return placed(*found, module, content.spans());
+    const auto [found, is_asked_again] = kept->stages.ask(content.bytes());
+    if (found) return placed(*found, module, content.spans());
     ir::Module made = make();
+    if (!is_asked_again) return made;
     if (std::optional<std::vector<std::uint32_t>> places = places_of(made, module, content)) {
         const std::size_t bytes = size_of(made) + size_of(*places);
         kept->stages.keep(stage.take(), {.module = made, .places = std::move(*places)}, bytes);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "compiler/base/spelling.h"
+#include "compiler/ir/fold/facts.h"
 #include "compiler/ir/passes/passes.h"
 #include "compiler/ir/rebuild.h"
 #include "compiler/link/target_reads.h"
@@ -80,7 +81,7 @@ void thread_function(const ir::Module& module, ir::Function& function, const std
         inst.op = Op::Param;
         inst.type = info.type;
         inst.data = static_cast<std::uint32_t>(function.params.size());
-        function.params.push_back({info.name, info.type, info.rate, true, info.from_bottom});
+        function.params.push_back({info.name, info.type, info.rate, true, info.from_bottom, info.is_unit});
         function.insts.push_back(inst);
         params.push_back({static_cast<std::uint32_t>(function.insts.size() - 1)});
     }
@@ -118,6 +119,7 @@ public:
           builder_(module_, entry_, options),
           imported_(linked.functions.size()) {
         module_.stage.kind = stage;
+        module_.stage.shares_functions = linked.lowered.keeps_functions;
         entry_.name = "main";
     }
 
@@ -294,6 +296,25 @@ private:
     std::vector<ir::FunctionId> imported_;
 };
 
+// Finds the semantics that are unit vectors whatever pass reads them.
+void note_unit_semantics(graph::Lowered& lowered) {
+    ir::Module& module = lowered.module;
+    const auto gives_unit = [&](ir::FunctionId function) {
+        return function && ir::returns_unit(module, module[function]);
+    };
+    for (std::uint32_t i = 0; i < module.semantics.size(); ++i) {
+        const graph::SemanticRecipe& semantic = lowered.semantics[i];
+        // What is interpolated does not keep its length.
+        if (semantic.source != SemanticSource::Pixel && semantic.source != SemanticSource::Uniform) continue;
+        module.semantics[i].is_unit =
+            gives_unit(semantic.recipe) &&
+            std::all_of(lowered.passes.begin(), lowered.passes.end(), [&](const graph::LoweredPass& pass) {
+                return std::all_of(pass.recipes.begin(), pass.recipes.end(),
+                                   [&](const auto& given) { return given.what.index != i || gives_unit(given.by); });
+            });
+    }
+}
+
 // Makes the functions that passes share as short as they can be for all of them: members that are always the same, and
 // those that no function that an entry may call reads.
 void tidy_shared(graph::Lowered& lowered) {
@@ -310,6 +331,7 @@ void tidy_shared(graph::Lowered& lowered) {
         for (const auto& given : pass.recipes) add(given.by);
         for (const auto& given : pass.replaced) add(given.by);
     }
+    note_unit_semantics(lowered);
     lowered.module = ir::settle_members(std::move(lowered.module));
     lowered.module = ir::drop_members(std::move(lowered.module), entries, called);
 }

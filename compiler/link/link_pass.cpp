@@ -73,7 +73,7 @@ LinkedPass link_tidied(const graph::Material& material, const Linked& linked, co
     link_again(".vertex.linked");
     const bool takes = take_constants(made.fragment, made.vertex);
     if (share_pinned(linked, made.fragment, made.vertex) || takes) {
-        made.fragment = ir::tidy(ir::settle_params(std::move(made.fragment)));
+        made.fragment = ir::tidy(std::move(made.fragment));
         number_varyings(made.fragment);
         link_again(nullptr);
     }

@@ -76,21 +76,11 @@ float3 ambientOfGbuffer(float3 normal, float3 light = lightOfLightmap) {
     return AmbientIrradiance(normal);
 }
 
-[pass("gbuffer")] [pass("gbuffer-extended")] [pass("gbuffer-ldr")] [pass("gbuffer-shadowmask")] [vertex]
-float4 gbufferVertex(float3 position = positionWS) {
-    return mul(worldToClip, float4(position, 1));
-}
-
 [pass("deferred-directional")] [pass("deferred-reflections")] [pass("extended-directional")]
 [pass("extended-reflections")] [pass("ldr-directional")] [pass("ldr-resolve")] [pass("shadowmask-directional")]
 [pass("shadowmask-reflections")] [vertex]
 float4 screenVertex(float3 position = positionOS) {
     return float4(position.xy, 0, 1);
-}
-
-[pass("deferred-local")] [pass("extended-local")] [pass("ldr-local")] [pass("shadowmask-local")] [vertex]
-float4 volumeVertex(float3 position = positionWS) {
-    return mul(worldToClip, float4(position, 1));
 }
 
 [pass("gbuffer")] [fragment] [lights("none")] [camera("perspective")] [fallback("forward")]

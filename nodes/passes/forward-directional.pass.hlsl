@@ -1,11 +1,6 @@
 // The base and additive passes for objects without lights at their vertices and without spherical harmonics: Unity's
 // OnlyDirectional.
 
-[pass("directional-base")] [pass("directional-add")] [vertex]
-float4 directionalVertex(float3 position = positionWS) {
-    return mul(worldToClip, float4(position, 1));
-}
-
 [pass("directional-base")] [fragment] [lights("main-only")] [needs("added")] [fallback("forward")]
 [blend("opaque", "one", "zero")] [blend("cutout", "one", "zero")]
 [blend("fade", "srcAlpha", "oneMinusSrcAlpha", "one", "oneMinusSrcAlpha")]

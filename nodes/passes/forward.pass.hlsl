@@ -7,8 +7,13 @@ float4 wholePositionWS(float3 position = positionOS) {
     return mul(objectToWorld, float4(position, 1));
 }
 
-[pass("forward")] [pass("forward-base")] [pass("forward-add")] [pass("vertex")] [vertex]
-float4 forwardVertex(float4 position = wholePositionWS) {
+// The vertex of every pass that draws meshes for the camera. There is one expression for the place on the screen, so that
+// a pass that tests for equal depth finds what another pass has written.
+[pass("forward")] [pass("forward-base")] [pass("forward-add")] [pass("directional-base")] [pass("directional-add")]
+[pass("vertex")] [pass("depth-only")] [pass("depth-normals")] [pass("gbuffer")] [pass("gbuffer-extended")]
+[pass("gbuffer-ldr")] [pass("gbuffer-shadowmask")] [pass("deferred-local")] [pass("extended-local")]
+[pass("ldr-local")] [pass("shadowmask-local")] [vertex]
+float4 meshVertex(float4 position = wholePositionWS) {
     return mul(worldToClip, position);
 }
 

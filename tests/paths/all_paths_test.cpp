@@ -1,6 +1,8 @@
 // `--path all` compiles every pass that can draw a material, each as its own path would have it: the functions of its
 // shaders are the same, and only the interface, which all passes share, is larger.
 #include <algorithm>
+#include <map>
+#include <set>
 #include <sstream>
 
 #include "paths/drawing.h"
@@ -53,6 +55,40 @@ TEST(AllPaths, HaveThemWithBakedLightToo) {
     const Result all = compiled(graph, "all", {{"lightmap", "true"}, {"shadows", "true"}});
     for (const char* name : {"forward", "forward-base", "gbuffer", "gbuffer-ldr", "vertex"})
         EXPECT_TRUE(find_pass(all, name)) << name;
+}
+
+// The lines of a vertex shader that read the matrices of the object and the camera.
+std::string transforms(const Shader& shader) {
+    std::istringstream lines(shader.text);
+    std::string kept;
+    for (std::string line; std::getline(lines, line);) {
+        const bool computes = line.find('=') != line.npos;
+        if (computes && (line.find("objectToWorld") != line.npos || line.find("worldToClip") != line.npos))
+            kept += line + "\n";
+    }
+    return kept;
+}
+
+// A pass may test for the depth that another one has written, so all compute it alike, whatever else they need of the
+// vertex.
+TEST(AllPaths, ComputeThePlaceOnTheScreenAlike) {
+    const Result all = compiled(written("screen.graph.json", R"({ "patina": 1, "workflow": "metallic-roughness",
+  "surface": { "baseColor": "= @positionWS" }, "vertex": { "positionOS": "= @positionOS * 1.1" } })"),
+                                "all");
+    std::map<Target, std::string> expected;
+    std::set<std::string> passes;
+    for (const Shader& shader : all.shaders) {
+        const bool draws_objects = find_pass(all, shader.pass)->draws == PassDraws::Objects;
+        if (shader.stage != Stage::Vertex || !draws_objects || shader.pass == "shadow-caster") continue;
+        const std::string found = transforms(shader);
+        if (found.find("worldToClip") == found.npos) continue;  // it draws into a texture
+        expected.try_emplace(shader.target, found);
+        EXPECT_EQ(found, expected[shader.target]) << shader.pass;
+        passes.insert(shader.pass);
+    }
+    for (const char* name : {"forward", "forward-add", "directional-base", "vertex", "depth-only", "depth-normals",
+                             "gbuffer", "gbuffer-ldr"})
+        EXPECT_TRUE(passes.contains(name)) << name;
 }
 
 // The first of the two is a pass of another path.

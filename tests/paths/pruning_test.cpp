@@ -202,13 +202,12 @@ TEST(Pruning, SeesProductsWithZero) {
 TEST(Pruning, NothingIsMultipliedByZero) {
     int stages = 0;
     for (const ModelInfo& model : compiler().lighting_models()) {
-        // A lighting graph may say so itself: Disney's clear coat is a lobe with an anisotropy of 0, and the toon
-        // shades by the ambient light of one direction, (0, 1, 0).
+        // A lighting graph may say so itself: Disney's clear coat is a lobe with an anisotropy of 0.
         Words own;
         for (const Shader& shader : compiled(varying_graph(model), "forward").shaders) {
             for (std::string& product : products_with_zero(shader.text)) own.push_back(std::move(product));
         }
-        EXPECT_LE(own.size(), model.name == "disney-principled" ? 2u : model.name == "toon" ? 4u : 0u) << model.name;
+        EXPECT_LE(own.size(), model.name == "disney-principled" ? 2u : 0u) << model.name;
         for (const char* path : {"vertex", "deferred"}) {
             for (const Shader& shader : compiled(varying_graph(model), path).shaders) {
                 for (const std::string& product : products_with_zero(shader.text))

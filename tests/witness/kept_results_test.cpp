@@ -113,11 +113,13 @@ void expect_same(const Compiler& warm, const Graph& graph, const std::string& al
                   << around(made, static_cast<std::size_t>(b - made.begin()));
 }
 
-// What a compiler kept of the others, and then of the same graphs.
+// What a compiler kept of the others, and then of the same graphs. It keeps what is asked for twice, so the third
+// compilation of a graph finds it.
 void expect_kept_results_change_nothing(const std::vector<Graph>& graphs) {
     const std::vector<std::string> alone = compiled_alone(graphs);
     const Compiler warm;
-    for (std::size_t i = 0; i < graphs.size(); ++i) expect_same(warm, graphs[i], alone[i]);
+    for (std::size_t i = 0; i < graphs.size(); ++i)
+        for (int round = 0; round < 3; ++round) expect_same(warm, graphs[i], alone[i]);
     for (std::size_t i = graphs.size(); i-- > 0;) expect_same(warm, graphs[i], alone[i]);
 }
 
@@ -144,7 +146,8 @@ TEST(KeptResults, ChangeNoExample) {
 TEST(KeptResults, ChangeNoExampleThatHasMoved) {
     std::vector<Graph> graphs = examples();
     const Compiler warm;
-    for (const Graph& graph : graphs) compiled(warm, graph);
+    for (const Graph& graph : graphs)
+        for (int round = 0; round < 2; ++round) compiled(warm, graph);
     for (Graph& graph : graphs) graph.text = "// One line more.\n" + graph.text;
     const std::vector<std::string> alone = compiled_alone(graphs);
     for (std::size_t i = 0; i < graphs.size(); ++i) expect_same(warm, graphs[i], alone[i]);
@@ -206,7 +209,7 @@ TEST(KeptResults, ChangeNothingForSeveralThreads) {
         threads.emplace_back([&, t] {
             for (std::size_t i = 0; i < graphs.size(); ++i) {
                 const std::size_t at = (i + t * graphs.size() / 4) % graphs.size();
-                expect_same(warm, graphs[at], alone[at]);
+                for (int round = 0; round < 3; ++round) expect_same(warm, graphs[at], alone[at]);
             }
         });
     }
@@ -222,6 +225,14 @@ TEST(Remembered, KeepsTheFirstOfEachKey) {
     ASSERT_NE(numbers.find("a"), nullptr);
     EXPECT_EQ(*numbers.find("a"), 1);
     EXPECT_EQ(*numbers.find("b"), 3);
+}
+
+TEST(Remembered, SaysWhatIsAskedForAgain) {
+    Remembered<int> numbers(1 << 10);
+    EXPECT_FALSE(numbers.ask("a").is_asked_again);
+    EXPECT_FALSE(numbers.ask("b").is_asked_again);
+    EXPECT_TRUE(numbers.ask("a").is_asked_again);
+    EXPECT_EQ(numbers.ask("a").value, nullptr);
 }
 
 TEST(Remembered, DropsWhatHasNotBeenUsedForLong) {

@@ -116,7 +116,8 @@ void add_engine_values(Pages& pages, const Compiler& compiler) {
         "# What the engine gives\n\nThe members of the engine's uniform blocks, and its textures. A material reads "
         "some "
         "of them: its reflection says which, and the offset of each. The engine, which is the "
-        "program that draws, fills all of them; only the block of the material's own properties is not here. An "
+        "program that draws, fills all of them; only the block of the material's own properties is not here. The "
+        "numbers must be finite: Patina replaces 0 times such a number by 0. An "
         "engine may have names of its own for blocks ([engines](engines.md)). Axes and units are those of [the "
         "conventions](conventions.md); `E/pi` is the radiance of a white Lambert surface. What has a row under \"only "
         "with\" exists if one of these switches or rendering paths is on.\n";

@@ -12,18 +12,39 @@ std::uint64_t both_ends(Span span) {
     return span.begin | std::uint64_t{span.end} << 32;
 }
 
+// True if it has not been mentioned before. From now on it has been.
+bool mention(std::vector<std::uint32_t>& places, std::vector<std::uint32_t>& mentioned, std::uint32_t index) {
+    if (places[index] != 0) return false;
+    mentioned.push_back(index);
+    places[index] = static_cast<std::uint32_t>(mentioned.size());
+    return true;
+}
+
+void forget(std::vector<std::uint32_t>& places, std::vector<std::uint32_t>& mentioned) {
+    for (const std::uint32_t index : mentioned) places[index] = 0;
+    mentioned.clear();
+}
+
 }  // namespace
 
-void Content::type(Type type) {
-    const auto& [kind, scalar, rows, cols, ref] = type;
-    const bool is_struct = kind == Kind::Struct;
-    std::uint32_t* known = is_struct ? &structs_[ref] : kind == Kind::Array ? &arrays_[ref] : nullptr;
-    const bool is_new = known && *known == 0;
-    if (is_new && is_struct) mentioned_structs_.push_back(ref);
-    if (is_new) *known = is_struct ? static_cast<std::uint32_t>(mentioned_structs_.size()) : ++last_array_;
-    number(static_cast<std::uint64_t>(kind) | static_cast<std::uint64_t>(scalar) << 8 |
-           static_cast<std::uint64_t>(rows) << 16 | static_cast<std::uint64_t>(cols) << 24 |
-           static_cast<std::uint64_t>(known ? *known : ref) << 32);
+void Content::restart() {
+    size_ = 0;
+    forget(names_, mentioned_names_);
+    forget(constants_, mentioned_constants_);
+    forget(structs_, mentioned_structs_);
+    forget(arrays_, mentioned_arrays_);
+    for (const OriginId id : mentioned_) origins_[id.index] = 0;
+    mentioned_.clear();
+    spans_.clear();
+    places_.clear();
+}
+
+void Content::declared_type(Type type) {
+    const std::uint32_t ref = type.ref;
+    const bool is_struct = type.kind == Kind::Struct;
+    const bool is_new =
+        is_struct ? mention(structs_, mentioned_structs_, ref) : mention(arrays_, mentioned_arrays_, ref);
+    number(as_number(type, is_struct ? structs_[ref] : arrays_[ref]));
     if (is_new && is_struct) {
         const auto& [name, members] = module_.structs[ref];
         text(name);
@@ -107,13 +128,16 @@ void Content::texts(const std::vector<StageText>& texts) {
 
 void Content::raw(const void* data, std::size_t size) {
     if (size == 0) return;
-    if (size_ + size > bytes_.size()) grow(size);
+    if (size_ + size > room_) grow(size);
     std::memcpy(&bytes_[size_], data, size);
     size_ += size;
 }
 
 void Content::grow(std::size_t more) {
-    bytes_.resize(2 * (size_ + more) + 1024);
+    room_ = 2 * (size_ + more) + 4096;
+    std::unique_ptr<char[]> longer(new char[room_]);  // make_unique would fill it
+    if (size_ > 0) std::memcpy(longer.get(), bytes_.get(), size_);
+    bytes_ = std::move(longer);
 }
 
 void Content::signature(const Function& function) {
@@ -124,10 +148,11 @@ void Content::signature(const Function& function) {
     static_cast<void>(unused_probes);  // only functions that nothing tidies have any
     text(name);
     number(params.size());
-    for (const auto& [param_name, of, rate, is_semantic, from_bottom] : params) {
+    for (const auto& [param_name, of, rate, is_semantic, from_bottom, is_unit] : params) {
         text(param_name);
         type(of);
-        number(static_cast<std::uint64_t>(rate) | std::uint64_t{is_semantic} << 8 | std::uint64_t{from_bottom} << 16);
+        number(static_cast<std::uint64_t>(rate) | std::uint64_t{is_semantic} << 8 | std::uint64_t{from_bottom} << 16 |
+               std::uint64_t{is_unit} << 24);
     }
     type(result);
     const bool is_new_origin = is_new(made_by);
@@ -148,10 +173,9 @@ void Content::instruction(const Function& function, const Inst& inst, std::uint3
     static_cast<void>(unused_first);
     static_cast<void>(unused_data);
     type(of);
-    const bool is_new_constant = op == Op::Constant && constants_[data] == 0;
-    if (is_new_constant) constants_[data] = ++last_constant_;
-    const bool is_new_origin = is_new(from), is_new_name = hint && names_[hint.index] == 0;
-    if (is_new_name) names_[hint.index] = ++last_name_;
+    const bool is_new_constant = op == Op::Constant && mention(constants_, mentioned_constants_, data);
+    const bool is_new_origin = is_new(from);
+    const bool is_new_name = hint && mention(names_, mentioned_names_, hint.index);
     const std::uint32_t words[] = {static_cast<std::uint32_t>(op) | std::uint32_t{is_light_loop} << 16, operand_count,
                                    op == Op::Constant ? constants_[data] : data, from ? origins_[from.index] : 0,
                                    hint ? names_[hint.index] : 0};

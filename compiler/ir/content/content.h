@@ -8,6 +8,7 @@
 #pragma once
 
 #include <cstring>
+#include <memory>
 #include <optional>
 #include <unordered_map>
 
@@ -25,13 +26,19 @@ public:
           structs_(module.structs.size()),
           arrays_(module.arrays.size()) {}
 
+    // As a new one.
+    void restart();
+
     // --- the parts, one after the other
     void number(std::uint64_t value) { put(value); }
     void text(std::string_view value) {
         number(value.size());
         raw(value.data(), value.size());
     }
-    void type(Type type);
+    void type(Type type) {
+        if (type.kind == Kind::Struct || type.kind == Kind::Array) return declared_type(type);
+        number(as_number(type, type.ref));
+    }
     void variable(const StageVariable& variable);
     void global(const Global& global);
     void block(const UniformBlock& block);
@@ -51,7 +58,7 @@ public:
         blocks(function);
     }
 
-    std::string_view bytes() const { return std::string_view(bytes_).substr(0, size_); }
+    std::string_view bytes() const { return {bytes_.get(), size_}; }
     // Without the room that more bytes would have had: keys are kept long, and their sizes are counted.
     std::string take() const { return std::string(bytes()); }
     // The origins that have been mentioned, in order of first mention.
@@ -66,12 +73,20 @@ private:
     // Most parts are a few bytes: a call of a function for each would take longer than the rest.
     template <class Part>
     void put(const Part& part) {
-        if (size_ + sizeof part > bytes_.size()) grow(sizeof part);
+        if (size_ + sizeof part > room_) grow(sizeof part);
         std::memcpy(&bytes_[size_], &part, sizeof part);
         size_ += sizeof part;
     }
     void raw(const void* data, std::size_t size);
     void grow(std::size_t more);
+    static std::uint64_t as_number(Type type, std::uint32_t number) {
+        const auto& [kind, scalar, rows, cols, unused_ref] = type;
+        static_cast<void>(unused_ref);
+        return static_cast<std::uint64_t>(kind) | static_cast<std::uint64_t>(scalar) << 8 |
+               static_cast<std::uint64_t>(rows) << 16 | static_cast<std::uint64_t>(cols) << 24 |
+               static_cast<std::uint64_t>(number) << 32;
+    }
+    void declared_type(Type type);
     void signature(const Function& function);
     void instruction(const Function& function, const Inst& inst, std::uint32_t data);
     void blocks(const Function& function);
@@ -80,13 +95,12 @@ private:
     void origin(OriginId id);
 
     const Module& module_;
-    std::string bytes_;  // longer than what has been written
-    std::size_t size_ = 0;
+    std::unique_ptr<char[]> bytes_;  // longer than what has been written, and not filled before
+    std::size_t size_ = 0, room_ = 0;
     // By index in the module: the place in the order of first mention, from 1; 0: not mentioned yet.
     std::vector<std::uint32_t> names_, origins_, constants_, structs_, arrays_;
-    std::uint32_t last_name_ = 0, last_constant_ = 0, last_array_ = 0;
     std::vector<OriginId> mentioned_;
-    std::vector<std::uint32_t> mentioned_structs_;
+    std::vector<std::uint32_t> mentioned_names_, mentioned_constants_, mentioned_structs_, mentioned_arrays_;
     std::vector<Span> spans_;
     std::unordered_map<std::uint64_t, std::uint32_t> places_;  // of spans_, by both ends
 };

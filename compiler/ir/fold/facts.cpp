@@ -9,6 +9,7 @@ namespace patina::ir {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kMostFloat = std::numeric_limits<float>::max(), kMostHalf = 65504;
 // How many operands back facts are looked for, so that the time to ask stays bounded.
 constexpr int kMaxDepth = 6;
 // Functions that are called from more places are not looked into.
@@ -128,8 +129,9 @@ Range rounded(Type type, Range made) {
         const Range all = all_of_type(type);
         return made.low >= all.low && made.high <= all.high ? made : all;
     }
-    if (!made.is_finite()) return kUnknown;
-    return number(round_to(type.scalar, made.low), round_to(type.scalar, made.high));
+    const double most = type.scalar == Scalar::Half ? kMostHalf : kMostFloat;
+    const Range rounded = number(round_to(type.scalar, made.low), round_to(type.scalar, made.high));
+    return made.is_finite() && rounded.low >= -most && rounded.high <= most ? rounded : kUnknown;
 }
 
 Range product(const Range& a, const Range& b) {
@@ -143,6 +145,7 @@ public:
 
     Range of(Value value) const {
         const Inst& inst = function()[value];
+        if (inst.op == Op::Global) return of_global(inst);
         if (!inst.type.is_numeric()) return kUnknown;
         if (inst.op == Op::Constant) return of_constant(inst);
         if (depth_ >= kMaxDepth) return all_of_type(inst.type);
@@ -154,6 +157,13 @@ public:
 
 private:
     const Function& function() const { return facts_.function; }
+
+    // An engine gives finite numbers (Group). An array of them is asked about for its elements.
+    Range of_global(const Inst& inst) const {
+        const bool is_of_engine = facts_.module.globals[inst.data].group != Group::Material;
+        const Range all = all_of_type(inst.type);
+        return is_of_engine && !all.is_finite() ? number(-kMostFloat, kMostFloat) : all;
+    }
 
     Range of_constant(const Inst& inst) const {
         const auto numbers = facts_.module.numbers_of(facts_.module.constants[inst.data]);
@@ -177,7 +187,7 @@ private:
             for (const Value part : args) all = either(all, deeper.of(part));
             return all;
         }
-        if (op == Op::Extract || op == Op::Swizzle) return arg(0);
+        if (op == Op::Extract || op == Op::Swizzle || op == Op::Index) return arg(0);
         if (op == Op::Convert) return of_conversion(inst.type, args[0], arg(0));
         if (op == Op::Select) return either(arg(1), arg(2));
         if (op == Op::Result) return of_result(inst, deeper);
@@ -304,10 +314,12 @@ bool is_unit(const FactsOf& facts, Value value, int depth) {
     if (op == Op::Select) return is_unit_arg(1) && is_unit_arg(2);
     if (op == Op::Reflect) return is_unit_arg(0) && is_unit_arg(1);
     if (op == Op::Swizzle) return is_permutation(inst, function[args[0]].type.width()) && is_unit_arg(0);
+    if (op == Op::Semantic) return facts.module.semantics[inst.data].is_unit;
     if (op == Op::Param) {
-        return at_all_calls(facts, inst.data, [&](const FactsOf& caller, Value argument) {
-            return is_unit(caller, argument, depth + 1);
-        });
+        return function.params[inst.data].is_unit ||
+               at_all_calls(facts, inst.data, [&](const FactsOf& caller, Value argument) {
+                   return is_unit(caller, argument, depth + 1);
+               });
     }
     if (op == Op::Result) {
         const Inst& structure = function[args[0]];
@@ -337,6 +349,11 @@ Range range_of(const FactsOf& facts, Value value) {
 
 bool is_unit(const FactsOf& facts, Value value) {
     return is_unit(facts, value, 0);
+}
+
+bool returns_unit(const Module& module, const Function& function) {
+    const Value returned = returned_by(function);
+    return returned && is_unit({module, function}, returned);
 }
 
 }  // namespace patina::ir

@@ -33,4 +33,7 @@ Range range_of(const FactsOf& facts, Value value);
 // True if the value has length 1 but for rounding, or is NaN.
 bool is_unit(const FactsOf& facts, Value value);
 
+// The same of what a function returns, whatever the functions return that it calls.
+bool returns_unit(const Module& module, const Function& function);
+
 }  // namespace patina::ir

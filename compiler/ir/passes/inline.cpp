@@ -108,7 +108,7 @@ Callee describe(const Module& module, const Function& function, std::size_t call
     // To make a struct takes a line for each member. Stages that share the function should not repeat these.
     const bool is_shared = function.linkage == Linkage::Exported && function.result.kind == Kind::Struct;
     const bool is_once = calls == 1 && !function.comment.empty() && function.linkage == Linkage::Internal &&
-                         !is_follower(module, function);
+                         !module.stage.shares_functions && !is_follower(module, function);
     const bool is_little = (work <= (is_once ? kSmallOnce : kSmall) && !is_shared) ||
                            (calls == 1 && is_few_numbers(module, function.result));
     const bool is_wanted = function.always_inline || takes_opaque || is_little ||

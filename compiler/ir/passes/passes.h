@@ -66,7 +66,7 @@ Module drop_members(Module module, std::span<const FunctionId> entries, std::spa
 
 // If all calls of a function have the same constant as an argument, read the same part of a global for it, or have the
 // same value as another argument, the function uses that instead of the parameter. A semantic parameter takes the name
-// that it has in all callers. prune() then drops the parameters.
+// that it has in all callers. prune() then drops the parameters. Functions that other stages share stay as they are.
 Module settle_params(Module module);
 
 // The passes of passes.def in order; verified after each if is_verifying().

@@ -23,7 +23,8 @@ public:
     void run() {
         for (std::uint32_t f = static_cast<std::uint32_t>(module_.functions.size()); f-- > 0;) {
             const Function& function = module_.functions[f];
-            const bool may_change = function.linkage == Linkage::Internal && !is_follower(module_, function);
+            const bool may_change = function.linkage == Linkage::Internal && !module_.stage.shares_functions &&
+                                    !is_follower(module_, function);
             if (may_change && !sites_[f].empty()) settle(f);
             for (std::uint32_t i = 0; i < module_.functions[f].insts.size(); ++i) {
                 const Inst& inst = module_.functions[f].insts[i];

@@ -118,10 +118,12 @@ KeptText kept_of(const Writer& w, std::size_t begin, std::size_t first, int firs
 }  // namespace
 
 void print_kept(Writer& w, FunctionId id, const EntryPoint* entry, const std::function<void()>& print) {
-    Content content(w.module);
+    Content& content = w.content ? *w.content : w.content.emplace(w.module);
+    content.restart();
     add_function(content, w, id, entry);
-    const std::shared_ptr<const KeptText> kept = w.options.kept->find(content.bytes());
+    const auto [kept, is_asked_again] = w.options.kept->ask(content.bytes());
     if (kept && w.names.would_answer(kept->asked)) return append(w, *kept, content.origins());
+    if (kept || !is_asked_again) return print();  // a kept one was printed among other names, and stays
     const std::size_t begin = w.text.size(), first = w.lines.size();
     const int first_line = w.next_line;
     const OriginId before = w.lines.empty() ? OriginId{} : w.lines.back().origin;
@@ -129,7 +131,6 @@ void print_kept(Writer& w, FunctionId id, const EntryPoint* entry, const std::fu
     w.names.note_into(&asked);
     print();
     w.names.note_into(nullptr);
-    if (kept) return;  // it was printed among other names, and stays
     KeptText made = kept_of(w, begin, first, first_line, before, content.origins(), std::move(asked));
     constexpr std::size_t kNode = 96;  // of `asked`, with its name
     const std::size_t bytes = made.text.size() + sizeof(PrintedLine) * made.lines.size() + kNode * made.asked.size();

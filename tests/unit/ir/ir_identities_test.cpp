@@ -254,6 +254,31 @@ TEST(Identities, KeepsWhatNanWouldChange) {
     EXPECT_EQ(b[b.emit(Op::Not, {b.emit(Op::Less, {x, zero})})].op, Op::Not);
 }
 
+// What the engine gives is finite, so 0 times it is 0. What a material gives may be infinite, and so may a sum or a
+// product of finite numbers.
+TEST(Identities, TheEngineGivesFiniteNumbers) {
+    Module module;
+    module.arrays = {{.element = kFloat3, .count = 9}};
+    module.globals = {{.name = "ambientSH", .type = Type::array(0)},
+                      {.name = "fog", .type = kFloat},
+                      {.name = "color", .type = kFloat, .group = Group::Material}};
+    Function function{.name = "f", .params = {{"i", kInt, Rate::Pixel}}};
+    Builder b(module, function);
+    const Value zero = b.constant(kFloat, {0});
+    const auto is_zero = [&](Value value) {
+        return b.is_constant(b.emit(Op::Mul, {value, b.splat_constant(b.type(value), 0)}), 0);
+    };
+    const Value ambient = b.emit(Op::Global, Type::array(0), {}, 0), fog = b.emit(Op::Global, kFloat, {}, 1);
+    EXPECT_TRUE(is_zero(b.extract(ambient, 2)));
+    EXPECT_TRUE(is_zero(b.emit(Op::Index, kFloat3, {ambient, b.param(0)})));
+    EXPECT_TRUE(is_zero(b.extract(b.extract(ambient, 2), 1)));
+    EXPECT_TRUE(is_zero(fog));
+    EXPECT_EQ(b.emit(Op::Sub, {fog, fog}), zero);
+    EXPECT_FALSE(is_zero(b.emit(Op::Global, kFloat, {}, 2)));
+    EXPECT_FALSE(is_zero(b.emit(Op::Add, {fog, fog})));
+    EXPECT_FALSE(is_zero(b.emit(Op::Mul, {fog, fog})));
+}
+
 // --- folding
 
 Numbers folded(Op op, Type type, std::vector<Operand> operands, std::uint32_t data = 0) {

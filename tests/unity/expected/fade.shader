@@ -114,7 +114,7 @@ Shader "Patina/fade"
         LightingSurface ls;
         ls.diffuseColor = LinearColor(_Color).xyz * 0.96;
         ls.roughness = 0.3;
-        ls.normalWS = normalize(geometryNormalWS);
+        ls.normalWS = geometryNormalWS;
         ls.alpha = LinearColor(_Color).w;
         return ls;
     }

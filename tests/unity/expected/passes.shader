@@ -117,7 +117,7 @@ Shader "Patina/passes"
 
         LightingSurface ls;
         ls.diffuseColor = albedo.xyz * 0.96;
-        ls.normalWS = normalize(geometryNormalWS);
+        ls.normalWS = geometryNormalWS;
         return ls;
     }
 
@@ -486,7 +486,7 @@ Shader "Patina/passes"
             #endif
                 LightingSurfaceLacquer lsl;
                 lsl.diffuseColor = baseColor * 0.96;
-                lsl.normalWS = normalize(geometryNormalWS);
+                lsl.normalWS = geometryNormalWS;
                 lsl.alpha = 0.3;
                 return lsl;
             }

@@ -345,7 +345,7 @@ Shader "Patina/Standard, cut out"
         ls.f0 = lerp(float3(0.04, 0.04, 0.04), tinted, metallic);
         ls.oneMinusReflectivity = oneMinusReflectivity;
         ls.roughness = 1.0 - smoothness;
-        ls.normalWS = normalize(normalWS);
+        ls.normalWS = normalWS;
         ls.occlusion = lerp(1.0, saturate(cavity.y), _OcclusionStrength);
         ls.emission = emission;
         ls.alpha = fromMapValue2 * LinearColor(_Color).w;
@@ -708,14 +708,6 @@ Shader "Patina/Standard, cut out"
                 UNITY_VERTEX_OUTPUT_STEREO
             };
 
-            // The offset of texture coordinates that makes a height map stand out: it grows as the view slants.
-            float2 ParallaxShiftShadowCaster(float texel, float3 viewTS)
-            {
-                float3 view = viewTS * rsqrt(max(dot(viewTS, viewTS), 1e-06));
-                float2 product = (texel * _Parallax - 0.5 * _Parallax) * float2(view.x, -view.y);
-                return product / (max(view.z, 0.0) + 0.42);
-            }
-
             v2f vert(appdata_full v)
             {
                 v2f o;
@@ -766,7 +758,7 @@ Shader "Patina/Standard, cut out"
                 float4 height = UNITY_SAMPLE_TEX2D(_ParallaxMap, heightTiled);
 
                 // ParallaxOffset "maps/step"
-                offset = ParallaxShiftShadowCaster(height.y, viewDirTS);
+                offset = ParallaxShift(height.y, _Parallax, viewDirTS);
             #else
                 offset = float2(0.0, 0.0);
             #endif

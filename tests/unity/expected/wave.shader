@@ -138,7 +138,7 @@ Shader "Patina/Wave"
         LightingSurface ls;
         ls.diffuseColor = baseColor * 0.96;
         ls.roughness = 0.2;
-        ls.normalWS = normalize(geometryNormalWS);
+        ls.normalWS = geometryNormalWS;
         return ls;
     }
 
