@@ -19,6 +19,11 @@ const engines::Engine& engine_of(const Library& library, const CompileOptions& o
     return engine ? *engine : *library.engine({});
 }
 
+// What a failed compilation has looked for, so that who watches its files also sees that one of these appears.
+void add_missing(Session& session, const std::vector<std::string>& paths) {
+    session.dependencies.insert(session.dependencies.end(), paths.begin(), paths.end());
+}
+
 // The paths that `name` in the file `from` may mean, in order of preference.
 std::vector<std::string> candidates(Session& session, const std::string& name, const std::string& from, Span where) {
     std::vector<std::string> paths;
@@ -105,7 +110,9 @@ std::string require_file(Session& session, const std::string& name, const std::s
     const std::size_t errors = session.diagnostics.error_count();
     const std::vector<std::string> paths = candidates(session, name, from, where);
     std::string path = first_that_exists(session, paths, where);
-    if (!path.empty() || session.diagnostics.error_count() != errors) return path;
+    if (!path.empty()) return path;
+    add_missing(session, paths);
+    if (session.diagnostics.error_count() != errors) return path;
     if (is_folder(session, paths))
         session.diagnostics.report(Code::CannotRead, where, name, "it is a folder");
     else
@@ -115,7 +122,9 @@ std::string require_file(Session& session, const std::string& name, const std::s
 
 std::string require_source(Session& session, const std::string& name, const std::string& from, Span where) {
     const std::size_t errors = session.diagnostics.error_count();
-    std::string path = first_with_text(session, candidates(session, name, from, where));
+    const std::vector<std::string> paths = candidates(session, name, from, where);
+    std::string path = first_with_text(session, paths);
+    if (path.empty()) add_missing(session, paths);
     if (path.empty() && session.diagnostics.error_count() == errors)
         session.diagnostics.report(Code::MissingFile, where, name);
     return path;
@@ -123,6 +132,7 @@ std::string require_source(Session& session, const std::string& name, const std:
 
 std::optional<std::uint32_t> load_source(Session& session, const std::string& path, Span where) {
     const Files::Answer& answer = session.files.read(path);
+    session.dependencies.push_back(path);
     if (!answer.text && !answer.why.empty()) {
         session.diagnostics.report(Code::CannotRead, where, path, answer.why);
         return {};
@@ -138,7 +148,6 @@ std::optional<std::uint32_t> load_source(Session& session, const std::string& pa
         session.diagnostics.report(Code::TooLarge, {base, base}, answer.text->size(), kMaxJsonBytes);
         return {};
     }
-    session.dependencies.push_back(path);
     const std::uint32_t base = session.sources.add(path, *answer.text);
     if (is_over_bytes(session, where ? where : Span{base, base})) return {};
     return base;

@@ -87,7 +87,8 @@ struct Result {
     std::vector<Diagnostic> diagnostics;  // errors and warnings, file by file in the order of the text
     std::vector<Shader> shaders;  // engine by engine, then pass by pass, then target by target; none after an error
     Reflection reflection;        // for the first engine that draws the library's paths, else for the first one
-    std::vector<std::string> dependencies;   // files that were read, the graph first
+    // Files that were read, the graph first; after an error also those that were looked for and are not there.
+    std::vector<std::string> dependencies;
     std::vector<std::string> nodes;          // ids of the graph's own nodes, in the order of the text
     Budget budget{};                         // of the graph; no limits if it has none
     std::vector<Dump> dumps;                 // of the steps in CompileOptions::dump

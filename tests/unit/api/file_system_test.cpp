@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <stdexcept>
 
 #include "patina/options.h"
@@ -103,6 +104,21 @@ TEST(FileSystem, IncludeFoldersAreSearchedAfterTheFilesOwn) {
     EXPECT_EQ(asked.read["m/wave.node.hlsl"], 1);
     EXPECT_EQ(asked.read["none/wave.node.hlsl"], 1);
     EXPECT_EQ(asked.read["shared/wave.node.hlsl"], 1);
+}
+
+// A program that compiles again when a file changes must also know of those that are to appear.
+TEST(FileSystem, AFailedCompilationDependsOnWhatItLookedFor) {
+    const Texts texts = {{"m/wave.node.hlsl", kWave}};
+    Asked asked;
+    CompileOptions options;
+    options.files = asked.over(texts);
+    options.files.exists = [](const std::string&) { return false; };
+    options.include_dirs = {"shared"};
+    const Result result = compiler().compile_text("m/test.graph.json", kGraph, options);
+    EXPECT_FALSE(result.ok);
+    const std::set<std::string> files(result.dependencies.begin(), result.dependencies.end());
+    for (const char* file : {"m/test.graph.json", "m/wave.node.hlsl", "m/deep.subgraph.json", "shared/deep.subgraph.json"})
+        EXPECT_TRUE(files.contains(file)) << file;
 }
 
 // A graph, its parts and a texture that are URIs.
