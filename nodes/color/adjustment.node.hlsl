@@ -34,7 +34,7 @@ enum HueUnit {
 [node("Color/Hue")]
 float3 Hue(
     [color] float3 color = 1,     ///< the colour
-    float offset = 0,             ///< how far the hue moves, from red towards green
+    [range(-360, 360)] float offset = 0,  ///< how far the hue moves, from red towards green
     const HueUnit unit = Degrees  ///< unit of the offset
 ) {
     float3 hsv = RgbToHsv(color);
@@ -51,7 +51,7 @@ float3 Hue(
 [node("Color/HSV Adjust")]
 float3 HsvAdjust(
     [color] float3 color = 1,           ///< the colour
-    float hue = 0,                      ///< turns that the hue moves
+    [range(-1, 1)] float hue = 0,       ///< turns that the hue moves
     [range(0, 2)] float saturation = 1, ///< factor on the saturation
     [range(0, 4)] float value = 1       ///< factor on the value
 ) {

@@ -25,8 +25,8 @@ enum BlendMode {
     HardMix      ///< 0 or 1: whether the sum reaches 1
 };
 
-// The smallest divisor of a blend mode: a colour divided by it is far beyond white.
-const float BLEND_FLOOR = 1e-5;
+// The smallest divisor of a blend mode: a colour divided by it is far beyond white, and a half still holds it.
+const float BLEND_FLOOR = 1e-4;
 
 /// Dodge: black stays black, and white covers all that is not black.
 floatN ColorDodge(floatN base, floatN blend) {
@@ -79,7 +79,7 @@ floatN SoftLightOf(floatN base, floatN blend) {
 /// test: BlendColors(float4(0.75, 0.25, 0.5, 0), float4(0.25, 0.75, 0.5, 0.9), 1, VividLight) == float4(0.5, 0.5, 0.5, 0)
 /// test: BlendColors(float4(0.75, 0.25, 0.6, 0.9), float4(0.25, 0.25, 0.9, 0.9), 1, PinLight) == float4(0.5, 0.25, 0.8, 0.9)
 /// test: BlendColors(float3(0.75, 0.25, 0.5), float3(0.25, 0.5, 0.75), 1, HardMix) == float3(1, 0, 1)
-[node("Color/Blend")] [also("BlendMode")]
+[node("Color/Blend")] [also("Blend", "BlendMode")]
 floatN BlendColors(
     [color] floatN base = 0,          ///< the lower colour
     [color] floatN blend = 1,         ///< the upper colour

@@ -6,22 +6,10 @@
 /// test: ChannelMask(float4(0.2, 0.4, 0.8, 0.5), float4(1, 0, 1, 0)) == float4(0.2, 0, 0.8, 0)
 [node("Color/Channel Mask")] [also("ColorWriteMask")]
 floatN ChannelMask(
-    floatN value = 0,                 ///< colour or vector
+    [color] floatN value = 0,         ///< colour or vector
     [range(0, 1)] floatN channels = 1  ///< for each channel 1 to keep it, or 0
 ) {
     return channels > 0.5 ? value : 0;
-}
-
-/// Changes the sign of the channels that are chosen.
-///
-/// test: Flip(float3(0.2, -0.4, 0.8)) == float3(-0.2, 0.4, -0.8)
-/// test: Flip(float4(0.2, 0.4, 0.8, 0.5), float4(1, 0, 1, 0)) == float4(-0.2, 0.4, -0.8, 0.5)
-[node("Vector/Flip")]
-floatN Flip(
-    floatN value = 0,                 ///< colour or vector
-    [range(0, 1)] floatN channels = 1  ///< for each channel 1 to change its sign, or 0
-) {
-    return channels > 0.5 ? -value : value;
 }
 
 /// Dithers a value: subtracts a threshold that differs from pixel to pixel, in a pattern of four by four.
@@ -37,7 +25,7 @@ floatN Flip(
 /// test: Dither(0, float2(7.5, 3.5)) == -0.35294117647058826
 [node("Color/Dither")] [also("DitherTemporalAA")]
 floatN Dither(
-    floatN value = 0,               ///< a value from 0 to 1
+    [range(0, 1)] floatN value = 0,  ///< a value from 0 to 1
     float2 pixel = fragCoord.xy  ///< pixels, counted from the upper left; Unity counts rows from the bottom
 ) {
     // A pattern of 4 x 4 is one of 2 x 2 in each cell of another 2 x 2: the bits of m, the last one first.

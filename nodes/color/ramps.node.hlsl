@@ -32,25 +32,25 @@ float RampShare(float position, float before, float at, float isSharp, float fir
 /// test: ColorRamp(0.5, Perceptual, 2, float3(0, 0, 0), 0, float3(1, 1, 1), 1) == float3(0.125, 0.125, 0.125) within 1e-4
 [node("Color/Ramp")] [also("SampleGradient", "Gradient", "Ramp", "RampGradient")]
 float3 ColorRamp(
-    float position = 0,                    ///< where on the ramp
+    [range(0, 1)] float position = 0,                    ///< where on the ramp
     const RampMode mode = Blended,         ///< how it goes from key to key
     [range(1, 8)] const int keys = 2,      ///< how many keys there are
     [color] float3 color0 = 0,             ///< colour of the first key
-    float at0 = 0,                         ///< its place
+    [range(0, 1)] float at0 = 0,                         ///< its place
     [color] float3 color1 = 1,             ///< colour of the second key
-    float at1 = 1,                         ///< its place
+    [range(0, 1)] float at1 = 1,                         ///< its place
     [color] float3 color2 = 1,             ///< colour of the third key
-    float at2 = 1,                         ///< its place
+    [range(0, 1)] float at2 = 1,                         ///< its place
     [color] float3 color3 = 1,             ///< colour of the fourth key
-    float at3 = 1,                         ///< its place
+    [range(0, 1)] float at3 = 1,                         ///< its place
     [color] float3 color4 = 1,             ///< colour of the fifth key
-    float at4 = 1,                         ///< its place
+    [range(0, 1)] float at4 = 1,                         ///< its place
     [color] float3 color5 = 1,             ///< colour of the sixth key
-    float at5 = 1,                         ///< its place
+    [range(0, 1)] float at5 = 1,                         ///< its place
     [color] float3 color6 = 1,             ///< colour of the seventh key
-    float at6 = 1,                         ///< its place
+    [range(0, 1)] float at6 = 1,                         ///< its place
     [color] float3 color7 = 1,             ///< colour of the eighth key
-    float at7 = 1                          ///< its place
+    [range(0, 1)] float at7 = 1                          ///< its place
 ) {
     const float3 colors[8] = { color0, color1, color2, color3, color4, color5, color6, color7 };
     const float places[8] = { at0, at1, at2, at3, at4, at5, at6, at7 };
@@ -76,25 +76,25 @@ float3 ColorRamp(
 /// test: ValueRamp(0.202, FixedUnity, 2, 0, 0.2, 1, 0.6) == 0
 [node("Color/Value Ramp")]
 float ValueRamp(
-    float position = 0,                ///< where on the ramp
+    [range(0, 1)] float position = 0,                ///< where on the ramp
     const RampMode mode = Blended,     ///< how it goes from key to key; Perceptual is the same as Blended
     [range(1, 8)] const int keys = 2,  ///< how many keys there are
     float value0 = 0,                  ///< value of the first key
-    float at0 = 0,                     ///< its place
+    [range(0, 1)] float at0 = 0,                     ///< its place
     float value1 = 1,                  ///< value of the second key
-    float at1 = 1,                     ///< its place
+    [range(0, 1)] float at1 = 1,                     ///< its place
     float value2 = 1,                  ///< value of the third key
-    float at2 = 1,                     ///< its place
+    [range(0, 1)] float at2 = 1,                     ///< its place
     float value3 = 1,                  ///< value of the fourth key
-    float at3 = 1,                     ///< its place
+    [range(0, 1)] float at3 = 1,                     ///< its place
     float value4 = 1,                  ///< value of the fifth key
-    float at4 = 1,                     ///< its place
+    [range(0, 1)] float at4 = 1,                     ///< its place
     float value5 = 1,                  ///< value of the sixth key
-    float at5 = 1,                     ///< its place
+    [range(0, 1)] float at5 = 1,                     ///< its place
     float value6 = 1,                  ///< value of the seventh key
-    float at6 = 1,                     ///< its place
+    [range(0, 1)] float at6 = 1,                     ///< its place
     float value7 = 1,                  ///< value of the eighth key
-    float at7 = 1                      ///< its place
+    [range(0, 1)] float at7 = 1                      ///< its place
 ) {
     const float values[8] = { value0, value1, value2, value3, value4, value5, value6, value7 };
     const float places[8] = { at0, at1, at2, at3, at4, at5, at6, at7 };

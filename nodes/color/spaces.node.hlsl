@@ -1,17 +1,14 @@
 // Other coordinates of a colour: hue, saturation and value or lightness, and the perceptual space OkLab. Hues are in
 // turns: 0 is red, 1/3 green, 2/3 blue. HSV and HSL describe the numbers they are given: pickers use sRGB-encoded ones.
 
-// Keeps a ratio of zero and zero away: the colour is grey, and the ratio 0.
-const float GREY = 1e-10;
-
 /// The hue of a colour, its largest and its smallest component.
 float3 HueAndRange(float3 color) {
     float largest = max(color.r, max(color.g, color.b));
     float smallest = min(color.r, min(color.g, color.b));
-    float range = max(largest - smallest, GREY);
-    float3 sixths = (color.gbr - color.brg) / (6 * range) + float3(0, 2, 4) / 6;
+    // A grey has the hue 0.
+    float3 sixths = SafeDivide(color.gbr - color.brg, 6 * (largest - smallest)) + float3(0, 2, 4) / 6;
     float hue = largest == color.r ? sixths.x : largest == color.g ? sixths.y : sixths.z;
-    return float3(largest - smallest > 0 ? frac(hue) : 0, largest, smallest);
+    return float3(frac(hue), largest, smallest);
 }
 
 /// Converts red, green and blue to hue, saturation and value.
@@ -30,7 +27,7 @@ float3 RgbToHsv(
     [color] float3 color = 1  ///< red, green and blue
 ) {
     float3 range = HueAndRange(color);
-    return float3(range.x, (range.y - range.z) / max(range.y, GREY), range.y);
+    return float3(range.x, SafeDivide(range.y - range.z, range.y), range.y);
 }
 
 /// Converts hue, saturation and value to red, green and blue.
@@ -66,7 +63,7 @@ float3 RgbToHsl(
     float3 range = HueAndRange(color);
     float lightness = (range.y + range.z) / 2;
     float widest = 1 - abs(2 * lightness - 1);
-    return float3(range.x, (range.y - range.z) / max(widest, GREY), lightness);
+    return float3(range.x, SafeDivide(range.y - range.z, widest), lightness);
 }
 
 /// Converts hue, saturation and lightness to red, green and blue.
@@ -99,7 +96,7 @@ float3 CubeRoot(float3 value) {
 /// test: LinearToOkLab(float3(0, 0, 0)) == float3(0, 0, 0) within 1e-4
 /// test: LinearToOkLab(float3(1, 0, 0)) == float3(0.627955361, 0.224863061, 0.125846299) within 1e-4
 /// test: LinearToOkLab(float3(0.125, 0.125, 0.125)) == float3(0.5, 0, 0) within 1e-4
-[node("Color/Linear to OkLab")]
+[node("Color/Linear to OkLab")] [inFloat]
 float3 LinearToOkLab(
     [color] float3 color = 1  ///< linear colour
 ) {
@@ -119,7 +116,7 @@ float3 LinearToOkLab(
 /// test: OkLabToLinear(float3(1, 0, 0)) == float3(1, 1, 1) within 1e-4
 /// test: OkLabToLinear(float3(0.5, 0, 0)) == float3(0.125, 0.125, 0.125) within 1e-4
 /// test: OkLabToLinear(float3(0.729350082, -0.0967860628, 0.000134615619)) == float3(0.1, 0.5, 0.4) within 1e-4
-[node("Color/OkLab to Linear")]
+[node("Color/OkLab to Linear")] [inFloat]
 float3 OkLabToLinear(
     float3 lab = float3(1, 0, 0)  ///< lightness, a, b
 ) {

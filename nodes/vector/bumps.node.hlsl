@@ -22,7 +22,7 @@ float3 NormalStrengthUnity(
 /// formula: normalize(|d| n - strength sign(d) g), d = px . (py x n), g = hx (py x n) + hy (n x px); px, py, hx, hy:
 /// formula: derivatives of position and height on the screen
 /// source: Mikkelsen, "Bump Mapping Unparametrized Surfaces on the GPU", Journal of Graphics, GPU, and Game Tools, 2010
-[node("Vector/Normal/From Height")] [also("HeightToNormal", "Bump")]
+[node("Vector/Normal/From Height")] [also("HeightToNormal", "Bump")] [inFloat]
 float3 NormalFromHeight(
     float height = 0,                                ///< the height
     float strength = 0.01,                           ///< metres for a height of 1

@@ -77,3 +77,15 @@ float4 Swizzle(
     return float4(ComponentOf(value, first), ComponentOf(value, second), ComponentOf(value, third),
                   ComponentOf(value, fourth));
 }
+
+/// Changes the sign of the channels that are chosen.
+///
+/// test: Flip(float3(0.2, -0.4, 0.8)) == float3(-0.2, 0.4, -0.8)
+/// test: Flip(float4(0.2, 0.4, 0.8, 0.5), float4(1, 0, 1, 0)) == float4(-0.2, 0.4, -0.8, 0.5)
+[node("Vector/Flip")]
+floatN Flip(
+    floatN value = 0,                 ///< colour or vector
+    [range(0, 1)] floatN channels = 1  ///< for each channel 1 to change its sign, or 0
+) {
+    return channels > 0.5 ? -value : value;
+}

@@ -76,7 +76,7 @@ float SphereMask(
 /// test: FresnelEffect(float3(0, 0, 1), float3(0, 0, 1), 2) == 0
 /// test: FresnelEffect(float3(0, 0, 3), float3(0.8, 0, 0.6), 2) == 0.16
 /// test: FresnelEffect(float3(0, 0, 1), float3(0.6, 0, -0.8), 5) == 1
-[node("Vector/Fresnel Effect")] [also("Fresnel", "RimLight")] [range(0, 1)]
+[node("Vector/Fresnel Effect")] [also("RimLight", "Facing")] [range(0, 1)]
 float FresnelEffect(
     float3 normal = normalWS,        ///< normal, of any length but zero
     float3 viewDir = viewDirWS,      ///< unit direction to the viewer
