@@ -119,7 +119,6 @@ constexpr OtherName kOtherNames[] = {
     {"ifequal", "a == b ? x : y"},
     {"ramplr", "lerp(left, right, saturate(@uv0.x))"},
     {"ramptb", "lerp(top, bottom, saturate(@uv0.y))"},
-    {"hsvtorgb", "HsvToRgb"},
     {"splitlr", "@uv0.x < center ? left : right"},
     {"splittb", "@uv0.y < center ? top : bottom"},
     {"rotate3d", "RotateAboutAxis", "its angle is in radians"},
@@ -138,7 +137,6 @@ constexpr OtherName kOtherNames[] = {
     {"triplanarprojection", "",
      "no node projects from three sides: sample at the yz, xz and xy of '@positionWS', and weigh the samples with "
      "the squares of '@normalWS'"},
-    {"rgbtohsv", "RgbToHsv"},
     {"color3", "float3"},
     {"color4", "float4"},
     {"vector2", "float2"},

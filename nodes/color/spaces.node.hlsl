@@ -22,7 +22,7 @@ float3 HueAndRange(float3 color) {
 /// test: RgbToHsv(float3(0.8, 0.2, 0.5)) == float3(0.9166666666666666, 0.75, 0.8)
 /// test: RgbToHsv(float3(0.3, 0.3, 0.3)) == float3(0, 0, 0.3)
 /// test: RgbToHsv(float3(0, 0, 0)) == float3(0, 0, 0)
-[node("Color/RGB to HSV")]
+[node("Color/RGB to HSV")] [also("rgbtohsv", "rgb2hsv")]
 float3 RgbToHsv(
     [color] float3 color = 1  ///< red, green and blue
 ) {
@@ -38,7 +38,7 @@ float3 RgbToHsv(
 /// test: HsvToRgb(float3(1 / 3, 0.5, 0.5)) == float3(0.25, 0.5, 0.25)
 /// test: HsvToRgb(float3(0.9166666666666666, 0.75, 0.8)) == float3(0.8, 0.2, 0.5)
 /// test: HsvToRgb(float3(-0.5, 1, 2)) == float3(0, 2, 2)
-[node("Color/HSV to RGB")]
+[node("Color/HSV to RGB")] [also("hsvtorgb", "hsv2rgb")]
 float3 HsvToRgb(
     float3 hsv = float3(0, 1, 1)  ///< hue in turns, saturation, value
 ) {
