@@ -26,7 +26,7 @@ float SchlickWeight(
 /// test: FresnelSchlick(0.02, 0.1) == float3(0.5986802, 0.5986802, 0.5986802)
 /// test: FresnelSchlick(0.04, 1) == float3(0.04, 0.04, 0.04)
 /// test: FresnelSchlick(0.04, 0, 0.7) == float3(0.7, 0.7, 0.7)
-[node("Lighting/Fresnel/Schlick")] [also("Fresnel", "FresnelEffect", "FresnelTerm")] [range(0, 1)]
+[node("Lighting/Fresnel/Schlick")] [also("Fresnel", "FresnelTerm")] [range(0, 1)]
 float3 FresnelSchlick(
     [color] float3 f0 = 0.04,    ///< reflectance at normal incidence
     [range(0, 1)] float cosine,  ///< cosine of light and half vector

@@ -33,7 +33,7 @@ float2 LatticeFade(float2 t) {
 /// test: Random(float2(0, 0)) == 0.097231924533844
 /// test: Random(float2(3.5, 7.25)) == 0.2815369963645935
 /// test: Random(float2(-0.5, -1.5)) == 0.7766901254653931
-[node("Procedural/Random")] [also("CellNoise2D", "RandomRange", "WhiteNoise")]
+[node("Procedural/Random")] [also("CellNoise2D", "WhiteNoise")]
 float Random(
     float2 position = uv0,  ///< anywhere in the cell; cells are one unit wide and begin at whole numbers
     out float second        ///< another random number of the same cell

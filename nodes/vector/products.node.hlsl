@@ -82,7 +82,7 @@ float Distance(
 /// formula: incident - 2 (normal . incident) normal
 /// test: Reflect(float3(0.6, 0, -0.8), float3(0, 0, 1)) == float3(0.6, 0, 0.8)
 /// test: Reflect(float3(1, 2, 3), float3(0, 1, 0)) == float3(1, -2, 3)
-[node("Vector/Reflect")]
+[node("Vector/Reflect")] [also("Reflection")]
 float3 Reflect(
     float3 incident,           ///< towards the surface: for a view vector, its negative
     float3 normal = normalWS  ///< unit normal of the mirror

@@ -78,6 +78,59 @@ TEST_F(QuadsTest, DerivativesAreDifferencesWithinTheQuad) {
     });
 }
 
+// The nodes are the functions.
+TEST_F(QuadsTest, NodesOfDerivatives) {
+    const auto witnesses = all_witnesses(R"json({ "id": "p", "expr": "@fragCoord.xy" },
+        { "id": "right", "node": "DDX", "in": { "value": "= p.x * p.y" } },
+        { "id": "down", "node": "DDY", "in": { "value": "= p.x * p.y" } },
+        { "id": "both", "node": "DDXY", "in": { "value": "= float2(p.x * p.y, p.x - 2 * p.y)" } })json",
+                                         "float3(right, down, both.x)", "both.y", white());
+    expect_all(witnesses, 0, [](int column, int row) -> std::array<double, 4> {
+        const double x = column + 0.5, y = row + 0.5;
+        return {y, x, x + y, 3};
+    });
+}
+
+// --- normals
+
+// The screen is a plane that faces the camera. A height that grows by (a, b) for each metre to the right and up tilts
+// its normal by as much the other way; a metre is told in pixels by the derivative of the place.
+TEST_F(QuadsTest, NormalFromHeightLeansAgainstTheSlope) {
+    const auto witnesses = all_witnesses(R"json(
+        { "id": "right", "expr": "normalize(ddx(@positionWS))" }, { "id": "up", "expr": "-normalize(ddy(@positionWS))" },
+        { "id": "height", "expr": "dot(@positionWS, right) * 30 + dot(@positionWS, up) * 40" },
+        { "id": "world", "node": "NormalFromHeight", "in": { "height": "height", "space": "World" } },
+        { "id": "tangent", "node": "NormalFromHeight", "in": { "height": "height", "strength": 0.02 } },
+        { "id": "back", "expr": "NormalTangentToWorld(tangent)" })json",
+                                         "float3(dot(world, right), dot(world, up), dot(world, @geometryNormalWS))",
+                                         "dot(back, right)", white());
+    const double length = std::sqrt(1 + 0.3 * 0.3 + 0.4 * 0.4), doubled = std::sqrt(1 + 0.6 * 0.6 + 0.8 * 0.8);
+    expect_all(witnesses, 2e-3, [&](int, int) -> std::array<double, 4> {
+        return {-0.3 / length, -0.4 / length, 1 / length, -0.6 / doubled};
+    });
+}
+
+// Heights in a texture: h = u + 0.5 (1 - v) where the samples do not wrap, so each step of 0.1 * 0.5^3 upwards or to
+// the right grows by as much.
+TEST_F(QuadsTest, NormalFromTextureLeansAgainstTheSlope) {
+    constexpr int kHeights = 128;
+    TextureData data{.levels = {}, .sampler = {.wrap = Wrap::Repeat, .filter = Filter::Linear}};
+    Image heights = runtime::make_image(kHeights, kHeights);
+    for (int y = 0; y < kHeights; ++y)
+        for (int x = 0; x < kHeights; ++x)
+            heights.at(x, y)[0] = static_cast<float>((x + 0.5) / kHeights + 0.5 * (1 - (y + 0.5) / kHeights));
+    data.levels.push_back({.width = kHeights, .height = kHeights, .texels = heights.pixels});
+    const auto witnesses = all_witnesses(R"json(
+        { "id": "normal", "node": "NormalFromTexture",
+          "in": { "texture": "$_Data", "uv": "= @fragCoord.xy / 64 + 0.25", "offset": 0.5, "strength": 40 } })json",
+                                         "normal", "1", std::make_shared<const TextureData>(std::move(data)));
+    const double right = 40 * 0.0125, up = 0.5 * right, length = std::sqrt(1 + right * right + up * up);
+    // A filter of the GPU has 8 bits between texels: 1 / 256 of 1 / 128, times 40.
+    expect_all(witnesses, 4e-3, [&](int, int) -> std::array<double, 4> {
+        return {-right / length, -up / length, 1 / length, 1};
+    });
+}
+
 // --- mip levels
 
 constexpr int kTexels = 64, kLevels = 7;

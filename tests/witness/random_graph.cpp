@@ -137,6 +137,60 @@ constexpr Guard kGuards[] = {
     {"Reciprocal.value", "(abs(#) + 0.5)"},
     {"Modulo.divisor", "(abs(#) + 0.5)"},
     {"Log2.value", "(abs(#) + 0.5)"},
+    {"Log.value", "(abs(#) + 0.5)"},
+    {"Log10.value", "(abs(#) + 0.5)"},
+    {"ReciprocalSquareRoot.value", "(abs(#) + 0.5)"},
+    {"Remainder.divisor", "(abs(#) + 0.5)"},
+    {"Posterize.steps", "(abs(#) + 0.5)"},
+    {"Exponential2.exponent", "clamp(#, -4, 4)"},
+    {"HyperbolicSine.value", "clamp(#, -4, 4)"},
+    {"HyperbolicCosine.value", "clamp(#, -4, 4)"},
+    {"Projection.onto", "(abs(#) + 0.5)"},
+    {"Rejection.from", "(abs(#) + 0.5)"},
+    {"RotateAboutAxis.axis", "(abs(#) + 0.5)"},
+    {"FresnelEffect.normal", "(abs(#) + 0.5)"},
+    {"SphereMask.hardness", "clamp(#, 0, 0.75)"},
+    {"Transform.vector", "(abs(#) + 0.5)"},
+    {"ReplaceColor.fuzziness", "clamp(#, 0.25, 2)"},
+    {"ColorMask.fuzziness", "clamp(#, 0.25, 2)"},
+    {"BlendColors.base", "clamp(#, 0, 1)"},
+    {"BlendColors.blend", "clamp(#, 0.125, 0.875)"},
+    {"BlendUnity.base", "clamp(#, 0.125, 0.875)"},
+    {"BlendUnity.blend", "clamp(#, 0.125, 0.875)"},
+    // A grey has no hue, and near a grey it is anything.
+    {"RgbToHsv.color", "(clamp(#, 0, 1) + float3(1, 3, 5))"},
+    {"RgbToHsl.color", "(clamp(#, 0, 1) * 0.1 + float3(0.1, 0.4, 0.7))"},
+    {"Hue.color", "(clamp(#, 0, 1) + float3(1, 3, 5))"},
+    {"Hue.offset", "clamp(#, -4, 4)"},
+    {"HsvAdjust.color", "(clamp(#, 0, 1) + float3(1, 3, 5))"},
+    {"HsvAdjust.hue", "clamp(#, -4, 4)"},
+    {"HslToRgb.hsl", "clamp(#, 0, 1)"},
+    {"LinearToOkLab.color", "(clamp(#, 0, 4) + 0.125)"},
+    {"OkLabToLinear.lab", "clamp(#, 0, 1)"},
+    {"OkLabToOkLCh.lab", "(abs(#) + 0.5)"},
+    {"OkLChToOkLab.lch", "clamp(#, 0, 4)"},
+    {"ColorspaceConversion.color", "(clamp(#, 0, 1) * 0.1 + float3(0.1, 0.4, 0.7))"},
+    {"WhiteBalance.color", "clamp(#, 0, 2)"},
+    {"WhiteBalance.temperature", "clamp(#, -1, 1)"},
+    {"WhiteBalance.tint", "clamp(#, -1, 1)"},
+    {"HeightBlend.depth", "clamp(#, 0.25, 1)"},
+    // Keys in order.
+    {"ColorRamp.at0", "0"},
+    {"ColorRamp.at1", "1"},
+    {"ColorRamp.at2", "2"},
+    {"ColorRamp.at3", "3"},
+    {"ColorRamp.at4", "4"},
+    {"ColorRamp.at5", "5"},
+    {"ColorRamp.at6", "6"},
+    {"ColorRamp.at7", "7"},
+    {"ValueRamp.at0", "0"},
+    {"ValueRamp.at1", "1"},
+    {"ValueRamp.at2", "2"},
+    {"ValueRamp.at3", "3"},
+    {"ValueRamp.at4", "4"},
+    {"ValueRamp.at5", "5"},
+    {"ValueRamp.at6", "6"},
+    {"ValueRamp.at7", "7"},
     {"Power.base", "(abs(#) + 0.25)"},
     {"Power.exponent", "clamp(#, -2, 2)"},
     {"Exponential.exponent", "clamp(#, -4, 4)"},
@@ -280,7 +334,11 @@ public:
 private:
     static bool is_usable(const NodeInfo& node) {
         // A hash: its result has nothing to do with how near two inputs are.
-        if (node.name == "Random") return false;
+        if (node.name == "Random" || node.name == "RandomRange" || node.name == "NoiseSineWave") return false;
+        // A GPU's own approximation, far coarser than a float.
+        if (node.name == "ArcSine" || node.name == "ArcCosine") return false;
+        // Differences of computed values: their rounding would be all that is left. derivative_node draws exact ones.
+        if (node.category == "Math/Derivative" || node.name == "NormalFromHeight") return false;
         // What was drawn before: nothing, and not in the target that is drawn into.
         if (node.category == "Input/Scene" || node.name == "SceneThroughRoughSurface") return false;
         // Thousands of steps a pixel, on domains of their own.

@@ -3,6 +3,7 @@
 
 #include "compiler/cli/commands/commands.h"
 #include "compiler/cli/pages/library_json.h"
+#include "compiler/cli/pages/node_search.h"
 #include "compiler/cli/pages/pages.h"
 
 namespace patina::cli {
@@ -28,6 +29,7 @@ std::optional<NodeInfo> find_node(const Console& console, const Compiler& compil
         return file.ok ? std::optional(std::move(file.node)) : std::nullopt;
     }
     if (const NodeInfo* node = compiler.node(name)) return *node;
+    if (const NodeInfo* node = find_named(compiler.nodes(), name)) return *node;
     std::string advice = compiler.node_advice(name);
     advice = "; " + (advice.empty() ? "'patina nodes' lists them" : advice);
     if (is_model(compiler, name)) advice = ", but a lighting model: 'patina model " + name + "' shows it";
@@ -39,17 +41,22 @@ Exit show_node(const Console& console, const Arguments& arguments) {
     const Compiler compiler;
     const std::optional<NodeInfo> node = find_node(console, compiler, arguments.name);
     if (!node) return Exit::Wrong;
-    print(arguments.json ? to_json(*node) : to_terminal(console, node_page(*node, arguments.name)));
+    const bool is_file = arguments.name.ends_with(".hlsl");
+    print(arguments.json ? to_json(*node)
+                         : to_terminal(console, node_page(*node, is_file ? arguments.name : node->name)));
     return Exit::Ok;
 }
 
 }  // namespace
 
 void add_node(Program& program) {
-    CLI::App& command = add_command(
-        program, "node", {"patina node Lerp", "patina node DistributionGGX --json", "patina node wave.node.hlsl"});
+    CLI::App& command = add_command(program, "node",
+                                    {"patina node Lerp", "patina node \"Sample Texture 2D\"",
+                                     "patina node DistributionGGX --json", "patina node wave.node.hlsl"});
     auto arguments = std::make_shared<Arguments>();
-    command.add_option("NAME", arguments->name, "A node of the library, or the file of one (.node.hlsl)")
+    command
+        .add_option("NAME", arguments->name,
+                    "A node of the library, also by its name in another program, or the file of one (.node.hlsl)")
         ->required()
         ->type_name(" ");
     command.add_flag("--json", arguments->json, "Print it as JSON");

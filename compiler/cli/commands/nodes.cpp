@@ -6,13 +6,14 @@
 
 #include "compiler/cli/commands/commands.h"
 #include "compiler/cli/pages/library_json.h"
+#include "compiler/cli/pages/node_search.h"
 #include "compiler/cli/pages/page.h"
 
 namespace patina::cli {
 namespace {
 
 struct Arguments {
-    std::string category;
+    std::string category, words;
     bool json = false;
 };
 
@@ -57,8 +58,26 @@ void print_table(const Console& console, std::span<const NodeInfo* const> nodes)
     }
 }
 
+Exit print_found(const Console& console, const Compiler& compiler, const Arguments& arguments) {
+    std::vector<const NodeInfo*> found = search_nodes(compiler.nodes(), arguments.words);
+    std::erase_if(found, [&](const NodeInfo* node) { return !is_within(node->category, arguments.category); });
+    if (found.empty()) {
+        complain(console, Complaint::UnknownNode, {arguments.words, "; 'patina nodes' lists them"});
+        return Exit::Wrong;
+    }
+    if (arguments.json) {
+        print(to_json(found));
+        return Exit::Ok;
+    }
+    std::size_t width = 0;
+    for (const NodeInfo* node : found) width = std::max(width, node->name.size());
+    for (const NodeInfo* node : found) print(fmt::format("{:<{}}  {}\n", node->name, width, first_sentence(node->doc)));
+    return Exit::Ok;
+}
+
 Exit list_nodes(const Console& console, const Arguments& arguments) {
     const Compiler compiler;
+    if (!arguments.words.empty()) return print_found(console, compiler, arguments);
     std::vector<const NodeInfo*> nodes;
     for (const NodeInfo& node : compiler.nodes()) {
         if (is_within(node.category, arguments.category)) nodes.push_back(&node);
@@ -75,11 +94,16 @@ Exit list_nodes(const Console& console, const Arguments& arguments) {
 }  // namespace
 
 void add_nodes(Program& program) {
-    CLI::App& command =
-        add_command(program, "nodes", {"patina nodes", "patina nodes --category lighting", "patina nodes --json"});
+    CLI::App& command = add_command(program, "nodes",
+                                    {"patina nodes", "patina nodes --search \"round corners\"",
+                                     "patina nodes --category lighting", "patina nodes --json"});
     auto arguments = std::make_shared<Arguments>();
     command.add_option("-c,--category", arguments->category, "List only this category and those inside it")
         ->type_name("CATEGORY");
+    command
+        .add_option("-s,--search", arguments->words,
+                    "List the nodes whose names and texts have these words, the best first")
+        ->type_name("WORDS");
     command.add_flag("--json", arguments->json, "Print everything about each node as JSON");
     set_work(program, command, [arguments](const Console& console) { return list_nodes(console, *arguments); });
 }
