@@ -129,7 +129,6 @@ TEST(OtherNames, LeadToWhatTheyMean) {
         // Shader Graph
         {"NormalVector", "'Normal'"},
         {"Normal Vector", "'Normal'"},
-        {"ScreenPosition", "'ScreenUV'"},
         {"Posterize", "'floor(x * n) / n'"},
         // GLSL and HLSL
         {"faceforward", "'dot(i, g) < 0 ? n : -n'"},
