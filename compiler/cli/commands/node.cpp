@@ -1,4 +1,5 @@
 // patina node NAME: the manual page of one node.
+#include <algorithm>
 #include <memory>
 
 #include "compiler/cli/commands/commands.h"
@@ -20,6 +21,31 @@ bool is_model(const Compiler& compiler, const std::string& name) {
     return false;
 }
 
+// "Sample Texture 2D", "sample_texture_2d" and SampleTexture2D are one name to a person who looks for it.
+std::string squeezed(std::string_view text) {
+    std::string result;
+    for (const char c : text) {
+        if (c >= 'A' && c <= 'Z') {
+            result += static_cast<char>(c - 'A' + 'a');
+        } else if (c != ' ' && c != '_' && c != '-') {
+            result += c;
+        }
+    }
+    return result;
+}
+
+// A node by its name as it is spelled, or as another program calls it; a graph needs the node's own name.
+const NodeInfo* looked_for(const Compiler& compiler, const std::string& name) {
+    const auto is_meant = [wanted = squeezed(name)](const std::string& own) { return squeezed(own) == wanted; };
+    for (const NodeInfo& node : compiler.nodes()) {
+        if (is_meant(node.name)) return &node;
+    }
+    for (const NodeInfo& node : compiler.nodes()) {
+        if (std::ranges::any_of(node.also, is_meant)) return &node;
+    }
+    return nullptr;
+}
+
 // A node of the library or of a user's file; nothing after a message.
 std::optional<NodeInfo> find_node(const Console& console, const Compiler& compiler, const std::string& name) {
     if (name.ends_with(".hlsl")) {
@@ -28,6 +54,7 @@ std::optional<NodeInfo> find_node(const Console& console, const Compiler& compil
         return file.ok ? std::optional(std::move(file.node)) : std::nullopt;
     }
     if (const NodeInfo* node = compiler.node(name)) return *node;
+    if (const NodeInfo* node = looked_for(compiler, name)) return *node;
     std::string advice = compiler.node_advice(name);
     advice = "; " + (advice.empty() ? "'patina nodes' lists them" : advice);
     if (is_model(compiler, name)) advice = ", but a lighting model: 'patina model " + name + "' shows it";
@@ -46,10 +73,14 @@ Exit show_node(const Console& console, const Arguments& arguments) {
 }  // namespace
 
 void add_node(Program& program) {
-    CLI::App& command = add_command(
-        program, "node", {"patina node Lerp", "patina node DistributionGGX --json", "patina node wave.node.hlsl"});
+    CLI::App& command = add_command(program, "node",
+                                    {"patina node Lerp", "patina node \"Sample Texture 2D\"",
+                                     "patina node DistributionGGX --json", "patina node wave.node.hlsl"});
     auto arguments = std::make_shared<Arguments>();
-    command.add_option("NAME", arguments->name, "A node of the library, or the file of one (.node.hlsl)")
+    command
+        .add_option("NAME", arguments->name,
+                    "A node of the library, by its name or one that it has in another program, or the file of a node "
+                    "(.node.hlsl)")
         ->required()
         ->type_name(" ");
     command.add_flag("--json", arguments->json, "Print it as JSON");
