@@ -21,7 +21,7 @@ float Time(
 /// The position of this pixel on the screen: (0, 0) is the upper left corner, (1, 1) the lower right one.
 ///
 /// test: ScreenUV(float2(0.25, 0.75)) == float2(0.25, 0.75)
-[node("Input/Screen UV")] [also("ScreenPosition")]
+[node("Input/Screen UV")]
 float2 ScreenUV(
     [hidden] float2 position = screenUV  ///< position of the pixel
 ) {
@@ -41,7 +41,7 @@ float3 CameraPosition(
 /// The position of the object's origin in world space. It differs for each copy, so it can seed variations.
 ///
 /// test: ObjectPosition(float3(1, 2, 3)) == float3(1, 2, 3)
-[node("Input/Object Position")]
+[node("Input/Object Position")] [also("Object", "ObjectPivot")]
 float3 ObjectPosition(
     [hidden] [unit("m")] float3 position = objectPositionWS  ///< the object's origin
 ) {

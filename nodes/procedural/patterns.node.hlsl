@@ -6,7 +6,7 @@
 /// test: Checker(float2(0.3, 0.1), 4) == 1
 /// test: Checker(float2(-0.1, 0.1), 4) == 1
 /// test: Checker(float2(0.9, 0.6), float2(2, 4)) == 1
-[node("Procedural/Checker")] [also("Checkerboard")]
+[node("Procedural/Pattern/Checker")]
 float Checker(
     float2 uv = uv0,      ///< texture coordinates
     float2 frequency = 4  ///< squares in one unit of u and v
@@ -23,7 +23,7 @@ float Checker(
 /// test: Bricks(float2(0.265, 0.0625), float2(4, 8), 0.5, 0.01, 0.01) == 0.5
 /// test: Bricks(float2(0.25, 0.1875), float2(4, 8)).local == float2(0.5, 0.5)
 /// test: Bricks(float2(0.125, 0.0625), float2(4, 8)).random == 0.097231924533844
-[node("Procedural/Bricks")]
+[node("Procedural/Pattern/Bricks")]
 float Bricks(
     float2 uv = uv0,                      ///< texture coordinates
     float2 count = float2(4, 8),          ///< bricks in one unit of u and v
@@ -53,7 +53,7 @@ float Bricks(
 /// test: Voronoi(float2(0.25, -0.25), 2, 0) == 0
 /// test: Voronoi(float2(0.25, 0.25), 2, 0).random == 0.097231924533844
 /// test: Voronoi(float2(0.3, 0.6), 4, 1) == 0.3980660311555204
-[node("Procedural/Voronoi")] [also("WorleyNoise2D", "WorleyNoise", "Worley")]
+[node("Procedural/Noise/Voronoi")] [also("WorleyNoise2D", "WorleyNoise")]
 float Voronoi(
     float2 uv = uv0,                  ///< texture coordinates
     [range(0, 100)] float scale = 8,  ///< cells in one unit of uv

@@ -42,3 +42,17 @@ float4 blendedInFog(float3 color, float alpha, float3 position) {
     if (fog && multiplies) { return float4(lerp(float3(1), color, fogVisibility(position)), covered); }
     return float4(inFog(color, position), covered);
 }
+
+/// The fog at a point: its colour, and how much of it covers a surface there. Without fog, both are zero.
+///
+/// The passes add fog by themselves: this node is for materials that do more with it.
+[node("Input/Scene/Fog")] [also("FogColor", "FogDensity")]
+float3 Fog(
+    [unit("m")] float3 position = positionWS,  ///< the point, in world space
+    out float density                          ///< the share of fog: 0 none, 1 nothing else is seen
+) {
+    density = 0;
+    if (!fog) { return float3(0); }
+    density = 1 - fogVisibility(position);
+    return fogColor.rgb;
+}

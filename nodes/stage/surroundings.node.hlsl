@@ -46,7 +46,7 @@ const float ENVIRONMENT_STEPS = 5;  // level of the map for a roughness of 1
 /// Ambient irradiance divided by pi: a diffuse colour times it is radiance.
 ///
 /// source: Ramamoorthi & Hanrahan, "An Efficient Representation for Irradiance Environment Maps", SIGGRAPH 2001
-[node("Lighting/Ambient/Ambient Irradiance")] [also("ShadeSH9")] [extern]
+[node("Lighting/Ambient/Ambient Irradiance")] [also("ShadeSH9", "BakedGI")] [extern]
 float3 AmbientIrradiance(
     float3 normal = normalWS  ///< unit normal in world space
 ) {

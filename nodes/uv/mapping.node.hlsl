@@ -53,18 +53,30 @@ float2 PolarCoordinates(
     return float2(radius * radialScale, turns * angularScale);
 }
 
+/// Where the first frame of a flip-book is; the others follow along its row, and then row by row.
+enum FlipbookOrder {
+    FromUpperLeft,   ///< as text is read
+    FromUpperRight,  ///< rows run to the left
+    FromLowerLeft,   ///< rows follow one another upwards
+    FromLowerRight   ///< both
+};
+
 /// The texture coordinates of one frame of a flip-book: frames lie in rows, the first at the upper left.
 ///
 /// test: Flipbook(float2(0.5, 0.5), 4, 2, 0) == float2(0.125, 0.25)
 /// test: Flipbook(float2(0, 0), 4, 2, 5) == float2(0.25, 0.5)
 /// test: Flipbook(float2(0, 0), 4, 2, 9.75) == float2(0.25, 0)
 /// test: Flipbook(float2(0, 0), 4, 2, -1) == float2(0.75, 0.5)
-[node("UV/Flipbook")]
+/// test: Flipbook(float2(0, 0), 4, 2, 5, FromUpperRight) == float2(0.5, 0.5)
+/// test: Flipbook(float2(0, 0), 4, 2, 5, FromLowerLeft) == float2(0.25, 0)
+/// test: Flipbook(float2(0.5, 0.5), 4, 2, 0, FromLowerRight) == float2(0.875, 0.75)
+[node("UV/Flipbook")] [also("SpriteSheet", "SubUV")]
 float2 Flipbook(
     float2 uv = uv0,                   ///< texture coordinates within the frame
     [range(1, 64)] float columns = 4,  ///< frames in a row, a whole number
     [range(1, 64)] float rows = 4,     ///< rows, a whole number
-    float frame = 0                    ///< which frame, from 0; a fraction is dropped, and the first follows the last
+    float frame = 0,                   ///< which frame, from 0; a fraction is dropped, and the first follows the last
+    const FlipbookOrder order = FromUpperLeft  ///< where the first frame is
 ) {
     // Half a frame is added so that rounding cannot move a whole quotient just below its value.
     float whole = floor(frame);
@@ -72,5 +84,7 @@ float2 Flipbook(
     float index = whole - count * floor((whole + 0.5) / count);
     float row = floor((index + 0.5) / columns);
     float column = index - row * columns;
+    if (order == FromUpperRight || order == FromLowerRight) { column = columns - 1 - column; }
+    if (order == FromLowerLeft || order == FromLowerRight) { row = rows - 1 - row; }
     return (uv + float2(column, row)) / float2(columns, rows);
 }

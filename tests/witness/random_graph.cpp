@@ -217,6 +217,25 @@ constexpr Guard kGuards[] = {
     {"Flipbook.columns", "4"},
     {"Flipbook.rows", "2"},
     {"FractalNoise.gain", "0.5"},
+    {"FractalNoiseTiled.gain", "0.5"},
+    {"PolarCoordinatesUnity.uv", "(abs(#) + 5)"},
+    {"PolarCoordinatesUnity.center", "clamp(#, -4, 4)"},
+    {"TriplanarWeights.normal", "(abs(#) + 0.5)"},
+    {"SdfPolygon.uv", "(abs(#) + 5)"},
+    {"SdfPolygon.center", "clamp(#, -4, 4)"},
+    {"SdfPolygon.sides", "5"},
+    {"SdfStar.uv", "(abs(#) + 5)"},
+    {"SdfStar.center", "clamp(#, -4, 4)"},
+    {"SdfStar.points", "5"},
+    {"BlackbodyUnity.temperature", "(abs(#) * 100 + 2000)"},
+    {"Blackbody.temperature", "(abs(#) * 100 + 2000)"},
+    {"LevelOfTexels.right", "(abs(#) + 0.5)"},
+    {"WarpedNoise.strength", "clamp(#, 0, 1)"},
+    {"Twirl.strength", "clamp(#, -1, 1)"},
+    {"Spherize.uv", "clamp(#, -2, 2)"},
+    {"Spherize.center", "clamp(#, -2, 2)"},
+    {"RadialShear.uv", "clamp(#, -2, 2)"},
+    {"RadialShear.center", "clamp(#, -2, 2)"},
     {"FractalNoise.lacunarity", "2"},
     // An exponential or a power must not be so small that some processors flush it to zero.
     {"DistributionBeckmann.ndoth", "clamp(#, 0.5, 1)"},
@@ -339,6 +358,10 @@ private:
         if (node.name == "ArcSine" || node.name == "ArcCosine") return false;
         // Differences of computed values: their rounding would be all that is left. derivative_node draws exact ones.
         if (node.category == "Math/Derivative" || node.name == "NormalFromHeight") return false;
+        // The hash of a sine; and the number of the nearest point, which jumps where two are as near.
+        if (node.name == "SimpleNoise" || node.name == "VoronoiUnity" || node.name == "Worley") return false;
+        // Edges one pixel wide, of what changes by much more from pixel to pixel.
+        if (node.category == "Procedural/Shape" || node.name == "SdfMask" || node.name == "Checkerboard") return false;
         // What was drawn before: nothing, and not in the target that is drawn into.
         if (node.category == "Input/Scene" || node.name == "SceneThroughRoughSurface") return false;
         // Thousands of steps a pixel, on domains of their own.

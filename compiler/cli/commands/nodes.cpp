@@ -62,7 +62,7 @@ Exit print_found(const Console& console, const Compiler& compiler, const Argumen
     std::vector<const NodeInfo*> found = search_nodes(compiler.nodes(), arguments.words);
     std::erase_if(found, [&](const NodeInfo* node) { return !is_within(node->category, arguments.category); });
     if (found.empty()) {
-        complain(console, Complaint::UnknownNode, {arguments.words, "; 'patina nodes' lists them"});
+        complain(console, Complaint::UnknownNode, {arguments.words, "; none has all of these words: try fewer"});
         return Exit::Wrong;
     }
     if (arguments.json) {

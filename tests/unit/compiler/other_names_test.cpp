@@ -132,7 +132,6 @@ TEST(OtherNames, LeadToWhatTheyMean) {
         // Shader Graph
         {"NormalVector", "'Normal'"},
         {"Normal Vector", "'Normal'"},
-        {"ScreenPosition", "'ScreenUV'"},
         {"Blend", "'BlendColors'"},
         {"Reflection", "'Reflect'"},
         {"Sample Gradient", "'ColorRamp'"},
