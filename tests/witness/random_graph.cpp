@@ -364,6 +364,8 @@ private:
         if (node.category == "Procedural/Shape" || node.name == "SdfMask" || node.name == "Checkerboard") return false;
         // What was drawn before: nothing, and not in the target that is drawn into.
         if (node.category == "Input/Scene" || node.name == "SceneThroughRoughSurface") return false;
+        // Reads the environment's texture between its levels, where a GPU has its own precision.
+        if (node.name == "ReflectionProbe") return false;
         // Thousands of steps a pixel, on domains of their own.
         if (node.name == "SplitSumIntegral") return false;
         return std::all_of(node.ports.begin(), node.ports.end(), [&](const PortInfo& port) {
