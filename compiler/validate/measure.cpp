@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 
 #include "compiler/validate/compile.h"
@@ -120,8 +121,13 @@ std::vector<MeasuredPass> measure(const Result& compiled) {
     return made;
 }
 
-bool all_measured(std::span<const MeasuredPass> passes) {
-    return std::ranges::all_of(passes, [](const MeasuredPass& pass) { return pass.vertex.ok && pass.fragment.ok; });
+std::vector<Diagnostic> refusals(const Result& compiled, std::span<const MeasuredPass> passes) {
+    std::vector<Diagnostic> made;
+    if (std::ranges::all_of(passes, [](const MeasuredPass& pass) { return pass.vertex.ok && pass.fragment.ok; }))
+        return made;
+    for (const Shader& shader : compiled.shaders)
+        std::ranges::move(validate(shader).diagnostics, std::back_inserter(made));
+    return made;
 }
 
 StageCost measure(const Shader& shader) {

@@ -4,7 +4,6 @@
 #include <iterator>
 
 #include "compiler/cli/files.h"
-#include "patina/cost.h"
 #include "patina/output_name.h"
 #include "patina/validate.h"
 
@@ -22,18 +21,15 @@ std::string spirv_name(const Shader& shader) {
     return shader.file_name.substr(0, shader.file_name.rfind('.')) + kSpirvEnding;
 }
 
-// Into the reflection. False: glslang refuses a shader, and the diagnostics say why.
-bool add_costs(Result& result) {
-    const std::vector<MeasuredPass> passes = measure(result);
-    for (const MeasuredPass& measured : passes)
-        for (Pass& pass : result.reflection.passes)
+// Into the reflection. If glslang refuses a stage, that is an error.
+void add_costs(Compiled& made) {
+    measure_once(made);
+    for (const MeasuredPass& measured : *made.costs)
+        for (Pass& pass : made.result.reflection.passes)
             if (pass.name == measured.name) pass.cost = measured.cost;
-    if (all_measured(passes)) return true;
-    for (const Shader& shader : result.shaders) {
-        const std::vector<Diagnostic> why = validate(shader).diagnostics;
-        result.diagnostics.insert(result.diagnostics.end(), why.begin(), why.end());
-    }
-    return false;
+    std::vector<Diagnostic> refused = refusals(made.result, *made.costs);
+    made.ok = refused.empty();
+    std::ranges::move(refused, std::back_inserter(made.result.diagnostics));
 }
 
 }  // namespace
@@ -70,6 +66,10 @@ void list_files(Reflection& reflection, const Shader& shader, std::string_view c
     }
 }
 
+void measure_once(Compiled& made) {
+    if (made.ok && !made.costs) made.costs = measure(made.result);
+}
+
 std::string folder_of(const CompileArguments& arguments, const Input& input) {
     return join_path(arguments.folder, input.folder);
 }
@@ -85,7 +85,7 @@ Compiled compile_graph(const CompileArguments& arguments, const Compiler& compil
         list_files(made.result.reflection, shader, shader.file_name, names_of(files));
         std::ranges::move(files.files, std::back_inserter(made.files.files));
     }
-    if (arguments.cost) made.ok &= add_costs(made.result);
+    if (made.ok && arguments.cost) add_costs(made);
     made.reflection = join_path(folder, output_name(input.path) + arguments.kind + ".reflect.json");
     made.files.add(made.reflection, made.result.reflection.to_json());
     return made;

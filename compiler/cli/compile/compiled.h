@@ -5,12 +5,14 @@
 //   if (made.ok) outputs.write(input.path, made.files, made.result.dependencies);
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "compiler/cli/compile/arguments.h"
 #include "compiler/cli/outputs.h"
+#include "patina/cost.h"
 
 namespace patina::cli {
 
@@ -18,8 +20,13 @@ struct Compiled {
     Result result{};
     std::string reflection{};  // the path of its file
     OutputFiles files{};
+    std::optional<std::vector<MeasuredPass>> costs{};  // nothing: nobody has asked yet
     bool ok = false;
 };
+
+// Measures what the passes cost, which takes glslang some time. Only stages in GLSL or HLSL of the default engine have
+// a cost.
+void measure_once(Compiled& made);
 
 // Any number of threads may do so with one compiler.
 Compiled compile_graph(const CompileArguments& arguments, const Compiler& compiler, const Input& input);

@@ -1,10 +1,9 @@
-// patina cost: what the passes of graphs cost, and what each node adds.
+// patina cost: measures the shaders of graphs, pass by pass, and the share of each node.
 #include <memory>
 
 #include "compiler/cli/commands/commands.h"
 #include "compiler/cli/cost/report.h"
 #include "compiler/cli/inputs.h"
-#include "patina/validate.h"
 
 namespace patina::cli {
 namespace {
@@ -25,6 +24,7 @@ struct Measured {
 Measured measure_graph(const Compiler& compiler, const Arguments& arguments, const std::string& graph) {
     CompileOptions options;
     options.targets = {Target::Glsl};
+    options.accept_parts = true;
     options.include_dirs = arguments.include_dirs;
     options.request = CompileOptions::Passes{.path = arguments.path.path};
     options.switches = arguments.path.switches();
@@ -32,12 +32,9 @@ Measured measure_graph(const Compiler& compiler, const Arguments& arguments, con
     Measured made{.report = {.graph = graph}, .diagnostics = result.diagnostics, .ok = result.ok};
     if (!result.ok) return made;
     made.report.passes = measure(result);
-    if (all_measured(made.report.passes)) return made;
-    made.ok = false;
-    for (const Shader& shader : result.shaders) {
-        const std::vector<Diagnostic> why = validate(shader).diagnostics;
-        made.diagnostics.insert(made.diagnostics.end(), why.begin(), why.end());
-    }
+    const std::vector<Diagnostic> refused = refusals(result, made.report.passes);
+    made.ok = refused.empty();
+    made.diagnostics.insert(made.diagnostics.end(), refused.begin(), refused.end());
     return made;
 }
 
@@ -49,7 +46,7 @@ void add_cost(Program& program) {
         {"patina cost rust.graph.json", "patina cost art --path all", "patina cost rust.graph.json --json > cost.json",
          "patina check rust.graph.json --max-instructions 400   # fails if it costs more"});
     auto arguments = std::make_shared<Arguments>();
-    add_input_options(command, arguments->inputs, "Material graphs (JSON)");
+    add_input_options(command, arguments->inputs, "Graphs (JSON)");
     command.add_flag("--json", arguments->json, "Print it as JSON");
     add_path_options(command, arguments->path);
     add_include_option(command, arguments->include_dirs);

@@ -1,4 +1,4 @@
-// The room `cli/cost` is `patina cost`: what the passes of graphs cost, as tables to read or as JSON.
+// The room `cli/cost` is the command `patina cost`. This file turns what was measured into tables or JSON.
 //
 //   CostReport report = {.graph = input.path, .passes = measure(compiled)};
 //   print(report_text(report, console));

@@ -28,9 +28,9 @@ const Shader* shader_of(const Compiled& made, std::string_view path) {
     return found == made.result.shaders.end() ? nullptr : &*found;
 }
 
-std::optional<CostCounts> cost_of(const Version& version, const Shader& shader) {
-    if (!version.costs || shader.target != Target::Glsl) return {};
-    for (const MeasuredPass& pass : *version.costs) {
+std::optional<CostCounts> cost_of(const Compiled& made, const Shader& shader) {
+    if (!made.costs || shader.target != Target::Glsl) return {};
+    for (const MeasuredPass& pass : *made.costs) {
         if (pass.name == shader.pass)
             return (shader.stage == Stage::Vertex ? pass.cost.vertex : pass.cost.fragment).total();
     }
@@ -38,7 +38,7 @@ std::optional<CostCounts> cost_of(const Version& version, const Shader& shader) 
 }
 
 // ", 212 -> 215 instructions, 3 -> 4 texture reads", or nothing if that is not known.
-std::string cost_text(const Version& before, const Version& after, const Shader& shader) {
+std::string cost_text(const Compiled& before, const Compiled& after, const Shader& shader) {
     const std::optional<CostCounts> was = cost_of(before, shader), is = cost_of(after, shader);
     if (!is) return {};
     const CostCounts old = was.value_or(*is);
@@ -71,16 +71,12 @@ void add_lines(const std::vector<DiffLine>& diff, std::vector<std::string>& line
 
 }  // namespace
 
-void count_costs(Version& version) {
-    if (version.made.ok && !version.costs) version.costs = measure(version.made.result);
-}
-
-std::vector<std::string> changes_of(const Version& before, const Version& after, const Target& shown) {
+std::vector<std::string> changes_of(const Compiled& before, const Compiled& after, const Target& shown) {
     std::vector<std::string> lines;
-    for (const OutputFile& file : after.made.files.files) {
-        const OutputFile* old = find(before.made, file.path);
+    for (const OutputFile& file : after.files.files) {
+        const OutputFile* old = find(before, file.path);
         if (old && old->bytes == file.bytes) continue;
-        const Shader* shader = shader_of(after.made, file.path);
+        const Shader* shader = shader_of(after, file.path);
         if (!old || !shader) {
             lines.push_back(file.path + (old ? "  differs" : "  is new"));
             continue;
@@ -91,8 +87,8 @@ std::vector<std::string> changes_of(const Version& before, const Version& after,
                                     count(DiffLine::Kind::Removed), cost_text(before, after, *shader)));
         if (shader->target == shown) add_lines(diff, lines);
     }
-    for (const OutputFile& file : before.made.files.files)
-        if (!find(after.made, file.path)) lines.push_back(file.path + "  is not made any more");
+    for (const OutputFile& file : before.files.files)
+        if (!find(after, file.path)) lines.push_back(file.path + "  is not made any more");
     return lines;
 }
 

@@ -8,26 +8,15 @@
 //      41  +    float rough = 0.25 * mask;
 #pragma once
 
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "compiler/cli/compile/compiled.h"
-#include "patina/cost.h"
 
 namespace patina::cli {
 
-// A compiled graph, and what its passes cost once somebody has asked.
-struct Version {
-    Compiled made{};
-    std::optional<std::vector<MeasuredPass>> costs{};
-};
-
-// Counts the instructions, which takes glslang some time. Of GLSL: without it, nothing is known.
-void count_costs(Version& version);
-
 // Empty if the files are the same. `shown`: the target whose lines are shown; others say the same in other words.
-std::vector<std::string> changes_of(const Version& before, const Version& after, const Target& shown);
+std::vector<std::string> changes_of(const Compiled& before, const Compiled& after, const Target& shown);
 
 }  // namespace patina::cli

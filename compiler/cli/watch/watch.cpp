@@ -103,19 +103,19 @@ void Watch::choose_subject(const std::vector<Input>& due) {
 }
 
 Watch::Made Watch::make(const Input& input, bool counts_costs) const {
-    if (is_scene(input.path)) return {.version = {.made = {.ok = true}}};  // which is drawn, and has no files
+    if (is_scene(input.path)) return {.compiled = {.ok = true}};  // which is drawn, and has no files
     const auto begin = std::chrono::system_clock::now();
-    Made made{.version = {.made = compile_graph(arguments_.compile, compiler_, input)}};
-    std::vector<std::string>& files = made.version.made.result.dependencies;
+    Made made{.compiled = compile_graph(arguments_.compile, compiler_, input)};
+    std::vector<std::string>& files = made.compiled.result.dependencies;
     files.push_back(input.path);
     made.stamps = stamps_of(files, begin);
-    if (counts_costs) count_costs(made.version);
+    if (counts_costs) measure_once(made.compiled);
     return made;
 }
 
 Exit Watch::finish(const Input& input, Made& made, bool shows_changes) {
     Graph& graph = graphs_.at(input.path);
-    Compiled& now = made.version.made;
+    Compiled& now = made.compiled;
     const std::string messages = text_of(now.result.diagnostics);
     const bool was_unsure =
         std::ranges::any_of(graph.task.stamps, [](const auto& each) { return each.second.is_unsure; });
@@ -126,18 +126,18 @@ Exit Watch::finish(const Input& input, Made& made, bool shows_changes) {
     }
     if (!now.ok || is_scene(input.path)) return Exit::Ok;
     std::vector<std::string> changes;
-    if (graph.version && shows_changes) {
-        count_costs(*graph.version);
-        changes = changes_of(*graph.version, made.version, shown_target(arguments_.compile));
+    if (graph.compiled && shows_changes) {
+        measure_once(*graph.compiled);
+        changes = changes_of(*graph.compiled, made.compiled, shown_target(arguments_.compile));
     }
     Outputs outputs(console_);
     if (!outputs.write(input.path, now.files, now.result.dependencies)) return Exit::Ok;  // with the next change
     if (!is_first_ && !(was_unsure && changes.empty())) {
-        tell(input.path, input.path + (graph.version && shows_changes && changes.empty() ? ": the files are the same"
-                                                                                         : ": compiled"));
+        tell(input.path, input.path + (graph.compiled && shows_changes && changes.empty() ? ": the files are the same"
+                                                                                          : ": compiled"));
         for (const std::string& line : changes) tell(input.path, "  " + line);
     }
-    graph.version = std::move(made.version);
+    graph.compiled = std::move(made.compiled);
     return Exit::Ok;
 }
 

@@ -53,10 +53,10 @@ private:
     struct Graph {
         Input input{};
         Task task{};
-        std::optional<Version> version{};  // the last one without mistakes
+        std::optional<Compiled> compiled{};  // the last one without mistakes
     };
     struct Made {
-        Version version{};
+        Compiled compiled{};
         Stamps stamps{};
     };
 

@@ -14,8 +14,8 @@ namespace patina {
 
 // What a part of a material adds to a stage. The shares of a stage sum to its cost.
 struct CostShare {
-    // Node: a node of the graph, with what its sub-graph adds. Surface: what is written at the surface inputs.
-    // Lighting: the workflow and the lighting model. Pass: all else.
+    // Node: one node of the graph; if it is a sub-graph, with all nodes in it. Surface: expressions at the inputs of
+    // the surface, which belong to no node. Lighting: the workflow and the lighting model. Pass: everything else.
     enum class Part { Node, Surface, Lighting, Pass };
     Part part = Part::Pass;          // which of them it is
     std::string node{};              // the id of the node
@@ -26,8 +26,8 @@ struct CostShare {
 struct MeasuredStage {
     bool ok = false;   // glslang accepts it; else all is zero
     StageCost cost{};  // of the stage
-    std::vector<CostShare>
-        shares{};  // the graph's nodes in its order, also those that add nothing; then the other parts
+    // The graph's nodes in its order, also those that add nothing; then the other parts.
+    std::vector<CostShare> shares{};
 };
 
 // A pass that was measured.
@@ -41,8 +41,8 @@ struct MeasuredPass {
 // passes; none if neither is there.
 std::vector<MeasuredPass> measure(const Result& compiled);
 
-// True if glslang accepts all stages. If not, validate() says why.
-bool all_measured(std::span<const MeasuredPass> passes);
+// Why glslang refuses stages; empty if all passes were measured. `passes`: what measure() made of `compiled`.
+std::vector<Diagnostic> refusals(const Result& compiled, std::span<const MeasuredPass> passes);
 
 // One stage of a pass, whatever made it.
 StageCost measure(const Shader& shader);
