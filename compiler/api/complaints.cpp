@@ -3,22 +3,20 @@
 #include <fmt/args.h>
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 
 namespace patina {
 namespace {
 
-struct Row {
-    std::string_view code, message;
-};
 constexpr std::array kRows = {
-#define COMPLAINT(name, code, message) Row{code, message},
+#define COMPLAINT(name, code, message) ComplaintInfo{code, message, false},
+#define CHECK_COMPLAINT(name, code, message) ComplaintInfo{code, message, true},
 #include "patina/complaints.def"
+#undef CHECK_COMPLAINT
 #undef COMPLAINT
 };
 
-const Row& row_of(Complaint what) {
+const ComplaintInfo& row_of(Complaint what) {
     return kRows[static_cast<std::size_t>(what)];
 }
 
@@ -37,12 +35,8 @@ Diagnostic complaint(Complaint what, std::initializer_list<std::string_view> wor
     return made;
 }
 
-std::vector<std::string_view> complaint_codes() {
-    std::vector<std::string_view> codes;
-    for (const Row& row : kRows) {
-        if (std::find(codes.begin(), codes.end(), row.code) == codes.end()) codes.push_back(row.code);
-    }
-    return codes;
+std::span<const ComplaintInfo> all_complaints() {
+    return kRows;
 }
 
 }  // namespace patina

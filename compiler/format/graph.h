@@ -151,7 +151,7 @@ struct ExtraPass {
     std::shared_ptr<Graph> graph;
 };
 
-// What a pass may cost. 'patina check' measures it; the compiler does not.
+// The most that a stage of a pass may cost. Compiling does not measure: `patina check` does.
 struct Budget {
     struct Limit {
         int most = 0;

@@ -35,7 +35,7 @@ constexpr std::array kMaterial = {
     KeyInfo{"render", "the render state: kind of surface, culling, depth", ObjectKind::Render},
     KeyInfo{"passes", "extra surfaces, each drawn in its own pass: an outline, a glow", ObjectKind::ExtraPass},
     KeyInfo{"variants", "the combinations of variants that --variants listed compiles", ObjectKind::Free, false, true},
-    KeyInfo{"budget", "the most that a pass may cost; 'patina check' measures it", ObjectKind::Budget},
+    KeyInfo{"budget", "the most that a stage of a pass may cost; 'patina check' measures it", ObjectKind::Budget},
     kMeta,
     kUi,
 };

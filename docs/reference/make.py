@@ -20,7 +20,7 @@ CODE = re.compile(r'(?:[^"/]|"(?:[^"\\]|\\.)*"|/(?!/))*')
 # Several members of one type, each with its own initializer: "int width = 0, height = 0;"
 NAME = r"\w+(?: = [^,;{}()]+|\{[^;]*?\})?"
 SEVERAL = re.compile(rf"(\s+)((?:static )?(?:const )?[\w:]+(?:<[^;]*>)?) ({NAME}(?:, {NAME})+);\s*$")
-SECRET = re.compile(r'template <>|private:|#define (COMPLAINT|PATINA_API)|#include "patina/complaints.def"')
+SECRET = re.compile(r'template <>|private:|#(define|undef) (CHECK_COMPLAINT|COMPLAINT|PATINA_API)|#include "patina/complaints.def"')
 
 
 def documented(code, comment, above):

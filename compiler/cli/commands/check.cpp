@@ -50,9 +50,7 @@ Budget budget_of(const Arguments& arguments) {
 // The limits of the graph, and those of the command line.
 void check_budgets(const Arguments& arguments, const std::string& graph, const Result& result, Checked& checked) {
     const Budget asked = budget_of(arguments);
-    const bool has_limits =
-        result.budget.instructions || result.budget.textures || asked.instructions || asked.textures;
-    if (!result.ok || !has_limits) return;
+    if (!checked.ok || !(result.budget.has_limits() || asked.has_limits())) return;
     const std::vector<MeasuredPass> passes = measure(result);
     std::vector<Diagnostic> found = over_budget(passes, result.budget);
     for (Diagnostic& each : over_budget(passes, asked)) {
@@ -142,12 +140,13 @@ void add_check(Program& program) {
     command.add_flag("--no-validate", arguments->without_validation,
                      "Do not check the shaders with glslang and spirv-val, which takes most of the time");
     command
-        .add_option("--max-instructions", arguments->max_instructions,
-                    "Fail if a stage of any pass has more SPIR-V instructions, with one light ('patina cost')")
+        .add_option(
+            "--max-instructions", arguments->max_instructions,
+            "Fail if a stage of any pass has more SPIR-V instructions than N with one light; 'patina cost' shows them")
         ->type_name("N");
     command
         .add_option("--max-textures", arguments->max_textures,
-                    "Fail if a stage of any pass reads textures more often, with one light")
+                    "Fail if a stage of any pass reads textures more than N times with one light")
         ->type_name("N");
     add_path_options(command, arguments->path);
     add_include_option(command, arguments->include_dirs);

@@ -6,8 +6,8 @@
 #pragma once
 
 #include <initializer_list>
+#include <span>
 #include <string_view>
-#include <vector>
 
 #include "patina/patina.h"
 
@@ -16,15 +16,24 @@ namespace patina {
 // What is wrong: the name of a row of complaints.def.
 enum class Complaint {
 #define COMPLAINT(name, code, message) name,
+#define CHECK_COMPLAINT COMPLAINT
 #include "patina/complaints.def"
+#undef CHECK_COMPLAINT
 #undef COMPLAINT
+};
+
+// A row of complaints.def.
+struct ComplaintInfo {
+    std::string_view code;     // "cannot-read"
+    std::string_view message;  // with a {} for each word
+    bool only_checked;         // only `patina check` looks for it: `patina compile` writes the graph's files
 };
 
 // The code of a diagnostic: "cannot-read".
 PATINA_API std::string_view code_of(Complaint what);
 // An error without a place. `words` fill the {} of the message in order, or {0}, {1} by number.
 PATINA_API Diagnostic complaint(Complaint what, std::initializer_list<std::string_view> words);
-// Every code of the table once, in its order.
-PATINA_API std::vector<std::string_view> complaint_codes();
+// Every row of the table, in its order. Several rows may have the same code.
+PATINA_API std::span<const ComplaintInfo> all_complaints();
 
 }  // namespace patina

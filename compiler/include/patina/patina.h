@@ -69,7 +69,7 @@ struct Dump {
 struct Program;  // the unoptimised stages, for patina/interpret.h
 
 // The most that a stage of any pass may cost, as the graph's "budget" says. Compiling does not measure: `patina check`
-// does.
+// does, by patina/cost.h.
 struct Budget {
     // One figure's limit.
     struct Limit {
@@ -77,6 +77,8 @@ struct Budget {
         FilePlace place{};       // of the number in the graph; no file: it is not from a graph
     };
     std::optional<Limit> instructions, textures;  // SPIR-V instructions; texture reads
+    // True if there is a limit to compare with.
+    bool has_limits() const { return instructions || textures; }
 };
 
 // What a compilation makes.
