@@ -22,7 +22,7 @@ namespace patina {
 template <class Value>
 class Remembered {
 public:
-    // `most`: about how many bytes of keys and values are kept.
+    // `most`: about how many bytes of keys, values and entries are kept.
     explicit Remembered(std::size_t most) : most_(most) {}
 
     // Null if there is none.
@@ -35,7 +35,7 @@ public:
     // `bytes`: about how many the value has.
     void keep(std::string key, Value value, std::size_t bytes) {
         const std::uint64_t hash = hash_of(key);
-        const std::size_t size = key.size() + bytes;
+        const std::size_t size = sizeof(Entry) + key.size() + bytes;
         auto entry = std::make_shared<const Entry>(Entry{std::move(key), std::move(value), size});
         const std::lock_guard lock(mutex_);
         add(hash, std::move(entry));
@@ -49,7 +49,7 @@ private:
     };
     using Entries = std::unordered_map<std::uint64_t, std::shared_ptr<const Entry>>;  // by the hash of the key
 
-    // Keys are long, and are compared in any case: eight letters at once.
+    // Keys are long, so it reads eight letters at a time. It need not be strong, because find() compares the keys.
     static std::uint64_t hash_of(std::string_view key) {
         std::uint64_t hash = key.size();
         const auto add = [&](std::uint64_t letters) {
@@ -81,12 +81,13 @@ private:
 
     // If the newer half is full, it becomes the older one, and the older one is dropped.
     void add(std::uint64_t hash, std::shared_ptr<const Entry> entry) {
-        if (size_ + entry->size > most_ / 2) {
+        const std::size_t size = entry->size;
+        if (size > most_ / 2) return;
+        if (size_ + size > most_ / 2) {
             older_ = std::exchange(newer_, {});
             size_ = 0;
         }
-        const std::size_t size = entry->size;
-        if (size <= most_ / 2 && newer_.try_emplace(hash, std::move(entry)).second) size_ += size;
+        if (newer_.try_emplace(hash, std::move(entry)).second) size_ += size;
     }
 
     std::size_t most_;

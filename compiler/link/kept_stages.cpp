@@ -30,7 +30,7 @@ public:
     }
 
     const ir::Content& content() const { return content_; }
-    std::string take() { return content_.take(); }
+    std::string take() const { return content_.take(); }
 
 private:
     // The numbers of globals and semantics are the same in all stages and in the reflection, so they count as they are.
@@ -159,13 +159,22 @@ std::optional<std::vector<std::uint32_t>> places_of(const ir::Module& stage, con
     return places;
 }
 
-// About how many bytes it has.
+template <class Part>
+std::size_t size_of(const std::vector<Part>& parts) {
+    return sizeof(Part) * parts.size();
+}
+
+// About how many bytes it has. Short strings have none of their own.
 std::size_t size_of(const ir::Module& module) {
-    std::size_t bytes = 64 * module.names.size() + sizeof(ir::Origin) * module.origins.size() +
-                        sizeof(ir::Global) * module.globals.size() + sizeof(ir::Semantic) * module.semantics.size();
+    std::size_t bytes = sizeof module + 12 * module.names.size();  // and the hash table of the names
+    bytes += size_of(module.names) + size_of(module.origins) + size_of(module.globals) + size_of(module.semantics) +
+             size_of(module.functions) + size_of(module.structs) + size_of(module.blocks) + size_of(module.constants) +
+             size_of(module.numbers);
+    for (const ir::Struct& each : module.structs) bytes += size_of(each.members);
+    for (const ir::UniformBlock& block : module.blocks) bytes += size_of(block.members);
     for (const ir::Function& function : module.functions)
-        bytes += sizeof(ir::Function) + sizeof(ir::Inst) * function.insts.size() +
-                 sizeof(ir::Value) * (function.operands.size() + function.insts.size());
+        bytes += size_of(function.params) + size_of(function.insts) + size_of(function.operands) +
+                 size_of(function.blocks) + sizeof(ir::Value) * function.insts.size() + function.comment.size();
     return bytes;
 }
 
@@ -180,7 +189,7 @@ ir::Module kept_stage(KeptResults* kept, const Linked& linked, const graph::Lowe
     if (const auto found = kept->stages.find(content.bytes())) return placed(*found, module, content.spans());
     ir::Module made = make();
     if (std::optional<std::vector<std::uint32_t>> places = places_of(made, module, content)) {
-        const std::size_t bytes = size_of(made);
+        const std::size_t bytes = size_of(made) + size_of(*places);
         kept->stages.keep(stage.take(), {.module = made, .places = std::move(*places)}, bytes);
     }
     return made;

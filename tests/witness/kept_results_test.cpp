@@ -1,6 +1,7 @@
 // What a compiler keeps of earlier compilations changes no result. All examples, all lighting models along all paths
 // and random graphs are compiled by one compiler, in one order and in another, and by compilers that have compiled
 // nothing.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -23,12 +24,57 @@ struct Graph {
     std::string along = "all";
 };
 
+// Results as text. Each struct is taken apart whole, so that this file does not compile if a member is added to one and
+// forgotten here.
+std::string text_of(const LineOrigin& origin) {
+    const auto& [line, node, file, source_line, source_column, source_end_column, source_text] = origin;
+    return fmt::format("{} {} {}:{}:{}-{} {}\n", line, node, file, source_line, source_column, source_end_column,
+                       source_text);
+}
+
+std::string text_of(const Diagnostic& diagnostic) {
+    const auto& [severity, code, message, file, line, column, end_line, end_column, source_line, node, port, notes] =
+        diagnostic;
+    std::string all = fmt::format("{} {} {} {}:{}:{}-{}:{} {} {} {}\n", static_cast<int>(severity), code, message, file,
+                                  line, column, end_line, end_column, source_line, node, port);
+    for (const Diagnostic& note : notes) all += text_of(note);
+    return all;
+}
+
+std::string text_of(const Shader& shader) {
+    const auto& [pass, stage, target, file_name, text, line_map, light_loops, shifts, listed_as, has_main, hash] =
+        shader;
+    std::string all =
+        fmt::format("--- {} {} {} {} {} {} {} {} {}\n{}", pass, to_string(stage), target.engine, target.language,
+                    file_name, listed_as, has_main, hash, fmt::join(light_loops, " "), text);
+    for (const auto& [set, buffers, textures, samplers] : shifts)
+        all += fmt::format("shifts {} {} {} {}\n", set, buffers, textures, samplers);
+    for (const LineOrigin& origin : line_map) all += text_of(origin);
+    return all;
+}
+
+std::string text_of(const std::optional<Budget::Limit>& limit) {
+    if (!limit) return {};
+    const auto& [most, place] = *limit;
+    const auto& [file, line, column, end_line, end_column, source_line] = place;
+    return fmt::format("at most {} {}:{}:{}-{}:{} {}\n", most, file, line, column, end_line, end_column, source_line);
+}
+
+std::string text_of(const Result& result) {
+    const auto& [ok, diagnostics, shaders, reflection, dependencies, nodes, budget, dumps, program] = result;
+    const auto& [instructions, textures] = budget;
+    std::string all = fmt::format("ok: {}\n{}{}{}", ok, reflection.to_json(), text_of(instructions), text_of(textures));
+    for (const Diagnostic& diagnostic : diagnostics) all += text_of(diagnostic);
+    for (const Shader& shader : shaders) all += text_of(shader);
+    for (const std::string& file : dependencies) all += "file " + file + "\n";
+    for (const std::string& node : nodes) all += "node " + node + "\n";
+    for (const auto& [stage, text] : dumps) all += "dump " + stage + "\n" + text;
+    EXPECT_EQ(program, nullptr);  // it keeps nothing, and nobody has asked for it
+    return all;
+}
+
 // All that a program gets, as one text.
-std::string compiled_for(const Compiler& compiler, const Graph& graph, std::vector<Target> targets,
-                         const std::string& along) {
-    CompileOptions options;
-    options.request = CompileOptions::Passes{.path = along};
-    options.targets = std::move(targets);
+std::string compiled_for(const Compiler& compiler, const Graph& graph, CompileOptions options) {
     options.hashes = true;
     if (!graph.files.empty()) {
         options.files.read = [&](const std::string& path) {
@@ -36,23 +82,16 @@ std::string compiled_for(const Compiler& compiler, const Graph& graph, std::vect
             return found == graph.files.end() ? std::nullopt : std::optional(found->second);
         };
     }
-    const Result result = compiler.compile_text(graph.path, graph.text, options);
-    std::string all = result.ok ? result.reflection.to_json() : "it does not compile\n";
-    for (const Diagnostic& diagnostic : result.diagnostics) all += to_json(diagnostic) + "\n";
-    for (const Shader& shader : result.shaders) {
-        all += "--- " + shader.file_name + " " + shader.hash + "\n" + shader.text;
-        for (const int line : shader.light_loops) all += "light loop " + std::to_string(line) + "\n";
-        for (const LineOrigin& line : shader.line_map)
-            all += std::to_string(line.line) + " " + line.node + " " + line.file + ":" +
-                   std::to_string(line.source_line) + ":" + std::to_string(line.source_column) + "-" +
-                   std::to_string(line.source_end_column) + " " + line.source_text + "\n";
-    }
-    return all;
+    return text_of(compiler.compile_text(graph.path, graph.text, options));
 }
 
 std::string compiled(const Compiler& compiler, const Graph& graph) {
-    return compiled_for(compiler, graph, {Target::Glsl, Target::Hlsl}, graph.along) +
-           compiled_for(compiler, graph, {Target{.engine = "unity", .language = "hlsl"}}, "forward");
+    CompileOptions usual, unity, functions;
+    usual.request = CompileOptions::Passes{.path = graph.along};
+    unity.targets = {Target{.engine = "unity", .language = "hlsl"}};
+    functions.request = CompileOptions::Functions{.prefix = "Kept_"};
+    return compiled_for(compiler, graph, usual) + compiled_for(compiler, graph, unity) +
+           compiled_for(compiler, graph, functions);
 }
 
 // Each graph by a compiler of its own.
@@ -186,17 +225,31 @@ TEST(Remembered, KeepsTheFirstOfEachKey) {
 }
 
 TEST(Remembered, DropsWhatHasNotBeenUsedForLong) {
-    Remembered<int> numbers(100);  // ten of ten bytes
-    numbers.keep("used", 0, 6);
+    Remembered<int> numbers(12'000);  // ten or eleven of 1,000 bytes
+    numbers.keep("used", 0, 1000);
     for (int i = 0; i < 100; ++i) {
-        numbers.keep("n" + std::to_string(10 + i), i, 7);
+        numbers.keep("n" + std::to_string(i), i, 1000);
         ASSERT_NE(numbers.find("used"), nullptr) << i;
     }
-    EXPECT_EQ(numbers.find("n10"), nullptr);
-    ASSERT_NE(numbers.find("n109"), nullptr);
-    EXPECT_EQ(*numbers.find("n109"), 99);
-    numbers.keep("large", 1, 1000);
+    EXPECT_EQ(numbers.find("n0"), nullptr);
+    ASSERT_NE(numbers.find("n99"), nullptr);
+    EXPECT_EQ(*numbers.find("n99"), 99);
+    for (int i = 0; i < 3; ++i) numbers.keep("large", 1, 100'000);
     EXPECT_EQ(numbers.find("large"), nullptr);
+    EXPECT_NE(numbers.find("n99"), nullptr) << "what is too large to keep drives out nothing";
+    int kept = 0;
+    for (int i = 0; i < 100; ++i) kept += numbers.find("n" + std::to_string(i)) != nullptr;
+    EXPECT_LE(kept, 11);
+}
+
+// The key takes room, too.
+TEST(Remembered, CountsKeys) {
+    Remembered<int> numbers(12'000);
+    for (char letter = 'a'; letter <= 'z'; ++letter) numbers.keep(std::string(1000, letter), letter, 0);
+    int kept = 0;
+    for (char letter = 'a'; letter <= 'z'; ++letter) kept += numbers.find(std::string(1000, letter)) != nullptr;
+    EXPECT_GE(kept, 5);
+    EXPECT_LE(kept, 11);
 }
 
 }  // namespace

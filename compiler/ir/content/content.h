@@ -52,10 +52,8 @@ public:
     }
 
     std::string_view bytes() const { return std::string_view(bytes_).substr(0, size_); }
-    std::string take() {
-        bytes_.resize(size_);
-        return std::move(bytes_);
-    }
+    // Without the room that more bytes would have had: keys are kept long, and their sizes are counted.
+    std::string take() const { return std::string(bytes()); }
     // The origins that have been mentioned, in order of first mention.
     const std::vector<OriginId>& origins() const { return mentioned_; }
     // The structs that have been mentioned, as indices, in order of first mention. More may come while they are read.

@@ -100,7 +100,7 @@ void append(Writer& w, const KeptText& kept, const std::vector<OriginId>& origin
     w.next_line += static_cast<int>(std::count(kept.text.begin(), kept.text.end(), '\n'));
 }
 
-// What has been appended since, as it can be kept.
+// What has been printed since `begin`, which is the line `first_line` and the entry `first` of the writer's lines.
 KeptText kept_of(const Writer& w, std::size_t begin, std::size_t first, int first_line, OriginId before,
                  const std::vector<OriginId>& origins, Names::Asked asked) {
     KeptText kept{.text = w.text.substr(begin), .lines = {}, .light_loops = {}, .asked = std::move(asked)};
@@ -129,9 +129,10 @@ void print_kept(Writer& w, FunctionId id, const EntryPoint* entry, const std::fu
     w.names.note_into(&asked);
     print();
     w.names.note_into(nullptr);
-    if (kept) return;  // one that other names were taken around
+    if (kept) return;  // it was printed among other names, and stays
     KeptText made = kept_of(w, begin, first, first_line, before, content.origins(), std::move(asked));
-    const std::size_t bytes = made.text.size() + sizeof(PrintedLine) * made.lines.size() + 64 * made.asked.size();
+    constexpr std::size_t kNode = 96;  // of `asked`, with its name
+    const std::size_t bytes = made.text.size() + sizeof(PrintedLine) * made.lines.size() + kNode * made.asked.size();
     w.options.kept->keep(content.take(), std::move(made), bytes);
 }
 

@@ -13,15 +13,15 @@ namespace patina::languages {
 
 struct KeptText {
     std::string text;
-    // The number of a line counts from 0; an origin is its place in the order in which the function mentions origins.
-    // Where the origin changes, and at the first line.
+    // An entry at the first line and at each line where the origin changes. Lines count from 0. An origin is a number:
+    // its place in the order in which the function mentions origins.
     std::vector<PrintedLine> lines;
     std::vector<int> light_loops;  // lines at which a loop over lights begins, counted as those of `lines`
     Names::Asked asked;
 };
 
-// Prints one function by `print`, unless a kept text is the same. `entry`: null if it is not the stage's entry
-// function.
+// Appends the kept text of a function. If there is none, prints the function by `print`, and keeps what was printed.
+// `entry`: null if it is not the stage's entry function.
 void print_kept(Writer& writer, ir::FunctionId id, const EntryPoint* entry, const std::function<void()>& print);
 
 }  // namespace patina::languages
