@@ -40,8 +40,8 @@ struct CommandInfo {
     Home home;
     std::string_view summary;
 };
-// Turns this process into the program, which lies in the folder of this one, with the same command line. Returns only
-// if that fails, and has told it.
+// Turns this process into another program, which lies in the same folder, with the same command line. If that fails, it
+// prints an error and returns.
 Exit turn_into(Home home, char** argv);
 // A row of commands.def, or null.
 const CommandInfo* find_command(std::string_view name);

@@ -1,5 +1,5 @@
-// What one value is, and what arithmetic makes of it: a position plus an offset is a position. It knows no graphs:
-// meanings.h carries meanings through them.
+// The meaning of a value: a position, a direction, a texel, data. Arithmetic keeps or loses it: a position plus an
+// offset is a position. This file knows values alone; meanings.h follows the links of a graph.
 //
 //   const Meaning moved = sum_of({.meaning = meaning_of("positionWS")}, {.is_constant = true}, true);  // a position
 #pragma once

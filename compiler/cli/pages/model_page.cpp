@@ -102,17 +102,16 @@ std::string cost_text(const Compiler& compiler, const ModelInfo& model) {
     const ModelCost cost = cost_of(compiler, model);
     const CostCounts& once = cost.fragment.once;
     const CostCounts& light = cost.fragment.per_light;
-    const std::string for_lights =
-        light.instructions == 0
-            ? ""
-            : fmt::format("; for each light {}, of them {} transcendental", light.instructions, light.transcendental);
+    const std::string for_lights = light.instructions == 0
+                                       ? ""
+                                       : fmt::format(", and {} for each light, of them {} transcendental",
+                                                     light.instructions, light.transcendental);
     return fmt::format(
-        "For each pixel {} SPIR-V instructions after `spirv-opt -O`, of them {} transcendental and {} texture "
-        "reads{}.\n"
-        "At the worst point, {} registers are live. This is the fragment shader of the pass '{}' in the workflow '{}', "
-        "with a property at every input.",
-        once.instructions, once.transcendental, once.textures, for_lights, cost.fragment.registers, cost.pass,
-        cost.workflow);
+        "{} SPIR-V instructions for each pixel, of them {} transcendental{}. Texture reads: {}. Registers: {}.\n"
+        "This is the fragment shader of the pass '{}' in the workflow '{}', with a property at every input, after "
+        "`spirv-opt -O`.",
+        once.instructions, once.transcendental, for_lights, once.textures + light.textures, cost.fragment.registers,
+        cost.pass, cost.workflow);
 }
 
 }  // namespace

@@ -117,8 +117,8 @@ PATINA_API void patina_reply_error(patina_reply* reply, const char* reason);
 //   "hashes"        true: the reflection has the hash of each pass
 //   "limits"        object: the most "nodes", "sourceBytes" and "shaderBytes"
 //
-// patina::CompileOptions says more about each. What is wrong with the text has a place in a file that is called
-// "options"; a name that only the graph or the path knows, such as one of "switches", is told without a place.
+// patina::CompileOptions says more about each. An error in the text has a place in a file that is called "options". An
+// error in a name that only the graph or the path knows, such as one of "switches", has no place.
 //
 // `callbacks` may be null. A result is made if the status is PATINA_OK or PATINA_HAS_ERRORS; otherwise it is null.
 PATINA_API patina_status patina_compile(const patina_compiler* compiler, const char* path, const char* text,
