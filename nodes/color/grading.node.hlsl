@@ -1,13 +1,4 @@
-// Colour grading and blending, on linear colours.
-
-/// How BlendColors combines two colours.
-enum BlendMode {
-    Mix,       ///< the upper colour covers the lower one
-    Multiply,  ///< the product: never brighter, like a coloured filter
-    Screen,    ///< the opposite of Multiply: never darker
-    Overlay,   ///< Multiply where the lower colour is dark, Screen where it is bright
-    Add        ///< the sum, like two lights
-};
+// Colour grading, on linear colours.
 
 /// Makes a colour greyer or more vivid, and keeps its luminance.
 ///
@@ -44,7 +35,7 @@ float3 Contrast(
 /// test: HueRotate(float3(1, 0, 0), 2.0943951023931953) == float3(0, 1, 0)
 /// test: HueRotate(float3(0.2, 0.5, 0.9), 0) == float3(0.2, 0.5, 0.9)
 /// test: HueRotate(float3(1, 0, 0), 3.141592653589793) == float3(-1 / 3, 2 / 3, 2 / 3)
-[node("Color/Hue Rotate")] [also("Hue", "HsvAdjust")]
+[node("Color/Hue Rotate")] [also("HueShift")]
 float3 HueRotate(
     [color] float3 color = 1,      ///< linear colour
     [unit("rad")] float angle = 0  ///< angle of the rotation
@@ -53,32 +44,6 @@ float3 HueRotate(
     float3 crossed = axis * (color.brg - color.gbr);
     float grey = (color.r + color.g + color.b) / 3;
     return lerp(grey, color, cos(angle)) + crossed * sin(angle);
-}
-
-/// Blends one colour over another.
-///
-/// formula: lerp(a, f(a, b), opacity); mix: f = b; multiply: f = a b; add: f = a + b
-/// formula: screen: f = 1 - (1 - a)(1 - b); overlay: f = 2 a b where a < 0.5, else 1 - 2 (1 - a)(1 - b)
-/// source: W3C, "Compositing and Blending Level 1", section 10
-/// test: BlendColors(float3(0.2, 0.4, 0.6), float3(1, 0, 0.5), 0.5, Mix) == float3(0.6, 0.2, 0.55)
-/// test: BlendColors(float3(0.2, 0.4, 0.6), float3(0.5, 1, 0), 1, Multiply) == float3(0.1, 0.4, 0)
-/// test: BlendColors(float3(0.2, 0.4, 0.6), float3(0.5, 1, 0), 1, Screen) == float3(0.6, 1, 0.6)
-/// test: BlendColors(float3(0.2, 0.4, 0.75), float3(0.5, 1, 0.5), 1, Overlay) == float3(0.2, 0.8, 0.75)
-/// test: BlendColors(float3(0.2, 0.4, 0.6), float3(0.5, 1, 0), 0.5, Add) == float3(0.45, 0.9, 0.6)
-[node("Color/Blend")] [also("BlendMode")]
-float3 BlendColors(
-    [color] float3 base = 0,          ///< the lower colour
-    [color] float3 blend = 1,         ///< the upper colour
-    [range(0, 1)] float opacity = 1,  ///< how much of the upper colour shows
-    const BlendMode mode = Mix        ///< how they are combined
-) {
-    float3 screen = 1 - (1 - base) * (1 - blend);
-    float3 combined = blend;
-    if (mode == Multiply) { combined = base * blend; }
-    if (mode == Screen) { combined = screen; }
-    if (mode == Overlay) { combined = base < 0.5 ? 2 * base * blend : 2 * screen - 1; }
-    if (mode == Add) { combined = base + blend; }
-    return lerp(base, combined, opacity);
 }
 
 /// Applies a detail map to a colour: middle grey keeps it, darker texels darken it, brighter texels brighten it.

@@ -38,3 +38,42 @@ float4 Combine(
     rg = float2(x, y);
     return float4(x, y, z, w);
 }
+
+/// What a component of Swizzle reads.
+enum Component {
+    X,    ///< the first: red
+    Y,    ///< the second: green
+    Z,    ///< the third: blue
+    W,    ///< the fourth: alpha
+    Zero, ///< 0
+    One   ///< 1
+};
+
+/// One component, or a constant.
+float ComponentOf(float4 value, const Component which) {
+    if (which == Zero) { return 0; }
+    if (which == One) { return 1; }
+    return which == X ? value.x : which == Y ? value.y : which == Z ? value.z : value.w;
+}
+
+/// Reorders the components of a vector.
+///
+/// In an expression, `v.zyx` does the same.
+///
+/// test: Swizzle(float4(1, 2, 3, 4), Z, Y, X, W) == float4(3, 2, 1, 4)
+/// test: Swizzle(float4(5, 6, 7, 8), W, One, Zero, Zero) == float4(8, 1, 0, 0)
+/// test: Swizzle(float4(5, 6, 7, 8), One, X, Y, Z) == float4(1, 5, 6, 7)
+/// test: Swizzle(float4(5, 6, 7, 8), Zero, W, One, One) == float4(0, 8, 1, 1)
+/// test: Swizzle(float4(5, 6, 7, 8), Y, Z, W, X) == float4(6, 7, 8, 5)
+/// test: Swizzle(float4(5, 6, 7, 8), X, Zero, Z, Y) == float4(5, 0, 7, 6)
+[node("Vector/Swizzle")]
+float4 Swizzle(
+    float4 value,              ///< colour or vector
+    const Component first = X,   ///< what the first component reads
+    const Component second = Y,  ///< what the second one reads
+    const Component third = Z,   ///< what the third one reads
+    const Component fourth = W   ///< what the fourth one reads
+) {
+    return float4(ComponentOf(value, first), ComponentOf(value, second), ComponentOf(value, third),
+                  ComponentOf(value, fourth));
+}
