@@ -136,6 +136,7 @@ patina::Property reflect_property(const ir::Module& module, const graph::Materia
                           .identifier = property.name,
                           .type = property.type,
                           .value = property.value,
+                          .numbers = property.numbers,
                           .binding = property.binding,
                           .range = property.range,
                           .hard = property.hard,
