@@ -11,7 +11,8 @@ struct Gradient {
 [inline]
 float GradientShare(float time, float before, float at, bool isFixed) {
     float share = saturate((time - before) / max(at - before, 1e-6));
-    return isFixed ? (time > before ? 1 : 0) : share;
+    float reached = time > before ? 1 : 0;
+    return isFixed ? reached : share;
 }
 
 /// The colour and the alpha of a gradient at a time.
