@@ -15,9 +15,9 @@ constexpr std::size_t kMostCurveKeys = 16;
 using Row = std::array<double, 4>;
 
 struct KeyList {
-    std::string_view name;   // "colors"
-    std::string_view form;   // "[time, colour]"
-    std::size_t most = 0;    // keys
+    std::string_view name;  // "colors"
+    std::string_view form;  // "[time, colour]"
+    std::size_t most = 0;   // keys
     std::array<double, 2> times{};
 };
 
@@ -41,8 +41,8 @@ std::optional<std::vector<Row>> read_key_list(Reading& reading, const Json& json
         const std::optional<double> time = read_float(reading, key.elements[0], "the time of a key");
         if (!time) continue;
         if (*time < list.times[0] || *time > list.times[1])
-            reading.diagnostics.report(Code::OutOfRange, key.elements[0].span, shortest(*time),
-                                       shortest(list.times[0]), shortest(list.times[1]), "time");
+            reading.diagnostics.report(Code::OutOfRange, key.elements[0].span, shortest(*time), shortest(list.times[0]),
+                                       shortest(list.times[1]), "time");
         if (before && *time < *before)
             reading.diagnostics.report(Code::KeyOrder, key.elements[0].span, shortest(*time), shortest(*before));
         before = time;
@@ -120,13 +120,15 @@ std::optional<std::vector<double>> read_gradient(Reading& reading, const Json& j
     check_keys(reading, json, ObjectKind::Gradient);
     std::optional<std::vector<Row>> colors, alphas = std::vector<Row>{{1, 0, 0, 0}};
     if (const Json* list = json.find("colors"))
-        colors = read_key_list(reading, *list,
-                               {.name = "colors", .form = "an array [time, colour]", .most = kMostGradientKeys, .times = {0, 1}},
-                               [&](const Json& key, double time) { return read_color_key(reading, key, time); });
+        colors = read_key_list(
+            reading, *list,
+            {.name = "colors", .form = "an array [time, colour]", .most = kMostGradientKeys, .times = {0, 1}},
+            [&](const Json& key, double time) { return read_color_key(reading, key, time); });
     if (const Json* list = json.find("alphas"))
-        alphas = read_key_list(reading, *list,
-                               {.name = "alphas", .form = "an array [time, alpha]", .most = kMostGradientKeys, .times = {0, 1}},
-                               [&](const Json& key, double time) { return read_alpha_key(reading, key, time); });
+        alphas = read_key_list(
+            reading, *list,
+            {.name = "alphas", .form = "an array [time, alpha]", .most = kMostGradientKeys, .times = {0, 1}},
+            [&](const Json& key, double time) { return read_alpha_key(reading, key, time); });
     GradientBlend blend = GradientBlend::Linear;
     if (const Json* word = json.find("blend"))
         blend = read_word<GradientBlend>(reading, *word, "blend", "a blend of a gradient").value_or(blend);

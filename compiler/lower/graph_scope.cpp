@@ -317,7 +317,8 @@ emit::TextureView view_of(const Property& property) {
 
 }  // namespace
 
-// A matrix is the first rows and columns of the one in the block; a gradient and a curve are structs around their array.
+// A matrix is the first rows and columns of the one in the block; a gradient and a curve are structs around their
+// array.
 Typed GraphScope::array_property(const Property& property, Value stored) {
     ir::Builder& b = *scope_.builder;
     const Type type = type_of(property);

@@ -164,7 +164,7 @@ std::vector<double> array_numbers(const Property& property, const MaterialValues
     auto found = values.arrays.find(property.name);
     const std::vector<double>& numbers = found == values.arrays.end() ? property.numbers : found->second;
     return property.type == PropertyType::Gradient || property.type == PropertyType::Curve ? numbers
-                                                                                            : columns_of(numbers);
+                                                                                           : columns_of(numbers);
 }
 
 // The value of a member of the graph's own block: a property, or a texture's tiling or size.

@@ -36,9 +36,9 @@ struct MaterialValues {
 // [1, 0, 0] in JSON.
 enum class Spelling { Words, Json };
 
-// Words: "0.2", "1,0,0" (linear), "#ff8800", "true", "Wet" (an enumerator), the JSON of a matrix, a gradient or a curve, a
-// file name, or "NAME_ST" = "2,2,0,0" for a
-// texture's tiling. A bad one, or one outside a hard range, is an error that lists what there is.
+// Words: "0.2", "1,0,0" (linear), "#ff8800", "true", "Wet" (an enumerator), the JSON of a matrix, a gradient or a
+// curve, a file name, or "NAME_ST" = "2,2,0,0" for a texture's tiling. A bad one, or one outside a hard range, is an
+// error that lists what there is.
 Outcome<MaterialValues> material_values(const Reflection& reflection, const std::map<std::string, std::string>& words,
                                         Spelling spelling = Spelling::Words);
 // A variant of the lighting model, or null.

@@ -331,8 +331,8 @@ private:
                                 : number(-2, 2) + ", " + number(-1, 1) + ", " + number(-1, 1) + "]";
         }
         if (!is_gradient) return "{ \"keys\": [" + list + "] }";
-        return "{ \"colors\": [" + list + "], \"alphas\": [[0.25, 0.5], [0.75, " + number(0, 1) +
-               "]], \"blend\": \"" + (dice_.chance(50) ? "linear" : "perceptual") + "\" }";
+        return "{ \"colors\": [" + list + "], \"alphas\": [[0.25, 0.5], [0.75, " + number(0, 1) + "]], \"blend\": \"" +
+               (dice_.chance(50) ? "linear" : "perceptual") + "\" }";
     }
 
     std::string port_value(const NodeInfo& node, const PortInfo& port, int wide, bool half) {

@@ -18,11 +18,10 @@ protected:
     static void expect_value(const std::string& properties, const std::string& nodes, const std::string& value,
                              const std::vector<float>& expected,
                              const std::map<std::string, std::string>& values = {}) {
-        const auto material =
-            bench->compile(R"({ "patina": 1, "workflow": "unlit", "properties": [ )" + data_property() + properties +
-                           " ],\n\"nodes\": [ " + load_node("t", "0", "0") + ",\n" + nodes +
-                           "{ \"id\": \"value\", \"expr\": \"" + value +
-                           "\" } ],\n\"surface\": { \"color\": \"value.rgb\", \"alpha\": \"value.a\" } }");
+        const auto material = bench->compile(
+            R"({ "patina": 1, "workflow": "unlit", "properties": [ )" + data_property() + properties +
+            " ],\n\"nodes\": [ " + load_node("t", "0", "0") + ",\n" + nodes + "{ \"id\": \"value\", \"expr\": \"" +
+            value + "\" } ],\n\"surface\": { \"color\": \"value.rgb\", \"alpha\": \"value.a\" } }");
         ASSERT_TRUE(material);
         const Inputs inputs{.data = texture_of(runtime::make_image(1, 1, 0.25f, 0.5f, 0.75f, 1.5f)), .values = values};
         const auto compare = [&](const Image& image, const char* witness) {
@@ -85,17 +84,17 @@ TEST_F(ValuesTest, APropertyHoldsAGradient) {
 TEST_F(ValuesTest, ACurveIsCubicBetweenItsKeys) {
     const std::string smooth = R"({ "keys": [[0, 0, 0, 0], [1, 1, 0, 0]] })";
     const std::string three = R"({ "keys": [[0, 1], [0.5, 3, 0, 4], [1, 5, 4, 0]] })";
-    expect_value("", curve("a", smooth, "t.x") + curve("b", smooth, "t.w") + curve("c", three, "t.x") +
-                         curve("d", three, "t.z"),
-                 "float4(a, b, c, d)", {0.15625f, 1, 2, 4});
+    expect_value(
+        "", curve("a", smooth, "t.x") + curve("b", smooth, "t.w") + curve("c", three, "t.x") + curve("d", three, "t.z"),
+        "float4(a, b, c, d)", {0.15625f, 1, 2, 4});
     const std::string step = R"({ "keys": [[0, 1], [0.5, 1], [0.5, 2], [1, 2]] })";
     expect_value("", curve("a", step, "t.x") + curve("b", step, "t.z") + curve("c", R"({ "keys": [[0.5, 7]] })", "t.x"),
                  "float4(a, b, c, 0)", {1, 2, 7, 0});
     const std::string line = R"(, { "name": "_Line", "type": "curve" })";
     expect_value(line, curve("a", R"("$_Line")", "t.x") + curve("b", R"("$_Line")", "t.w"), "float4(a, b, 0, 0)",
                  {0.25f, 1, 0, 0});
-    expect_value(line, curve("a", R"("$_Line")", "t.x") + curve("b", R"("$_Line")", "t.z"), "float4(a, b, 0, 0)", {2, 4, 0, 0},
-                 {{"_Line", three}});
+    expect_value(line, curve("a", R"("$_Line")", "t.x") + curve("b", R"("$_Line")", "t.z"), "float4(a, b, 0, 0)",
+                 {2, 4, 0, 0}, {{"_Line", three}});
 }
 
 TEST_F(ValuesTest, MatricesAreRows) {
@@ -128,7 +127,8 @@ TEST_F(ValuesTest, APropertyHoldsAMatrix) {
 // The matrix of the object is the node's, and a semantic goes through it.
 TEST_F(ValuesTest, TheObjectsMatrixIsTheOneThatPlacesIt) {
     expect_value("", R"({ "id": "m", "node": "TransformationMatrix" },
-)", "float4(mul(m, float4(@positionOS, 1)).xyz - @positionWS, 1)", {0, 0, 0, 1});
+)",
+                 "float4(mul(m, float4(@positionOS, 1)).xyz - @positionWS, 1)", {0, 0, 0, 1});
 }
 
 }  // namespace

@@ -204,7 +204,7 @@ std::vector<std::string> shader_properties(const graph::Material& material, cons
         const graph::Property& property = *entry.property;
         const graph::PropertyGlobals& globals = lowered.property_globals[i];
         const ir::GlobalId id = globals.texture ? globals.texture : globals.value;
-        if (!id && !globals.keyword) continue;    // it is a constant
+        if (!id && !globals.keyword) continue;  // it is a constant
         if (is_array(property.type)) continue;  // a script sets it
         const Declared made = id ? declared(entry, !lowered.module.globals[id.index].decoder.empty()) : switched(entry);
         if (property.group != group) {

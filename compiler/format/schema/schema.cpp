@@ -28,8 +28,7 @@ constexpr std::string_view kBox =
     R"("minItems":2,"maxItems":2})";
 
 constexpr std::string_view kColor = R"({"type":"string","pattern":"^#([0-9a-fA-F]{3}|[0-9a-fA-F]{6})$"})";
-constexpr std::string_view kLinearColor =
-    R"({"type":"array","items":{"type":"number"},"minItems":3,"maxItems":3})";
+constexpr std::string_view kLinearColor = R"({"type":"array","items":{"type":"number"},"minItems":3,"maxItems":3})";
 
 // Keys [time, value].
 std::string key_list_schema(int most, std::string_view value) {
