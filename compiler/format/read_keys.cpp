@@ -53,6 +53,10 @@ std::optional<std::vector<Row>> read_key_list(Reading& reading, const Json& json
 }
 
 std::optional<Row> read_color_key(Reading& reading, const Json& key, double time) {
+    if (key.elements.size() != 2) {
+        report_type(reading, key, "a key of 'colors'", "an array [time, colour]");
+        return std::nullopt;
+    }
     const Json& value = key.elements[1];
     if (value.kind == Json::Kind::String) {
         const std::optional<LinearColor> color = parse_color(value.string);
@@ -64,9 +68,8 @@ std::optional<Row> read_color_key(Reading& reading, const Json& key, double time
             reading.diagnostics.report(Code::NoEffect, inside(value.span), "alpha", "'alphas' has the keys of alpha");
         return Row{color->value[0], color->value[1], color->value[2], time};
     }
-    if (key.elements.size() != 2 || value.kind != Json::Kind::Array || value.elements.size() != 3) {
-        report_type(reading, key.elements.size() == 2 ? value : key, "the colour of a key",
-                    "\"#rrggbb\" or an array of 3 numbers");
+    if (value.kind != Json::Kind::Array || value.elements.size() != 3) {
+        report_type(reading, value, "the colour of a key", "\"#rrggbb\" or an array of 3 numbers");
         return std::nullopt;
     }
     Row row{0, 0, 0, time};

@@ -31,12 +31,16 @@ float4 SampleGradient(
     bool isPerceptual = gradient.keys[0].z == 2;
     float3 color = isPerceptual ? LinearToOkLab(gradient.keys[1].rgb) : gradient.keys[1].rgb;
     [unroll] for (int i = 2; i < min(int(gradient.keys[0].x) + 1, 9); i++) {
-        float3 next = isPerceptual ? LinearToOkLab(gradient.keys[i].rgb) : gradient.keys[i].rgb;
-        color = lerp(color, next, GradientShare(time, gradient.keys[i - 1].w, gradient.keys[i].w, isFixed));
+        float4 before = gradient.keys[i - 1];
+        float4 key = gradient.keys[i];
+        float3 next = isPerceptual ? LinearToOkLab(key.rgb) : key.rgb;
+        color = lerp(color, next, GradientShare(time, before.w, key.w, isFixed));
     }
     float alpha = gradient.keys[9].x;
     [unroll] for (int k = 10; k < min(int(gradient.keys[0].y) + 9, 17); k++) {
-        alpha = lerp(alpha, gradient.keys[k].x, GradientShare(time, gradient.keys[k - 1].w, gradient.keys[k].w, isFixed));
+        float4 before = gradient.keys[k - 1];
+        float4 key = gradient.keys[k];
+        alpha = lerp(alpha, key.x, GradientShare(time, before.w, key.w, isFixed));
     }
     return float4(isPerceptual ? OkLabToLinear(color) : color, alpha);
 }

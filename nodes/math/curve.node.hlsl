@@ -30,8 +30,9 @@ float SampleCurve(
 ) {
     float value = CurvePiece(curve.keys[1], curve.keys[2], time);
     [unroll] for (int i = 3; i < min(int(curve.keys[0].x) + 1, 17); i++) {
-        float next = CurvePiece(curve.keys[i - 1], curve.keys[i], time);
-        value = time > curve.keys[i - 1].x ? next : value;
+        float4 from = curve.keys[i - 1];
+        float next = CurvePiece(from, curve.keys[i], time);
+        value = time > from.x ? next : value;
     }
     return value;
 }
