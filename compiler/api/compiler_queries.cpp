@@ -24,7 +24,8 @@
 namespace patina {
 namespace {
 
-// "0.5", "0,0,1", "Reoriented", "#ff8800": the graph format's values, as a command line spells them.
+// "0.5", "0,0,1", "Reoriented", "#ff8800", "[[1, 0], [0, 1]]": the graph format's values, as a command line spells
+// them.
 const nodelang::Expr* read_argument(const std::string& text, SourceMap& sources, nodelang::Ast& ast,
                                     Diagnostics& diagnostics) {
     const std::uint32_t base = sources.add("argument", text);
@@ -37,6 +38,10 @@ const nodelang::Expr* read_argument(const std::string& text, SourceMap& sources,
         json.span = {span.begin - 1, span.end + 1};
         json.string = text;
         return graph::read_value(json, sources, ast, diagnostics);
+    }
+    if (text.starts_with('{') || text.starts_with('[')) {
+        const std::unique_ptr<graph::Json> json = graph::parse_json(sources, base, diagnostics);
+        return json ? graph::read_value(*json, sources, ast, diagnostics) : nullptr;
     }
     if (text.find(',') == std::string::npos || text.find('(') != std::string::npos) {
         return nodelang::parse_expression({.text = stored, .base = base}, ast, diagnostics);

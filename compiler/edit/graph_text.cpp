@@ -80,6 +80,7 @@ bool is_same(const Expr& a, const Expr& b, const Renaming& renaming) {
         case Expr::Kind::Binary:
         case Expr::Kind::Ternary:
         case Expr::Kind::File:
+        case Expr::Kind::Object:
             if (a.text != b.text) return false;
     }
     for (std::size_t i = 0; i < a.args.size(); ++i) {

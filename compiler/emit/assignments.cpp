@@ -3,6 +3,7 @@
 
 #include "compiler/base/text.h"
 #include "compiler/emit/constant_value.h"
+#include "compiler/emit/conversion.h"
 #include "compiler/emit/operations/operations.h"
 #include "compiler/emit/statements.h"
 #include "compiler/emit/types.h"
@@ -107,24 +108,8 @@ void declare(Emitter& emitter, const Stmt& stmt, Scope& scope) {
     if (!wanted.is_error()) {
         if (!stmt.value) {
             local.value = {.value = scope.builder->zero(wanted), .type = wanted};
-        } else if (wanted.kind == ir::Kind::Array && stmt.value->kind == Expr::Kind::List) {
-            const ir::Array array = emitter.module.arrays[wanted.ref];
-            std::vector<Value> elements;
-            if (stmt.value->args.size() != array.count) {
-                emitter.diagnostics.report(Code::TypeMismatch, stmt.value->span, fmt::format("'{}'", stmt.name),
-                                           fmt::format("a list of {}", stmt.value->args.size()),
-                                           fmt::format("a list of {}", array.count));
-            } else {
-                for (const Expr* element : stmt.value->args) {
-                    const Typed value = expression_as(emitter, *element, array.element, scope, "an element");
-                    if (value.ok()) elements.push_back(value.value);
-                }
-                if (elements.size() == array.count) {
-                    local.value = {.value = scope.builder->construct(wanted, elements), .type = wanted};
-                }
-            }
         } else {
-            local.value = view_as(emitter, *stmt.value, wanted, scope, fmt::format("'{}'", stmt.name));
+            local.value = array_or_value(emitter, *stmt.value, wanted, scope, fmt::format("'{}'", stmt.name));
             if (stmt.is_const) local.constant = constant_value(emitter.known, *stmt.value, scope);
         }
         if (local.value.ok() && stmt.value) {

@@ -75,7 +75,8 @@ std::optional<double> constant_value(const Known& known, const Expr& expr, const
         case Expr::Kind::Index:
         case Expr::Kind::Call:
         case Expr::Kind::Method:
-        case Expr::Kind::File: return {};
+        case Expr::Kind::File:
+        case Expr::Kind::Object: return {};
     }
     return {};
 }

@@ -1,6 +1,7 @@
 // If and for: branches yield what was assigned in them, loops carry it, and the rounds of all loops are counted.
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "compiler/base/text.h"
 #include "compiler/emit/constant_value.h"
@@ -152,6 +153,25 @@ void count_rounds(Emitter& emitter, double rounds, Scope& scope, Span span) {
     }
 }
 
+namespace {
+
+// The rounds of a loop one after the other, with the index as a constant.
+void write_out(Emitter& emitter, const Stmt& loop, double first, double end, Scope& scope) {
+    const std::string_view outer_flow = std::exchange(scope.flow, "for");
+    const std::size_t outer = scope.locals.size();
+    for (double i = first; i < end; ++i) {
+        const Value index = scope.builder->constant(ir::kInt, {i});
+        scope.locals.push_back(
+            {.name = loop.name, .value = {.value = index, .type = ir::kInt}, .is_const = true, .constant = i});
+        Value returned;
+        statements(emitter, loop.body, 0, scope, returned);
+        scope.locals.resize(outer);
+    }
+    scope.flow = outer_flow;
+}
+
+}  // namespace
+
 void for_statement(Emitter& emitter, const Stmt& stmt, Scope& scope) {
     ir::Builder& b = *scope.builder;
     const Typed begin = expression_as(emitter, *stmt.value, ir::kInt, scope, "the first index");
@@ -160,6 +180,9 @@ void for_statement(Emitter& emitter, const Stmt& stmt, Scope& scope) {
     const std::optional<double> rounds = rounds_of(emitter, stmt, scope);
     if (!rounds) return;
     count_rounds(emitter, *rounds, scope, stmt.name_span);
+    // Without folding, the limit is seldom a constant: the interpreter runs the loop itself.
+    if (stmt.is_unrolled && !b.constant_of(begin.value).empty() && !b.constant_of(end.value).empty())
+        return write_out(emitter, stmt, b.constant_of(begin.value)[0], b.constant_of(end.value)[0], scope);
     b.name(end.value, emitter.module.intern("count"));
     const std::size_t outer = scope.locals.size();
     std::vector<std::string_view> assigned;

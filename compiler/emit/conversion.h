@@ -19,6 +19,8 @@ std::string_view swizzle_prefix(unsigned width);
 
 // A literal with the given scalar kind. Reports one that is too large for a half.
 Typed literal_as(Emitter& emitter, Typed value, ir::Scalar scalar, Scope& scope, Span span);
+// As view_as(); or an array, of a list of its elements.
+Typed array_or_value(Emitter& emitter, const Expr& expr, ir::Type wanted, Scope& scope, std::string_view what);
 // Brings operands to one type: literals adapt, half becomes float, scalars are splatted. Reports what cannot be joined.
 bool unify(Emitter& emitter, std::span<Typed> operands, Scope& scope, Span span, std::string_view op);
 // A value of the graph in the precision of the node that reads it.

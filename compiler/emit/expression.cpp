@@ -43,7 +43,23 @@ Typed number_literal(Emitter& emitter, const Expr& expr, Scope& scope) {
 }
 
 // A JSON array or a colour is a vector of two to four floats. (The {...} of an array is read in declare().)
+Typed vector_of_list(Emitter& emitter, const Expr& expr, Scope& scope);
+
+// A JSON array of rows is a matrix.
+Typed matrix_of_list(Emitter& emitter, const Expr& expr, Scope& scope) {
+    const auto size = static_cast<unsigned>(expr.args.size());
+    std::vector<Value> rows;
+    for (const Expr* row : expr.args) {
+        const Typed value = vector_of_list(emitter, *row, scope);
+        if (!value.ok()) return {};
+        rows.push_back(value.value);
+    }
+    const Type type = Type::matrix(Scalar::Float, size, size);
+    return {.value = scope.builder->construct(type, rows), .type = type};
+}
+
 Typed vector_of_list(Emitter& emitter, const Expr& expr, Scope& scope) {
+    if (!expr.args.empty() && expr.args[0]->kind == Expr::Kind::List) return matrix_of_list(emitter, expr, scope);
     std::vector<double> components;
     bool good = expr.args.size() >= 2 && expr.args.size() <= 4;
     for (const Expr* element : expr.args) {
@@ -65,6 +81,20 @@ Typed vector_of_list(Emitter& emitter, const Expr& expr, Scope& scope) {
     }
     const Type type = Type::vector(Scalar::Float, static_cast<unsigned>(components.size()));
     return {.value = scope.builder->constant(type, components), .type = type};
+}
+
+// A struct of the library, of the values of its members.
+Typed object_value(Emitter& emitter, const Expr& expr, Scope& scope) {
+    const Type wanted = type(emitter, {.name = expr.text, .span = expr.span}, scope);
+    if (wanted.is_error()) return {};
+    std::vector<Value> members;
+    for (std::uint32_t i = 0; i < expr.args.size(); ++i) {
+        const Type member = ir::part_type(emitter.module, wanted, i);
+        const Typed value = array_or_value(emitter, *expr.args[i], member, scope, "a member");
+        if (!value.ok()) return {};
+        members.push_back(value.value);
+    }
+    return {.value = scope.builder->construct(wanted, members), .type = wanted};
 }
 
 Typed file_constant(Emitter& emitter, const VariableDecl& variable, Scope& scope) {
@@ -98,6 +128,24 @@ Typed named_value(Emitter& emitter, const Expr& expr, Scope& scope) {
 }
 
 }  // namespace
+
+Typed array_or_value(Emitter& emitter, const Expr& expr, Type wanted, Scope& scope, std::string_view what) {
+    if (wanted.kind != ir::Kind::Array || expr.kind != Expr::Kind::List)
+        return view_as(emitter, expr, wanted, scope, what);
+    const ir::Array array = emitter.module.arrays[wanted.ref];
+    if (expr.args.size() != array.count) {
+        emitter.diagnostics.report(Code::TypeMismatch, expr.span, what, fmt::format("a list of {}", expr.args.size()),
+                                   fmt::format("a list of {}", array.count));
+        return {};
+    }
+    std::vector<Value> elements;
+    for (const Expr* element : expr.args) {
+        const Typed value = expression_as(emitter, *element, array.element, scope, "an element");
+        if (value.ok()) elements.push_back(value.value);
+    }
+    if (elements.size() != array.count) return {};
+    return {.value = scope.builder->construct(wanted, elements), .type = wanted};
+}
 
 Typed extern_value(Emitter& emitter, const VariableDecl& variable, Scope& scope) {
     const std::optional<ir::GlobalId> global = find_extern(emitter.known, variable);
@@ -142,6 +190,7 @@ Typed expression(Emitter& emitter, const Expr& expr, Scope& scope) {
             if (scope.environment) return scope.environment->file(expr, scope);
             emitter.diagnostics.report(Code::UnknownName, expr.span, "file", expr.text);
             return {};
+        case Expr::Kind::Object: return object_value(emitter, expr, scope);
     }
     return {};
 }

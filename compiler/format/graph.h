@@ -53,12 +53,16 @@ constexpr bool is_keyword(Binding binding) {
     return binding == Binding::Specialization || binding == Binding::Variant;
 }
 
+// How a gradient goes from key to key: in a straight line, at once, or in a straight line in OkLab.
+enum class GradientBlend { Linear, Fixed, Perceptual };
+
 struct Property {
     std::string name;
     Span name_span;
     Span span;
     PropertyType type = PropertyType::Float;
     std::array<double, 4> value{};  // default; colours linear; bool 0 or 1; enum: index
+    std::vector<double> numbers;    // default of a matrix, by rows, or of a gradient or a curve, as the shader holds it
     std::string texture;            // default texture: "white", "black", "gray", "bump", or a file "./x.png" as written
     Span default_span;
     std::optional<std::array<double, 2>> range;

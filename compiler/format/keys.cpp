@@ -83,10 +83,10 @@ constexpr std::array kWorkflow = {
 
 constexpr std::array kProperty = {
     KeyInfo{"name", "the name in the shader; a graph reads it as $name", ObjectKind::Free, true},
-    KeyInfo{
-        "type",
-        "float, float2, float3, float4, color, int, bool, enum, texture2d, textureCube, texture2dArray or texture3d",
-        ObjectKind::Free, true},
+    KeyInfo{"type",
+            "float, float2, float3, float4, color, int, bool, enum, float2x2, float3x3, float4x4, gradient, curve, "
+            "texture2d, textureCube, texture2dArray or texture3d",
+            ObjectKind::Free, true},
     KeyInfo{"usage", "of a texture: color (sRGB), data (linear) or normal (a tangent-space normal map)"},
     KeyInfo{"handedness", "of a normal map: opengl (green is up, +y) or directx (green is down)"},
     KeyInfo{"swizzle", "of a texture: the channels that are read, one to four of r, g, b, a, 0 and 1"},
@@ -117,7 +117,8 @@ constexpr std::array kNode = {
 constexpr std::array kInput = {
     KeyInfo{"name", "an identifier", ObjectKind::Free, true},
     KeyInfo{"type",
-            "float, float2, float3, float4, color, int, bool, texture2d, textureCube, texture2dArray or texture3d",
+            "float, float2, float3, float4, color, color3, int, bool, float2x2, float3x3, float4x4, gradient, curve, "
+            "texture2d, textureCube, texture2dArray or texture3d",
             ObjectKind::Free, true},
     KeyInfo{"default", "the value if the input is not connected; without a default the input is required"},
     KeyInfo{"range", "[low, high]: a value outside is a warning"},
@@ -131,6 +132,17 @@ constexpr std::array kSampler = {
     KeyInfo{"wrap", "the wrap mode beyond the edges: repeat, clamp or mirror"},
     KeyInfo{"filter", "the filter between texels: linear or nearest"},
     KeyInfo{"anisotropy", "the anisotropy of the filter, 1 to 16"},
+};
+
+constexpr std::array kGradient = {
+    KeyInfo{"colors", "1 to 8 keys [time, colour]; times from 0 to 1, ascending", ObjectKind::Free, true},
+    KeyInfo{"alphas", "1 to 8 keys [time, alpha]; default: opaque"},
+    KeyInfo{"blend", "from key to key: linear, fixed (the next key's value) or perceptual (in OkLab)"},
+};
+
+constexpr std::array kCurve = {
+    KeyInfo{"keys", "1 to 16 keys [time, value] or [time, value, slope before it, slope after it], in order",
+            ObjectKind::Free, true},
 };
 
 constexpr std::array kRender = {
@@ -402,6 +414,8 @@ std::span<const KeyInfo> keys_of(ObjectKind kind) {
         case ObjectKind::Node: return kNode;
         case ObjectKind::Input: return kInput;
         case ObjectKind::Sampler: return kSampler;
+        case ObjectKind::Gradient: return kGradient;
+        case ObjectKind::Curve: return kCurve;
         case ObjectKind::Render: return kRender;
         case ObjectKind::Stencil: return kStencil;
         case ObjectKind::ExtraPass: return kExtraPass;
@@ -451,6 +465,8 @@ std::string_view describe(ObjectKind kind) {
         case ObjectKind::Node: return "a node";
         case ObjectKind::Input: return "an input";
         case ObjectKind::Sampler: return "a sampler";
+        case ObjectKind::Gradient: return "a gradient";
+        case ObjectKind::Curve: return "a curve";
         case ObjectKind::Render: return "the render state";
         case ObjectKind::Stencil: return "the stencil state";
         case ObjectKind::ExtraPass: return "a pass";

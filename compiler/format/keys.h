@@ -22,6 +22,8 @@ enum class ObjectKind {
     Node,
     Input,
     Sampler,
+    Gradient,
+    Curve,
     Render,
     Stencil,
     ExtraPass,

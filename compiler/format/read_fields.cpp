@@ -15,6 +15,23 @@ namespace {
 // Nobody reads more errors than this, and a hostile file may have a million.
 constexpr std::size_t kEnough = 100;
 
+// Words of other programs that have no counterpart, and why.
+constexpr std::string_view kVirtualTexture =
+    "a virtual texture needs an engine that streams its tiles: use a texture2d for each of its layers";
+constexpr std::pair<std::string_view, std::string_view> kRefused[] = {{"virtualtexture", kVirtualTexture},
+                                                                      {"virtualtexturestack", kVirtualTexture},
+                                                                      {"texturestack", kVirtualTexture},
+                                                                      {"proceduralvirtualtexture", kVirtualTexture}};
+
+// In small letters, without '_' and '-'.
+std::string plain_word(std::string_view word) {
+    std::string plain;
+    for (const char c : word) {
+        if (c != '_' && c != '-') plain += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    }
+    return plain;
+}
+
 }  // namespace
 
 const JsonMember* find_member(const Json& object, std::string_view key) {
@@ -89,14 +106,14 @@ std::string read_identifier(Reading& reading, const Json& json, std::string_view
 void suggest(Reading& reading, DiagnosticRecord& record, std::string_view word,
              std::span<const std::string_view> words) {
     if (reading.diagnostics.error_count() > kEnough) return;
+    for (const auto& [refused, reason] : kRefused) {
+        if (plain_word(word) == refused) return static_cast<void>(record.note(std::string(reason)));
+    }
     if (std::string advice = Diagnostics::suggestion(word, words); !advice.empty()) record.note(std::move(advice));
 }
 
 std::string_view meant_by(std::string_view word, std::span<const std::string_view> known) {
-    std::string plain;
-    for (const char c : word) {
-        if (c != '_' && c != '-') plain += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    }
+    const std::string plain = plain_word(word);
     for (const Synonym& synonym : kSynonyms) {
         if (synonym.theirs == plain && std::find(known.begin(), known.end(), synonym.ours) != known.end())
             return synonym.ours;

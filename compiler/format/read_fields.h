@@ -82,6 +82,15 @@ void check_range(Reading& reading, Span span, double value, const std::array<dou
 // The keys of a property that is a texture: "usage", "sampler" and so on (read_texture_keys.cpp).
 void read_texture_keys(Reading& reading, const Json& json, Property& property);
 
+// The numbers of a value that is more than a vector (read_keys.cpp). Those of a gradient or a curve are what the array
+// in the struct of the node library holds, and those of a matrix go row by row. Nothing after an error.
+std::optional<std::vector<double>> read_array_value(Reading& reading, const Json& json, PropertyType type);
+// What the value is by its form; nothing if it is none of them.
+std::optional<PropertyType> array_type(const Json& json);
+bool has_rows(const Json& json);
+// Of a property without a default: the unit matrix; from black to white, opaque; a line from (0, 0) to (1, 1).
+std::vector<double> implied_array_value(PropertyType type);
+
 // The word in `known` of which `word` is a synonym, or `word` itself.
 std::string_view meant_by(std::string_view word, std::span<const std::string_view> known);
 

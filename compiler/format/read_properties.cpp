@@ -20,6 +20,11 @@ std::size_t ranged_count(PropertyType type) {
         case PropertyType::Color: return 3;
         case PropertyType::Bool:
         case PropertyType::Enum:
+        case PropertyType::Float2x2:
+        case PropertyType::Float3x3:
+        case PropertyType::Float4x4:
+        case PropertyType::Gradient:
+        case PropertyType::Curve:
         case PropertyType::Texture2D:
         case PropertyType::TextureCube:
         case PropertyType::Texture2DArray:
@@ -129,6 +134,14 @@ void read_default(Reading& reading, const Json& json, Property& property) {
             property.value[0] = read_bool(reading, json, "the default of a bool").value_or(false) ? 1 : 0;
             return;
         case PropertyType::Enum: return read_enum_default(reading, json, property);
+        case PropertyType::Float2x2:
+        case PropertyType::Float3x3:
+        case PropertyType::Float4x4:
+        case PropertyType::Gradient:
+        case PropertyType::Curve:
+            if (std::optional<std::vector<double>> numbers = read_array_value(reading, json, property.type))
+                property.numbers = std::move(*numbers);
+            return;
         case PropertyType::Texture2D:
         case PropertyType::TextureCube:
         case PropertyType::Texture2DArray:
@@ -136,10 +149,11 @@ void read_default(Reading& reading, const Json& json, Property& property) {
     }
 }
 
-// The value until a default is read: 0, a white colour (or the nearest to them in the range), a texture that changes
+// The value until a default is read: 0, the unit matrix, a gradient or curve from 0 to 1, a white colour (or the nearest to them in the range), a texture that changes
 // nothing.
 void set_implied_default(Property& property) {
     if (property.type == PropertyType::Color) property.value = {1, 1, 1, 1};
+    if (is_array(property.type)) property.numbers = implied_array_value(property.type);
     if (is_texture(property.type)) {
         property.texture = property.usage == TextureUsage::Normal ? "bump" : "white";
     }
@@ -202,7 +216,7 @@ Property read_property(Reading& reading, const Json& json, UniqueNames& names) {
         reading.diagnostics.report(Code::TypeMismatch, property.binding_span, fmt::format("'{}'", shown(property.name)),
                                    to_string(property.type), "a bool or an enum");
     }
-    if (property.binding == Binding::Instance && is_texture(property.type)) {
+    if (property.binding == Binding::Instance && (is_texture(property.type) || is_array(property.type))) {
         reading.diagnostics.report(Code::TypeMismatch, property.binding_span, fmt::format("'{}'", shown(property.name)),
                                    to_string(property.type), "a number, a vector, a color, a bool or an enum");
     }

@@ -38,7 +38,42 @@ const Expr* read_number(Reading& reading, const Json& json, std::string_view wha
     return add(reading, number_expr(json.span, *value, is_int ? NumberKind::Int : NumberKind::Float));
 }
 
+// A list of `width` numbers at a time.
+const Expr* rows_expr(Reading& reading, Span span, std::span<const double> numbers, std::size_t width) {
+    Expr rows;
+    rows.kind = Expr::Kind::List;
+    rows.span = span;
+    for (std::size_t i = 0; i < numbers.size(); i += width) {
+        Expr row;
+        row.kind = Expr::Kind::List;
+        row.span = span;
+        for (const double number : numbers.subspan(i, width))
+            row.args.push_back(add(reading, number_expr(span, number, NumberKind::Float)));
+        rows.args.push_back(add(reading, std::move(row)));
+    }
+    return add(reading, std::move(rows));
+}
+
+// A matrix; or a gradient or a curve: a struct of the node library with one member, an array of float4.
+const Expr* read_array(Reading& reading, const Json& json) {
+    const std::optional<PropertyType> type = array_type(json);
+    if (!type) {
+        report_type(reading, json, "a value", "a number, true or false, an array, a string, a gradient or a curve");
+        return nullptr;
+    }
+    const std::optional<std::vector<double>> numbers = read_array_value(reading, json, *type);
+    if (!numbers) return nullptr;
+    if (json.kind == Json::Kind::Array) return rows_expr(reading, json.span, *numbers, json.elements.size());
+    Expr object;
+    object.kind = Expr::Kind::Object;
+    object.span = json.span;
+    object.text = *type == PropertyType::Gradient ? "Gradient" : "Curve";
+    object.args = {rows_expr(reading, json.span, *numbers, 4)};
+    return add(reading, std::move(object));
+}
+
 const Expr* read_list(Reading& reading, const Json& json) {
+    if (has_rows(json) && array_type(json)) return read_array(reading, json);
     if (json.elements.size() < 2 || json.elements.size() > 4) {
         report_type(reading, json, "a vector", "an array of 2 to 4 numbers");
         return nullptr;
@@ -161,8 +196,8 @@ const Expr* read_value(const Json& json, const SourceMap& sources, nodelang::Ast
         case Json::Kind::Number: return read_number(reading, json, "a value");
         case Json::Kind::Array: return read_list(reading, json);
         case Json::Kind::String: return read_string_value(reading, json);
+        case Json::Kind::Object: return read_array(reading, json);
         case Json::Kind::Null:
-        case Json::Kind::Object:
             report_type(reading, json, "a value", "a number, true or false, an array or a string");
             return nullptr;
     }

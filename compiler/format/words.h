@@ -64,9 +64,10 @@ inline constexpr std::array<std::string_view, 4> kDefaultTextures = {"white", "b
 
 // The types that an input of a sub-graph, a workflow or a lighting model can have.
 // As everywhere, "color" has alpha; "color3" has none.
-inline constexpr std::array<std::string_view, 12> kInputTypes = {
-    "float", "float2", "float3",    "float4",      "color",          "color3",
-    "int",   "bool",   "texture2d", "textureCube", "texture2dArray", "texture3d"};
+inline constexpr std::array<std::string_view, 17> kInputTypes = {
+    "float", "float2",    "float3",      "float4",         "color",    "color3",
+    "int",   "bool",      "float2x2",    "float3x3",       "float4x4", "gradient",
+    "curve", "texture2d", "textureCube", "texture2dArray", "texture3d"};
 
 // The kind of texture that a property or an input has, as word of its type; nothing if it is none.
 constexpr std::optional<PropertyType> texture_type(std::string_view word) {
@@ -92,6 +93,13 @@ template <>
 inline constexpr auto kWords<graph::Precision> = std::to_array<Word<graph::Precision>>({
     {"float", graph::Precision::Float},
     {"half", graph::Precision::Half},
+});
+
+template <>
+inline constexpr auto kWords<graph::GradientBlend> = std::to_array<Word<graph::GradientBlend>>({
+    {"linear", graph::GradientBlend::Linear},
+    {"fixed", graph::GradientBlend::Fixed},
+    {"perceptual", graph::GradientBlend::Perceptual},
 });
 
 template <>

@@ -92,7 +92,7 @@ ir::Kind texture_kind(PropertyType type) {
     return type == PropertyType::Texture3D ? ir::Kind::Texture3D : ir::Kind::Texture2D;
 }
 
-Type property_type(PropertyType type) {
+Type property_type(ir::Module& module, PropertyType type) {
     switch (type) {
         case PropertyType::Float: return ir::kFloat;
         case PropertyType::Float2: return ir::kFloat2;
@@ -102,6 +102,12 @@ Type property_type(PropertyType type) {
         case PropertyType::Int:
         case PropertyType::Bool:
         case PropertyType::Enum: return ir::kInt;
+        case PropertyType::Float2x2:
+        case PropertyType::Float3x3:
+        case PropertyType::Float4x4: return Type::matrix(ir::Scalar::Float, 4, 4);
+        case PropertyType::Gradient:
+        case PropertyType::Curve:
+            return module.array_of(ir::kFloat4, static_cast<std::uint32_t>(component_count(type) / 4));
         case PropertyType::Texture2D:
         case PropertyType::TextureCube:
         case PropertyType::Texture2DArray:
@@ -233,7 +239,7 @@ std::vector<PropertyGlobals> declare_material(const engines::Engine& engine, con
         if (!is_texture(property.type)) {
             const bool is_of_instance = instances && property.binding == Binding::Instance;
             made.value = add_block_global(module, is_of_instance ? *instances : block, property.name,
-                                          property_type(property.type), property.span);
+                                          property_type(module, property.type), property.span);
             // Artists see its name, so it must be kept, whatever block holds it.
             module.globals[made.value.index].group = ir::Group::Material;
             continue;

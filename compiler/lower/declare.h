@@ -26,8 +26,9 @@ struct PropertyGlobals {
 
 // The kind of a texture property.
 ir::Kind texture_kind(PropertyType type);
-// The type of a numeric property's value in its block, or of a texture.
-ir::Type property_type(PropertyType type);
+// The type of a property's value in its block, or of a texture. A matrix of any size is a float4x4 there, because
+// languages differ on what may follow a smaller one; a gradient and a curve are arrays of float4.
+ir::Type property_type(ir::Module& module, PropertyType type);
 
 // The numbers of the library's blocks and textures, by their names, if all switches and paths were on: what a switch
 // adds has a number of its own, so no switch moves the binding of anything.

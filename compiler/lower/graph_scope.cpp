@@ -262,6 +262,14 @@ Typed GraphScope::property(const Expr& expr, emit::Scope&) {
     return {};
 }
 
+// The type of a property where a graph reads it.
+Type GraphScope::type_of(const Property& property) {
+    if (property.type == PropertyType::Bool) return ir::kBool;
+    if (!is_texture(property.type) && !is_array(property.type))
+        return property_type(lowering_.out.module, property.type);
+    return type_of_word(lowering_, to_string(property.type), property.span);
+}
+
 // A lighting graph's property that the material has bound to a value of its own. The value is read in the material's
 // scope, but emitted into this function.
 Typed GraphScope::bound_property(const PortValue& port) {
@@ -270,12 +278,7 @@ Typed GraphScope::bound_property(const PortValue& port) {
     if (property == own.end() || !port.value) return {};
     GraphScope reader(lowering_, property_scope_->graph_, *scope_.builder, false);
     reader.emit_nodes(reader.graph_.reachable(std::span(&port, 1)));
-    const Type type =
-        is_texture(property->type)
-            ? emit::type(lowering_.emitter, {.name = ir::texture_kind(texture_kind(property->type))->name}, scope_)
-        : property->type == PropertyType::Bool ? ir::kBool
-                                               : property_type(property->type);
-    Typed value = reader.value_as(port, type, fmt::format("the property '{}'", port.name));
+    Typed value = reader.value_as(port, type_of(*property), fmt::format("the property '{}'", port.name));
     if (property->type == PropertyType::Enum) {
         lowering_.enumerators.emplace_back(property->values.begin(), property->values.end());
         value.enumerators = &lowering_.enumerators.back();
@@ -299,7 +302,8 @@ Typed GraphScope::stand_in(const Property& property) {
     if (is_texture(property.type)) return {};
     if (property.type == PropertyType::Bool || property.type == PropertyType::Enum)
         return keyword(property, known_value(property, property.value[0]));
-    const Type type = property_type(property.type);
+    const Type type = type_of(property);
+    if (is_array(property.type)) return {.value = scope_.builder->zero(type), .type = type};
     return {.value = scope_.builder->splat_constant(type, property.value[0]), .type = type};
 }
 
@@ -312,6 +316,23 @@ emit::TextureView view_of(const Property& property) {
 }
 
 }  // namespace
+
+// A matrix is the first rows and columns of the one in the block; a gradient and a curve are structs around their
+// array.
+Typed GraphScope::array_property(const Property& property, Value stored) {
+    ir::Builder& b = *scope_.builder;
+    const Type type = type_of(property);
+    if (type == b.type(stored)) return {.value = stored, .type = type};
+    std::vector<Value> parts;
+    if (type.is_matrix()) {
+        constexpr std::array<unsigned, 4> kColumns = {0, 1, 2, 3};
+        for (unsigned row = 0; row < type.rows; ++row)
+            parts.push_back(b.swizzle(b.extract(stored, row), std::span(kColumns).first(type.cols)));
+    } else {
+        parts.push_back(stored);
+    }
+    return {.value = b.construct(type, parts), .type = type};
+}
 
 Typed GraphScope::material_property(std::size_t index) {
     const PropertyGlobals& globals = lowering_.out.property_globals[index];
@@ -338,6 +359,7 @@ Typed GraphScope::material_property(std::size_t index) {
     if (property.type == PropertyType::Bool) {
         return {.value = b.emit(Op::NotEqual, ir::kBool, {value, b.constant(ir::kInt, {0})}), .type = ir::kBool};
     }
+    if (is_array(property.type)) return array_property(property, value);
     Typed typed{.value = value, .type = b.type(value)};
     if (property.type == PropertyType::Enum) {
         lowering_.enumerators.emplace_back(property.values.begin(), property.values.end());

@@ -143,6 +143,8 @@ private:
     // The same graph in another function of the vertex stage, with only what `node` needs emitted.
     std::unique_ptr<GraphScope> vertex_twin(ir::Builder& builder, std::deque<std::unique_ptr<GraphScope>>& keep);
     Typed material_property(std::size_t index);
+    Typed array_property(const Property& property, ir::Value stored);
+    ir::Type type_of(const Property& property);
     Typed stand_in(const Property& property);
     Typed bound_property(const PortValue& port);
     Typed keyword(const Property& property, ir::Value value);

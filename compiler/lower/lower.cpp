@@ -307,14 +307,20 @@ ir::FunctionId add_function(ir::Module& module, ir::Function function) {
     return {static_cast<std::uint32_t>(module.functions.size() - 1)};
 }
 
-Type input_type(Lowering& lowering, const Input& input) {
+Type type_of_word(Lowering& lowering, std::string_view word, Span span) {
+    constexpr std::pair<std::string_view, std::string_view> kOthers[] = {
+        {"color", "float4"}, {"color3", "float3"}, {"gradient", "Gradient"}, {"curve", "Curve"}};
     const emit::Scope scope{.declarations = lowering.session.declarations};
-    const std::optional<PropertyType> texture = texture_type(input.type);
-    const std::string_view name = input.type == "color"    ? "float4"
-                                  : input.type == "color3" ? "float3"
-                                  : texture                ? ir::texture_kind(texture_kind(*texture))->name
-                                                           : std::string_view(input.type);
-    return emit::type(lowering.emitter, {.name = name, .span = input.type_span}, scope);
+    const std::optional<PropertyType> texture = texture_type(word);
+    std::string_view name = texture ? ir::texture_kind(texture_kind(*texture))->name : word;
+    for (const auto& [ours, theirs] : kOthers) {
+        if (word == ours) name = theirs;
+    }
+    return emit::type(lowering.emitter, {.name = name, .span = span}, scope);
+}
+
+Type input_type(Lowering& lowering, const Input& input) {
+    return type_of_word(lowering, input.type, input.type_span);
 }
 
 namespace {

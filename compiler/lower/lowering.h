@@ -8,6 +8,8 @@ namespace patina::graph {
 
 ir::FunctionId add_function(ir::Module& module, ir::Function function);
 ir::Type input_type(Lowering& lowering, const Input& input);
+// The type that a word of a graph means: "color3", "texture2d", "gradient".
+ir::Type type_of_word(Lowering& lowering, std::string_view word, Span span);
 
 // A previewed value of any type as a colour: a scalar is grey, two components are red and green.
 emit::Typed as_color(Lowering& lowering, emit::Typed value, GraphScope& scope, Span span);

@@ -33,6 +33,7 @@ struct Expr {
         Binary,    // text: + - * / % < <= > >= == != && || & | ^ << >>
         Ternary,   // args[0] ? args[1] : args[2]
         File,      // text: "./rust.png"
+        Object,    // text: a struct of the library; args: the values of its members. A gradient of a graph
     };
     Kind kind = Kind::Number;
     NumberKind number_kind = NumberKind::Int;
@@ -70,6 +71,7 @@ struct Stmt {
     std::string_view op{};
     bool is_const = false;
     bool is_light_loop = false;  // [light] for
+    bool is_unrolled = false;    // [unroll] for: the rounds are written out if their number is known
     const Expr* target = nullptr;
     const Expr* value = nullptr;
     const Expr* limit = nullptr;

@@ -53,6 +53,8 @@ constexpr OtherName kOtherNames[] = {
     {"mat4", "float4x4"},
     {"sampler2D", "Texture2D"},
     {"samplerCube", "TextureCube"},
+    {"SampleVirtualTexture", "",
+     "a virtual texture needs an engine that streams its tiles: sample a texture of each layer"},
     {"gl_FragCoord", "@fragCoord"},
     {"gl_FrontFacing", "@frontFacing"},
     // HLSL and Unity

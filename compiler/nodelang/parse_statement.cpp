@@ -152,6 +152,8 @@ const Stmt* Parser::for_statement() {
     for (const Attribute& mark : marks) {
         if (mark.name == "light" && mark.args.empty()) {
             loop.is_light_loop = true;
+        } else if (mark.name == "unroll" && mark.args.empty()) {
+            loop.is_unrolled = true;
         } else {
             diagnostics_.report(Code::BadAttribute, mark.span, mark.name, "is not allowed before a statement");
         }

@@ -136,6 +136,7 @@ patina::Property reflect_property(const ir::Module& module, const graph::Materia
                           .identifier = property.name,
                           .type = property.type,
                           .value = property.value,
+                          .numbers = property.numbers,
                           .binding = property.binding,
                           .range = property.range,
                           .hard = property.hard,
@@ -158,10 +159,10 @@ patina::Property reflect_property(const ir::Module& module, const graph::Materia
         made.identifier = global.name;
         made.block = module.blocks[global.block].name;
         made.offset = member.offset;
-        const bool is_array = member.type.kind == ir::Kind::Array;
+        const bool is_of_instances = member.type.kind == ir::Kind::Array && !is_array(property.type);
         const graph::Extent extent = graph::extent(module, member.type);
-        made.size = is_array ? graph::extent(module, module.arrays[member.type.ref].element).size : extent.size;
-        made.instance_stride = extent.stride;
+        made.size = is_of_instances ? graph::extent(module, module.arrays[member.type.ref].element).size : extent.size;
+        made.instance_stride = is_of_instances ? extent.stride : 0;
     }
     return made;
 }

@@ -71,6 +71,9 @@ public:
             bool is_on = false;
             key("default", is_on, {});
             property.value[0] = is_on ? 1 : 0;
+        } else if (is_array(property.type)) {
+            key("default", property.numbers, {});
+            if (json) is_list("default", *json, count);
         } else if (!json || count == 1) {
             key("default", property.value[0], {});
         } else if (is_list("default", *json, count)) {

@@ -141,7 +141,7 @@ void share(Session& session, const Material& material, MaterialProperty& entry, 
         return take_over(session, entry, property, options);
     const bool is_said = options.said_at || options.is_at_port;
     if (entry.is_own && !is_said) return;  // the material's own declaration decides
-    bool same_default = first.value == property.value;
+    bool same_default = first.value == property.value && first.numbers == property.numbers;
     if (is_texture(property.type)) {
         const std::optional<std::string> texture = find_texture(session, property, options.from);
         if (!texture) return;

@@ -69,6 +69,22 @@ const CheckedGraph* find_lighting(Session& session, const Graph& graph, const Li
 
 namespace {
 
+// Makes the rows of a matrix, a gradient or a curve the property's default; false if the value is none.
+bool set_array_default(Property& property, const Expr& value) {
+    const bool is_object = value.kind == Expr::Kind::Object;
+    const std::string_view wanted = property.type == PropertyType::Gradient ? "Gradient"
+                                    : property.type == PropertyType::Curve  ? "Curve"
+                                                                            : "";
+    if (value.text != wanted || (!is_object && value.kind != Expr::Kind::List)) return false;
+    std::vector<double> numbers;
+    for (const Expr* row : (is_object ? *value.args[0] : value).args) {
+        for (const Expr* number : row->args) numbers.push_back(number->number);
+    }
+    if (numbers.size() != property.numbers.size()) return false;
+    property.numbers = std::move(numbers);
+    return true;
+}
+
 // Makes a number, colour or word the property's default; false if it is not a constant.
 bool set_default(Session& session, Property& property, const Expr& value) {
     const bool negative = value.kind == Expr::Kind::Unary && value.text == "-";
@@ -88,12 +104,13 @@ bool set_default(Session& session, Property& property, const Expr& value) {
     if (literal.kind == Expr::Kind::Number || literal.kind == Expr::Kind::Bool) {
         const bool is_vector = property.type == PropertyType::Float2 || property.type == PropertyType::Float3 ||
                                property.type == PropertyType::Float4 || property.type == PropertyType::Color;
-        if (property.type == PropertyType::Enum || is_texture(property.type)) return false;
+        if (property.type == PropertyType::Enum || is_texture(property.type) || is_array(property.type)) return false;
         property.value.fill(0);
         for (std::size_t i = 0; i < (is_vector ? 4u : 1u); ++i)
             property.value[i] = negative ? -literal.number : literal.number;
         return true;
     }
+    if (is_array(property.type)) return set_array_default(property, value);
     const std::size_t size = property.type == PropertyType::Float2 ? 2 : property.type == PropertyType::Float3 ? 3 : 4;
     const bool is_list = value.kind == Expr::Kind::List || value.kind == Expr::Kind::Color;
     const bool fits =

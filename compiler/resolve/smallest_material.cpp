@@ -24,12 +24,14 @@ const Expr* any_value(Session& session, Graph& material, const Input& input) {
     expr.span = expr.name_span = input.name_span;
     if (input.type == "bool") {
         expr.kind = Expr::Kind::Bool;
-    } else if (const std::optional<PropertyType> texture = texture_type(input.type)) {
+    } else if (const std::optional<PropertyType> type = from_word<PropertyType>(input.type);
+               type && (is_texture(*type) || is_array(*type))) {
         Property& property = material.properties.emplace_back();
         property.name = "_" + input.name;
         property.name_span = property.span = input.name_span;
-        property.type = *texture;
-        property.texture = "white";
+        property.type = *type;
+        if (is_texture(*type)) property.texture = "white";
+        if (is_array(*type)) property.numbers.assign(component_count(*type), 1);
         expr.kind = Expr::Kind::Property;
         expr.text = session.ast.texts.emplace_back(property.name);
     }

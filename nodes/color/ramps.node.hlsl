@@ -30,7 +30,7 @@ float RampShare(float position, float before, float at, float isSharp, float fir
 /// test: ColorRamp(0.202, FixedUnity, 2, float3(0, 0, 0), 0.2, float3(1, 0.5, 0), 0.6) == float3(0, 0, 0)
 /// test: ColorRamp(0.3, FixedUnity, 2, float3(0, 0, 0), 0.2, float3(1, 0.5, 0), 0.6) == float3(1, 0.5, 0)
 /// test: ColorRamp(0.5, Perceptual, 2, float3(0, 0, 0), 0, float3(1, 1, 1), 1) == float3(0.125, 0.125, 0.125) within 1e-4
-[node("Color/Ramp")] [also("SampleGradient", "Gradient", "Ramp", "RampGradient")]
+[node("Color/Ramp")] [also("Ramp", "RampGradient")]
 float3 ColorRamp(
     [range(0, 1)] float position = 0,                    ///< where on the ramp
     const RampMode mode = Blended,         ///< how it goes from key to key

@@ -89,6 +89,12 @@ std::string outside_range(const Property& property, const Numbers& value) {
     return "";
 }
 
+std::string first_error(const ReadNumbers& read) {
+    for (const Diagnostic& diagnostic : read.diagnostics)
+        if (diagnostic.severity == Severity::Error) return diagnostic.message;
+    return "it has no value";
+}
+
 std::string no_property(const Reflection& reflection, const std::string& name) {
     const std::string hint = suggestion(name, property_names(reflection));
     return "the material has no property '" + name + "'" + (hint.empty() ? "" : "; " + hint);
@@ -145,18 +151,36 @@ void write(std::vector<std::byte>& bytes, const BlockMember& member, MatrixOrder
     }
 }
 
+// Of a matrix, by rows: the columns of the float4x4 that its block holds.
+std::vector<double> columns_of(std::span<const double> rows) {
+    const auto size = std::size_t(std::lround(std::sqrt(double(rows.size()))));
+    std::vector<double> columns(16);
+    for (std::size_t i = 0; i < rows.size(); i++) columns[i % size * 4 + i / size] = rows[i];
+    return columns;
+}
+
+// The value of a matrix, a gradient or a curve.
+std::vector<double> array_numbers(const Property& property, const MaterialValues& values) {
+    auto found = values.arrays.find(property.name);
+    const std::vector<double>& numbers = found == values.arrays.end() ? property.numbers : found->second;
+    return property.type == PropertyType::Gradient || property.type == PropertyType::Curve ? numbers
+                                                                                           : columns_of(numbers);
+}
+
 // The value of a member of the graph's own block: a property, or a texture's tiling or size.
-std::optional<Numbers> material_number(const BlockMember& member, const std::string& block,
-                                       const Reflection& reflection, const MaterialValues& values) {
+std::optional<std::vector<double>> material_numbers(const BlockMember& member, const std::string& block,
+                                                    const Reflection& reflection, const MaterialValues& values) {
+    const auto list = [](const Numbers& numbers) { return std::vector<double>(numbers.begin(), numbers.end()); };
     for (const Property& property : reflection.properties) {
         if (is_texture(property.type) || property.block != block || property.offset != member.offset) continue;
+        if (is_array(property.type)) return array_numbers(property, values);
         auto found = values.numbers.find(property.name);
-        return found == values.numbers.end() ? property.value : found->second;
+        return list(found == values.numbers.end() ? property.value : found->second);
     }
     for (const Texture& texture : reflection.textures) {
         if (member.name != texture.tiling) continue;
         auto found = values.tilings.find(texture.name);
-        return found == values.tilings.end() ? Numbers{1, 1, 0, 0} : found->second;
+        return list(found == values.tilings.end() ? Numbers{1, 1, 0, 0} : found->second);
     }
     return std::nullopt;
 }
@@ -167,8 +191,8 @@ EngineValue instance_numbers(const BlockMember& member, const std::string& block
                              const std::map<std::string, EngineValue>& engine) {
     EngineValue all{.per_vector = 4, .numbers = {}};
     for (const SeenInstance& instance : instances) {
-        if (const std::optional<Numbers> own =
-                material_number(member, block, reflection, instance.values ? *instance.values : values)) {
+        if (const std::optional<std::vector<double>> own =
+                material_numbers(member, block, reflection, instance.values ? *instance.values : values)) {
             all.numbers.insert(all.numbers.end(), own->begin(), own->end());
             continue;
         }
@@ -195,7 +219,7 @@ std::vector<BlockBytes> fill_with(const Reflection& reflection, const MaterialVa
                 const EngineValue all = instance_numbers(member, block.name, reflection, values, instances, engine);
                 write(filled.bytes, member, block.matrices, all.numbers, all.per_vector);
             } else if (block.is_material) {
-                std::optional<Numbers> numbers = material_number(member, block.name, reflection, values);
+                std::optional<std::vector<double>> numbers = material_numbers(member, block.name, reflection, values);
                 if (numbers) write(filled.bytes, member, block.matrices, *numbers, 4);
             } else if (auto found = engine.find(member.name); found != engine.end()) {
                 write(filled.bytes, member, block.matrices, found->second.numbers, found->second.per_vector);
@@ -227,7 +251,7 @@ Outcome<MaterialValues> material_values(const Reflection& reflection, const std:
                                         Spelling spelling) {
     MaterialValues result;
     for (const Property& property : reflection.properties)
-        if (!is_texture(property.type)) result.numbers[property.name] = property.value;
+        if (!is_texture(property.type) && !is_array(property.type)) result.numbers[property.name] = property.value;
 
     for (const auto& [name, text] : words) {
         if (const Texture* texture = tiled_texture(reflection, name)) {
@@ -251,6 +275,12 @@ Outcome<MaterialValues> material_values(const Reflection& reflection, const std:
         }
         if (is_texture(found->type)) {
             result.textures[name] = text;
+            continue;
+        }
+        if (is_array(found->type)) {
+            ReadNumbers read = read_array_value(found->type, text);
+            if (!read.ok) return Failure{name + ": " + first_error(read)};
+            result.arrays[name] = std::move(read.numbers);
             continue;
         }
         Outcome<Numbers> value = parse_value(*found, text, spelling);

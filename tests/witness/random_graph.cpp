@@ -370,7 +370,9 @@ private:
         if (node.name == "SplitSumIntegral") return false;
         return std::all_of(node.ports.begin(), node.ports.end(), [&](const PortInfo& port) {
             // Light is known to lighting graphs only, and textures are not numbers.
-            return !port.type.starts_with("Texture") && (port.is_output || !port.type.starts_with("Sampler"));
+            const bool is_matrix = port.type.find('x') != std::string::npos && port.type.starts_with("float");
+            return !port.type.starts_with("Texture") && !is_matrix &&
+                   (port.is_output || !port.type.starts_with("Sampler"));
         });
     }
 
@@ -399,6 +401,21 @@ private:
         json_ += R"({ "id": ")" + id + R"(", "expr": ")" + kNames[dice_.below(3)] + "(" + layer + ".xyz * " + layer +
                  ".zwx)\", \"precision\": \"float\" }";
         values_.push_back({id, 3, 16});
+    }
+
+    // A gradient or a curve. Its keys are far apart, so that two inputs that are near stay near.
+    std::string keys(bool is_gradient) {
+        std::string list;
+        const int count = 1 + dice_.below(5);
+        const auto number = [&](int from, int to) { return literal(dice_.sixteenths(from, to)); };
+        for (int i = 0; i < count; ++i) {
+            list += (i > 0 ? ", [" : "[") + literal(i * 0.25) + ", ";
+            list += is_gradient ? "[" + number(0, 1) + ", " + number(0, 1) + ", " + number(0, 2) + "]]"
+                                : number(-2, 2) + ", " + number(-1, 1) + ", " + number(-1, 1) + "]";
+        }
+        if (!is_gradient) return "{ \"keys\": [" + list + "] }";
+        return "{ \"colors\": [" + list + "], \"alphas\": [[0.25, 0.5], [0.75, " + number(0, 1) + "]], \"blend\": \"" +
+               (dice_.chance(50) ? "linear" : "perceptual") + "\" }";
     }
 
     std::string port_value(const NodeInfo& node, const PortInfo& port, int wide, bool half) {
@@ -439,6 +456,10 @@ private:
         for (const PortInfo& port : node.ports) {
             if (port.is_output) continue;
             // The first of the floatN ports is as wide as the node is to be.
+            if (port.type == "Gradient" || port.type == "Curve") {
+                ports += (ports.empty() ? "" : ", ") + ("\"" + port.name + "\": " + keys(port.type == "Gradient"));
+                continue;
+            }
             std::string value = port_value(node, port, wide, half);
             if (is_first && port.type == "floatN") {
                 Expressions in = over_values(half);

@@ -121,6 +121,11 @@ Declared declared(const graph::MaterialProperty& entry, bool is_decoded) {
                 words += fmt::format("{}{}, {}", i == 0 ? "" : ", ", property.values[i], i);
             return {fmt::format("[Enum({})] ", words), "Float", number(value[0])};
         }
+        case PropertyType::Float2x2:
+        case PropertyType::Float3x3:
+        case PropertyType::Float4x4:
+        case PropertyType::Gradient:
+        case PropertyType::Curve: break;
         case PropertyType::Texture2D: {
             std::string attributes = property.tiling ? "" : "[NoScaleOffset] ";
             if (is_unity_normal_map(property)) attributes += "[Normal] ";
@@ -200,6 +205,7 @@ std::vector<std::string> shader_properties(const graph::Material& material, cons
         const graph::PropertyGlobals& globals = lowered.property_globals[i];
         const ir::GlobalId id = globals.texture ? globals.texture : globals.value;
         if (!id && !globals.keyword) continue;  // it is a constant
+        if (is_array(property.type)) continue;  // a script sets it
         const Declared made = id ? declared(entry, !lowered.module.globals[id.index].decoder.empty()) : switched(entry);
         if (property.group != group) {
             const bool is_first = lines.empty();

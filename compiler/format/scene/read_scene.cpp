@@ -66,6 +66,17 @@ SceneCamera read_camera(Reading& reading, const Json& json) {
 
 // --- materials
 
+// A matrix, a gradient or a curve, as the file writes it. Its type is checked when the property is known.
+std::optional<std::string> read_array_text(SceneReading& reading, const Json& json) {
+    const std::optional<PropertyType> type = array_type(json);
+    if (!type) {
+        report_type(reading, json, "the value of a property", "a matrix of 2 to 4 rows, a gradient or a curve");
+        return std::nullopt;
+    }
+    if (!read_array_value(reading, json, *type)) return std::nullopt;
+    return std::string(reading.sources.text(json.span));
+}
+
 // Reads a value in words; nothing after an error.
 std::optional<std::string> read_set_value(SceneReading& reading, const Json& json, std::string_view what) {
     switch (json.kind) {
@@ -74,6 +85,7 @@ std::optional<std::string> read_set_value(SceneReading& reading, const Json& jso
             if (!read_float(reading, json, what)) return std::nullopt;
             return std::string(reading.sources.text(json.span));
         case Json::Kind::Array: {
+            if (has_rows(json)) return read_array_text(reading, json);
             if (json.elements.size() < 2 || json.elements.size() > 4) break;
             std::string words;
             for (const Json& element : json.elements) {
@@ -95,8 +107,8 @@ std::optional<std::string> read_set_value(SceneReading& reading, const Json& jso
             std::string file = reading.files.find(text, inside(json.span));
             return file.empty() ? text : file;
         }
-        case Json::Kind::Null:
-        case Json::Kind::Object: break;
+        case Json::Kind::Object: return read_array_text(reading, json);
+        case Json::Kind::Null: break;
     }
     report_type(reading, json, what, "a number, true or false, an array of 2 to 4 numbers or a string");
     return std::nullopt;

@@ -1,5 +1,7 @@
 #include "compiler/format/schema/schema.h"
 
+#include <fmt/format.h>
+
 #include <cassert>
 
 #include "compiler/format/canonical_form.h"
@@ -24,6 +26,19 @@ constexpr std::string_view kByte = R"({"type":"integer","minimum":0,"maximum":25
 constexpr std::string_view kBox =
     R"({"type":"array","items":{"type":"array","items":{"type":"number"},"minItems":3,"maxItems":3},)"
     R"("minItems":2,"maxItems":2})";
+
+constexpr std::string_view kColor = R"({"type":"string","pattern":"^#([0-9a-fA-F]{3}|[0-9a-fA-F]{6})$"})";
+constexpr std::string_view kLinearColor = R"({"type":"array","items":{"type":"number"},"minItems":3,"maxItems":3})";
+
+// Keys [time, value].
+std::string key_list_schema(int most, std::string_view value) {
+    constexpr std::string_view kTime = R"({"type":"number","minimum":0,"maximum":1})";
+    const std::string key = object({{"type", quoted("array")},
+                                    {"prefixItems", fmt::format("[{},{}]", kTime, value)},
+                                    {"minItems", "2"},
+                                    {"maxItems", "2"}});
+    return object({{"type", quoted("array")}, {"items", key}, {"minItems", "1"}, {"maxItems", std::to_string(most)}});
+}
 
 template <std::size_t N>
 std::string texts_schema(const std::array<std::string_view, N>& words) {
@@ -91,6 +106,11 @@ std::vector<SchemaRow> make_rows(const SchemaInput& input) {
         {Free, "grid",
          R"json({"type": "array", "items": {"type": "integer", "minimum": 1, "maximum": 256}, "minItems": 2, "maxItems": 2})json"},
         {Free, "sampler", any_of({texts_schema(shared_sampler_names()), reference("sampler")})},
+        {Free, "colors", key_list_schema(8, any_of({text(kColor), text(kLinearColor)}))},
+        {Free, "alphas", key_list_schema(8, R"({"type":"number","minimum":0,"maximum":1})")},
+        {Free, "blend", words_schema<GradientBlend>()},
+        {Free, "keys",
+         R"({"type":"array","minItems":1,"maxItems":16,"items":{"type":"array","items":{"type":"number"},"minItems":2,"maxItems":4}})"},
         {Free, "id", text(kIdentifier)},
         {Free, "node", node_name_schema(input.nodes)},
         {Free, "in", text(kValues)},
@@ -183,6 +203,8 @@ Members make_definitions(const SchemaInput& input) {
         {"node", object(node)},
         {"input", object(object_schema(rows, ObjectKind::Input))},
         {"sampler", object(object_schema(rows, ObjectKind::Sampler))},
+        {"gradient", object(object_schema(rows, ObjectKind::Gradient))},
+        {"curve", object(object_schema(rows, ObjectKind::Curve))},
         {"render", object(object_schema(rows, ObjectKind::Render))},
         {"stencil", object(object_schema(rows, ObjectKind::Stencil))},
         {"pass", object(object_schema(rows, ObjectKind::ExtraPass))},

@@ -85,6 +85,8 @@ struct Property {
     std::string identifier;  // in the shaders: the name, or another where a language or a block has it already
     PropertyType type = PropertyType::Float;  // of the value
     std::array<double, 4> value{};            // default; colours linear; bool 0 or 1; enum: index
+    // The default of a matrix, by rows, or of a gradient or a curve, as its array in the block holds it; else empty.
+    std::vector<double> numbers{};
     // Specialization: a constant that is set when a pipeline is made. Variant: the shaders are compiled for `value`,
     // and hold no other.
     Binding binding = Binding::Uniform;
@@ -314,6 +316,16 @@ struct PATINA_API Reflection {
     // The key "patina" of the text. It changes if a program that reads the text must change.
     static constexpr int kVersion = 1;
 };
+
+// What read_array_value() gives.
+struct ReadNumbers {
+    bool ok = false;                      // there are no errors
+    std::vector<double> numbers;          // as Property::numbers
+    std::vector<Diagnostic> diagnostics;  // what is wrong, with its place in the text
+};
+
+// Reads a value of a matrix, a gradient or a curve, as graphs write them: "[[1, 0], [0, 1]]".
+PATINA_API ReadNumbers read_array_value(PropertyType type, std::string_view json);
 
 // What Reflection::from_json() gives.
 struct ReadReflection {

@@ -54,7 +54,8 @@ constexpr std::optional<E> from_word(std::string_view text) {
 
 // --- properties and textures
 
-// The type of a property. A Color is four components, and linear; an Enum is the index of its word.
+// The type of a property. A Color is four components, and linear; an Enum is the index of its word; a Gradient and a
+// Curve are the rows of an array of 17 float4.
 enum class PropertyType {
     Float,
     Float2,
@@ -64,6 +65,11 @@ enum class PropertyType {
     Int,
     Bool,
     Enum,
+    Float2x2,
+    Float3x3,
+    Float4x4,
+    Gradient,
+    Curve,
     Texture2D,
     TextureCube,
     Texture2DArray,
@@ -73,13 +79,22 @@ enum class PropertyType {
 constexpr bool is_texture(PropertyType type) {
     return type >= PropertyType::Texture2D;
 }
+// True for a matrix, a gradient and a curve, which are more than one vector.
+constexpr bool is_array(PropertyType type) {
+    return type >= PropertyType::Float2x2 && type <= PropertyType::Curve;
+}
 // How many numbers a value has: 4 for a colour; 1 for an enum, whose number is an index, and for what has no numbers.
 constexpr std::size_t component_count(PropertyType type) {
     switch (type) {
         case PropertyType::Float2: return 2;
         case PropertyType::Float3: return 3;
         case PropertyType::Float4:
-        case PropertyType::Color: return 4;
+        case PropertyType::Color:
+        case PropertyType::Float2x2: return 4;
+        case PropertyType::Float3x3: return 9;
+        case PropertyType::Float4x4: return 16;
+        case PropertyType::Gradient:
+        case PropertyType::Curve: return 68;
         case PropertyType::Float:
         case PropertyType::Int:
         case PropertyType::Bool:
@@ -101,6 +116,11 @@ inline constexpr auto kWords<PropertyType> = std::to_array<Word<PropertyType>>({
     {"int", PropertyType::Int},
     {"bool", PropertyType::Bool},
     {"enum", PropertyType::Enum},
+    {"float2x2", PropertyType::Float2x2},
+    {"float3x3", PropertyType::Float3x3},
+    {"float4x4", PropertyType::Float4x4},
+    {"gradient", PropertyType::Gradient},
+    {"curve", PropertyType::Curve},
     {"texture2d", PropertyType::Texture2D},
     {"textureCube", PropertyType::TextureCube},
     {"texture2dArray", PropertyType::Texture2DArray},
