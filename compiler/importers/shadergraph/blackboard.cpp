@@ -104,18 +104,6 @@ Declaration declaration_of(const Property& property) {
     return {};
 }
 
-Gradient gradient_of(const Json* json) {
-    Gradient made;
-    for (int i = 0; i < std::clamp(whole_of(json, "m_NumColorKeys", 2), 1, 8); ++i)
-        made.colors.push_back({.time = number_of(json, fmt::format("ctime{}", i)) / 65535, .value = vector_of(json, fmt::format("key{}", i), 3)});
-    for (int i = 0; i < std::clamp(whole_of(json, "m_NumAlphaKeys", 2), 1, 8); ++i) {
-        const std::vector<double> key = vector_of(json, fmt::format("key{}", i), 4);
-        made.alphas.push_back({.time = number_of(json, fmt::format("atime{}", i)) / 65535, .value = {key[3]}});
-    }
-    made.mode = whole_of(json, "m_Mode");
-    return made;
-}
-
 bool is_texture(std::string_view kind) {
     return kind.starts_with("Texture") || kind == "Cubemap";
 }

@@ -50,7 +50,7 @@ GraphMaker::GraphMaker(Project& project, const ShaderGraph& graph, std::string n
     : project_(project),
       graph_(graph),
       name_(std::move(name)),
-      dynamic_types_(graph.nodes.size(), Type::None),
+      dynamic_types_(graph.nodes.size()),
       outcomes_(graph.nodes.size()) {
     // Names that nodes get which do not come from one node.
     ids_.take("uv");
@@ -120,14 +120,11 @@ void GraphMaker::evaluate(std::size_t index) {
     const Node& at = node(index);
     const bool is_output = std::ranges::any_of(graph_.blocks, [&](const Block& block) { return block.node == index; });
     std::vector<Type> connected;
-    Dynamic dynamic = Dynamic::No;
     for (const Slot& slot : at.slots) {
-        const SlotType type = type_of_slot(slot.kind);
-        if (type.dynamic == Dynamic::No) continue;
-        dynamic = type.dynamic;
+        if (type_of_slot(slot.kind).dynamic == Dynamic::No) continue;
         if (const auto term = slot.is_input ? linked_term(index, slot.id) : std::nullopt) connected.push_back(term->type);
     }
-    dynamic_types_[index] = dynamic == Dynamic::Matrix ? dynamic_matrix(connected) : dynamic_vector(connected);
+    dynamic_types_[index] = {.vector = dynamic_vector(connected), .matrix = dynamic_matrix(connected)};
     if (is_output || apply_special(*this, index) || apply_rule(*this, index)) return;
     refuse(index, is_in_table(at.kind)
                       ? "it has a setting that this importer does not know"
@@ -136,7 +133,8 @@ void GraphMaker::evaluate(std::size_t index) {
 
 Type GraphMaker::type_of(std::size_t index, const Slot& slot) const {
     const SlotType type = type_of_slot(slot.kind);
-    return type.dynamic == Dynamic::No ? type.type : dynamic_types_[index];
+    if (type.dynamic == Dynamic::No) return type.type;
+    return type.dynamic == Dynamic::Matrix ? dynamic_types_[index].matrix : dynamic_types_[index].vector;
 }
 
 std::optional<Term> GraphMaker::linked_term(std::size_t index, int slot) const {
@@ -193,6 +191,7 @@ Term GraphMaker::input(std::size_t index, int slot_id, bool may_stay_number) {
         made = texture_constant(index, type, json, "m_Cubemap", 0);
     } else {
         made.type = type;
+        if (type == Type::Gradient) made.gradient = std::make_shared<const Gradient>(gradient_of(member(json, "m_Value")));
     }
     return made;
 }
@@ -272,6 +271,17 @@ void GraphMaker::refuse(std::size_t index, std::string reason) {
         set(index, slot.id, value);
     }
     outcomes_[index] = {.kind = Remark::Kind::LeftOut, .where = {}, .text = std::move(reason)};
+}
+
+std::string GraphMaker::node_file(const std::string& function, const std::string& text) {
+    for (const TextFile& each : project_.files)
+        if (each.text == text) return each.name;
+    return project_.file_names.unique(function, "function") + ".node.hlsl";
+}
+
+void GraphMaker::keep_node_file(const std::string& file, const std::string& text) {
+    if (std::ranges::find(project_.files, file, &TextFile::name) == project_.files.end())
+        project_.files.push_back({.name = file, .text = text});
 }
 
 void GraphMaker::remark(Remark::Kind kind, std::string part, std::string text, Place place) {

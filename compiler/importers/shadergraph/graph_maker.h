@@ -28,7 +28,6 @@ public:
     void make();
     GraphFile& file() { return file_; }
     SubgraphPorts& ports() { return ports_; }
-    const std::vector<TextFile>& node_files() const { return node_files_; }
 
     // --- for those who evaluate nodes
     const ShaderGraph& graph() const { return graph_; }
@@ -67,7 +66,9 @@ public:
     std::string property_name(const Property& property) const;
     // In a sub-graph: the input that says whether that one is connected.
     std::string connected_input(const Property& property);
-    void add_node_file(TextFile file) { node_files_.push_back(std::move(file)); }
+    // The name of a file with a function; the same for the same text.
+    std::string node_file(const std::string& function, const std::string& text);
+    void keep_node_file(const std::string& file, const std::string& text);
 
 private:
     using Key = std::pair<std::size_t, int>;
@@ -97,7 +98,6 @@ private:
     std::string name_;
     GraphFile file_{};
     SubgraphPorts ports_{};
-    std::vector<TextFile> node_files_{};
     std::vector<Value> inputs_{};  // of a sub-graph
     Names ids_{}, property_names_{};
 
@@ -105,7 +105,10 @@ private:
     std::map<Key, std::size_t> uses_{};   // of outputs, by nodes that count
     std::vector<std::size_t> order_{};
     std::map<Key, Term> terms_{};         // outputs
-    std::vector<Type> dynamic_types_{};   // of each node that was evaluated
+    struct DynamicTypes {
+        Type vector = Type::Float, matrix = Type::Matrix2;
+    };
+    std::vector<DynamicTypes> dynamic_types_{};  // of each node that was evaluated
     std::map<std::string, Term, std::less<>> named_{};  // by text
     std::vector<Outcome> outcomes_{};
     std::map<std::string, std::size_t> owners_{};       // id -> node, for the layout
@@ -121,6 +124,9 @@ bool apply_special(GraphMaker& maker, std::size_t node);
 // The classes that have one.
 std::vector<std::string_view> special_classes();
 
+Gradient gradient_of(const Json* json);  // as a slot or a property holds it
+void make_gradient(GraphMaker& maker, std::size_t node);
+void make_sample_gradient(GraphMaker& maker, std::size_t node);
 // Nodes with files of their own.
 void make_subgraph_node(GraphMaker& maker, std::size_t node);
 void make_custom_function(GraphMaker& maker, std::size_t node);

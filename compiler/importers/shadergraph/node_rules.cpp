@@ -132,6 +132,7 @@ private:
             made += text.substr(at, begin - at);
             made += bracketed(terms[i].text(), made, std::string_view(text).substr(end));
             holds.nodes.insert(holds.nodes.end(), terms[i].nodes.begin(), terms[i].nodes.end());
+            holds.is_color |= terms[i].is_color && width(terms[i].type) > 1;
             at = end;
         }
         made += text.substr(at);

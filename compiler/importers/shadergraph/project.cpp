@@ -46,7 +46,6 @@ SubgraphPorts Project::read_graph(const std::string& path, const std::string& na
     if (json.empty()) return {.error = fmt::format("{}: a name in it is not UTF-8", path)};
     SubgraphPorts ports = maker.ports();
     files.push_back({.name = own, .text = std::move(json)});
-    for (const TextFile& each : maker.node_files()) files.push_back(each);
     ports.file = "./" + own;
     return ports;
 }

@@ -61,68 +61,16 @@ void texture_asset(GraphMaker& maker, std::size_t node) {
     maker.set(node, 0, maker.texture_constant(node, type, at.json, type == Type::Cubemap ? "m_Cubemap" : "m_Texture", 0));
 }
 
-// --- gradients
-
-void gradient(GraphMaker& maker, std::size_t node) {
-    const Json* json = maker.node(node).json;
-    auto made = std::make_shared<Gradient>();
-    for (const Json& key : elements_of(json, "m_SerializableColorKeys")) {
-        const std::vector<double> value = vector_of(&key, "", 4);
-        made->colors.push_back({.time = value[3], .value = {value[0], value[1], value[2]}});
-    }
-    for (const Json& key : elements_of(json, "m_SerializableAlphaKeys")) {
-        const std::vector<double> value = vector_of(&key, "", 2);
-        made->alphas.push_back({.time = value[1], .value = {value[0]}});
-    }
-    made->mode = whole_of(json, "m_SerializableMode");
-    Term term{.type = Type::Gradient};
-    term.gradient = std::move(made);
-    term.nodes = {node};
-    maker.set(node, 0, std::move(term));
-}
-
-GraphNode ramp(std::string_view kind, std::string_view value, const std::vector<Gradient::Key>& keys, int mode, const Term& at) {
-    GraphNode made{.id = {}, .node = std::string(kind), .inputs = {{"position", at.value()}}};
-    const std::size_t count = std::min<std::size_t>(keys.size(), 8);
-    made.inputs.push_back({"keys", number_term(static_cast<double>(count)).value()});
-    for (std::size_t i = 0; i < count; ++i) {
-        made.inputs.push_back({fmt::format("{}{}", value, i), constant(keys[i].value).value()});
-        made.inputs.push_back({fmt::format("at{}", i), number_term(keys[i].time).value()});
-    }
-    static constexpr std::string_view kModes[] = {"Linear", "FixedUnity", "Perceptual"};
-    made.inputs.push_back({"mode", patina::importers::text(kModes[std::clamp(mode, 0, 2)])});
-    return made;
-}
-
-void sample_gradient(GraphMaker& maker, std::size_t node) {
-    Term from = maker.input(node, 0);
-    if (const auto linked = maker.linked_term(node, 0)) from = *linked;
-    std::shared_ptr<const Gradient> colors = from.gradient;
-    if (!colors || colors->colors.empty() || colors->alphas.empty()) {
-        maker.refuse(node, "its gradient is not a constant of this graph: a graph has no gradients as values");
-        return;
-    }
-    const Term time = maker.named(maker.input(node, 1));
-    // The engine blends the colours as a picker shows them, and makes the result linear.
-    const std::string color = maker.add_node(node, ramp("ColorRamp", "color", colors->colors, colors->mode, time));
-    maker.written(time, fmt::format("the node '{}'", color));
-    maker.written(from, fmt::format("the node '{}'", color));
-    const bool is_opaque = std::ranges::all_of(colors->alphas, [](const Gradient::Key& key) { return key.value[0] == 1; });
-    const std::string alpha =
-        is_opaque ? "1" : maker.add_node(node, ramp("ValueRamp", "value", colors->alphas, colors->mode, time), color + "Alpha");
-    Term made = expression(fmt::format("float4(SrgbToLinear({}), {})", color, alpha), Type::Float4);
-    made.parts = {{fmt::format("SrgbToLinear({})", color), 3}, {alpha, 1}};
-    maker.set(node, 2, made);
-}
-
 // --- vectors and matrices
 
 // Two matrices, or a matrix and a vector, are multiplied as such; what is connected decides.
 void multiply(GraphMaker& maker, std::size_t node) {
     const auto first = maker.linked_term(node, 0), second = maker.linked_term(node, 1);
     const bool is_first = first && is_matrix(first->type), is_second = second && is_matrix(second->type);
-    Term a = maker.input(node, 0, true), b = maker.input(node, 1, true);
+    Term a, b;
     if (!is_first && !is_second) {
+        a = maker.input(node, 0, true);
+        b = maker.input(node, 1, true);
         constexpr std::size_t kLongest = 80;
         for (Term* each : {&a, &b})
             if (a.text().size() + b.text().size() > kLongest && each->text().size() > kLongest / 3) *each = maker.named(*each);
@@ -131,18 +79,24 @@ void multiply(GraphMaker& maker, std::size_t node) {
             return text.starts_with("-") ? "(" + text + ")" : text;
         };
         const std::string right = precedence_of(b.text()) == kProduct ? "(" + b.text() + ")" : factor(b);
-        maker.set(node, 2, joined(fmt::format("{} * {}", factor(a), right), a.type == Type::Float ? b.type : a.type, {&a, &b}));
+        Term made = joined(fmt::format("{} * {}", factor(a), right), a.type == Type::Float ? b.type : a.type, {&a, &b});
+        made.is_color = a.is_color || b.is_color;
+        maker.set(node, 2, made);
         return;
     }
     std::size_t rows = 4;
     if (is_first) rows = std::min(rows, width(first->type));
     if (is_second) rows = std::min(rows, width(second->type));
-    const auto operand = [&](const std::optional<Term>& linked, bool is_own, const Term& otherwise) {
-        if (is_own) return converted(maker.named(*linked), matrix_type(rows));
-        return converted(linked ? *linked : otherwise, vector_type(rows));
+    const auto operand = [&](const std::optional<Term>& linked, int slot) {
+        if (linked && is_matrix(linked->type)) return converted(maker.named(*linked), matrix_type(rows));
+        if (linked) return converted(*linked, vector_type(rows));
+        std::vector<double> row;
+        for (std::size_t i = 0; i < rows; ++i)
+            row.push_back(number_of(maker.node(node).slot(slot)->json, fmt::format("m_Value.e0{}", i)));
+        return constant(row);
     };
-    a = operand(first, is_first, a);
-    b = operand(second, is_second, b);
+    a = operand(first, 0);
+    b = operand(second, 1);
     const Type type = is_first && is_second ? matrix_type(rows) : vector_type(rows);
     maker.set(node, 2, joined(fmt::format("mul({}, {})", a.text(), b.text()), type, {&a, &b}));
 }
@@ -331,9 +285,9 @@ constexpr Special kSpecial[] = {
     {"Texture2DArrayAssetNode", texture_asset},
     {"Texture3DAssetNode", texture_asset},
     {"CubemapAssetNode", texture_asset},
-    {"GradientNode", gradient},
-    {"SampleGradient", sample_gradient},
-    {"SampleGradientNode", sample_gradient},
+    {"GradientNode", make_gradient},
+    {"SampleGradient", make_sample_gradient},
+    {"SampleGradientNode", make_sample_gradient},
     {"MultiplyNode", multiply},
     {"MatrixSplitNode", matrix_split},
     {"AppendVectorNode", append},
