@@ -9,6 +9,7 @@
 
 #include "compiler/importers/shadergraph/graph_maker.h"
 #include "compiler/importers/shadergraph/hlsl_text.h"
+#include "compiler/base/text.h"
 #include "patina/patina.h"
 
 namespace patina::importers::shadergraph {
@@ -22,7 +23,47 @@ std::string port_of(const Slot& slot) {
 struct Code {
     std::string text{};   // of the node file
     std::string error{};
+    bool has_engine_words = false;  // it reads values of the engine, for which the library's stand
+    bool is_missing = false;        // its file is not there
 };
+
+// Functions that are known by their names.
+struct Known {
+    std::string_view function, output, value;
+};
+constexpr Known kKnown[] = {
+#define FUNCTION(function, output, value) {function, output, value},
+#include "compiler/importers/shadergraph/functions.def"
+#undef FUNCTION
+};
+
+std::string plain(std::string_view name) {
+    std::string made = spelled_alike(name);
+    if (const std::size_t at = made.find("colour"); at != made.npos) made.replace(at, 6, "color");
+    return made;
+}
+
+const Known* known(std::string_view function, std::string_view output) {
+    const auto found = std::ranges::find_if(kKnown, [&](const Known& each) { return plain(each.function) == plain(function) && plain(each.output) == plain(output); });
+    return found == std::end(kKnown) ? nullptr : &*found;
+}
+
+// False: one of the outputs that are read is not known.
+bool apply_known(GraphMaker& maker, std::size_t index, std::string_view function) {
+    const Node& at = maker.node(index);
+    int first = -1;
+    for (const Slot& slot : at.slots)
+        if (slot.is_input && first < 0) first = slot.id;
+    for (const Slot& slot : at.slots)
+        if (!slot.is_input && maker.is_used(index, slot.id) && !known(function, port_of(slot))) return false;
+    for (const Slot& slot : at.slots) {
+        if (slot.is_input || !maker.is_used(index, slot.id)) continue;
+        std::string value(known(function, port_of(slot))->value);
+        if (const std::size_t place = value.find("{0}"); place != value.npos) value.replace(place, 3, first < 0 ? "@normalWS" : maker.named(maker.input(index, first)).text());
+        maker.set(index, slot.id, expression(value, maker.type_of(index, slot)));
+    }
+    return true;
+}
 
 std::string signature(GraphMaker& maker, std::size_t index) {
     std::string made;
@@ -57,10 +98,16 @@ std::string indented(std::string_view body) {
     return made;
 }
 
+std::string node_function(std::string_view name, std::string_view signature, std::string_view more, std::string_view body) {
+    return fmt::format("[node(\"Custom/{0}\")]\nvoid {0}({1}{2}{3}) {{\n{4}}}\n", name, signature,
+                       signature.empty() || more.empty() ? "" : ", ", more, indented(body));
+}
+
 Code from_string(GraphMaker& maker, std::size_t index, std::string_view name) {
     const HlslText body = in_node_language(text_of(maker.node(index).json, "m_FunctionBody"));
     if (!body.error.empty()) return {.error = body.error};
-    return {.text = fmt::format("[node(\"Custom/{0}\")]\nvoid {0}({1}) {{\n{2}}}\n", name, signature(maker, index), indented(body.code))};
+    return {.text = node_function(name, signature(maker, index), body.parameters, body.code),
+            .has_engine_words = !body.parameters.empty()};
 }
 
 // The function of the node, and those of the file that it calls.
@@ -71,7 +118,7 @@ Code from_file(GraphMaker& maker, std::size_t index, std::string_view name, std:
     const bool is_path = source.find('.') != source.npos;
     const auto found = maker.project().assets.find(is_path ? "" : source, is_path ? as_path.stem().string() : "", kIncludes);
     if (!found)
-        return {.error = fmt::format("the file of its function '{}' is not in {}", own, maker.project().assets.folders())};
+        return {.error = fmt::format("the file of its function '{}' is not in {}", own, maker.project().assets.folders()), .is_missing = true};
     std::ifstream file(found->path, std::ios::binary);
     const std::string text{std::istreambuf_iterator<char>(file), {}};
     const HlslText code = in_node_language(text);
@@ -84,10 +131,12 @@ Code from_file(GraphMaker& maker, std::size_t index, std::string_view name, std:
         for (const HlslFunction& each : functions)
             if (&each != needed[i] && has_identifier(needed[i]->body, each.name) && std::ranges::find(needed, &each) == needed.end())
                 needed.push_back(&each);
-    Code made;
+    if (needed.size() > 1 && !code.parameters.empty())
+        return {.error = "functions that it calls read values of the engine"};
+    Code made{.has_engine_words = !code.parameters.empty()};
     for (std::size_t i = needed.size(); i-- > 1;)
         made.text += fmt::format("{} {}({}) {{\n{}}}\n\n", needed[i]->result, needed[i]->name, needed[i]->parameters, indented(needed[i]->body));
-    made.text += fmt::format("[node(\"Custom/{0}\")]\nvoid {0}({1}) {{\n{2}}}\n", name, main->parameters, indented(main->body));
+    made.text += node_function(name, main->parameters, code.parameters, main->body);
     return made;
 }
 
@@ -123,6 +172,10 @@ void make_custom_function(GraphMaker& maker, std::size_t index) {
     if (compiler().node(name)) name += "Custom";
     const bool is_file = whole_of(at.json, "m_SourceType") == 0;
     const Code code = is_file ? from_file(maker, index, name, own) : from_string(maker, index, name);
+    if (code.is_missing && apply_known(maker, index, own)) {
+        maker.approximate(index, code.error + ": it is taken for the usual function of this name");
+        return;
+    }
     if (!code.error.empty()) {
         maker.refuse(index, code.error);
         return;
@@ -134,6 +187,7 @@ void make_custom_function(GraphMaker& maker, std::size_t index) {
         return;
     }
     maker.keep_node_file(file, text);
+    if (code.has_engine_words) maker.approximate(index, "for the engine's values stand those of the library: its main light is '@light'");
     GraphNode made{.id = {}, .node = "./" + file};
     Term holds;
     for (const Slot& slot : at.slots) {
