@@ -75,9 +75,12 @@ std::string json_of(const std::string& file, std::span<const std::string> writte
     text += "], \"parts\": [";
     for (std::size_t i = 0; i < remarks.size(); ++i) {
         const Remark& remark = remarks[i];
-        text += fmt::format("{}{}{{\"part\": {}, \"state\": {}, \"text\": {}", i > 0 ? "," : "", has_lines ? "\n  " : i > 0 ? " " : "",
-                            json_text(remark.part),
-                            json_text(importers::to_string(remark.kind)), json_text(remark.text));
+        text +=
+            fmt::format("{}{}{{\"part\": {}, \"state\": {}, \"text\": {}", i > 0 ? "," : "",
+                        has_lines ? "\n  "
+                        : i > 0   ? " "
+                                  : "",
+                        json_text(remark.part), json_text(importers::to_string(remark.kind)), json_text(remark.text));
         if (remark.line > 0) text += fmt::format(", \"line\": {}, \"column\": {}", remark.line, remark.column);
         text += "}";
     }
@@ -162,8 +165,9 @@ void add_import(Program& program) {
     command.add_option("-o,--output", arguments->folder, "Folder to write to; default: the folder of each file")
         ->type_name("DIR")
         ->check(is_folder_name);
-    command.add_option("-I,--include", arguments->include_dirs,
-                       "Folder to search for files that the imported ones name; default: the folder of each file")
+    command
+        .add_option("-I,--include", arguments->include_dirs,
+                    "Folder to search for files that the imported ones name; default: the folder of each file")
         ->type_name("DIR")
         ->allow_extra_args(false);
     command.add_flag("--allow-refused", arguments->allows_refused,

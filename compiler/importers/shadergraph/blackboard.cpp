@@ -45,7 +45,8 @@ Declaration number_declaration(const Property& property) {
     }
     made.value = number(static_cast<float>(value));
     if (kind == 1) {
-        const double low = number_of(property.json, "m_RangeValues.x"), high = number_of(property.json, "m_RangeValues.y", 1);
+        const double low = number_of(property.json, "m_RangeValues.x"),
+                     high = number_of(property.json, "m_RangeValues.y", 1);
         if (low < high)
             made.more.push_back({"range", list({number(static_cast<float>(std::min(low, value))),
                                                 number(static_cast<float>(std::max(high, value)))})});
@@ -131,15 +132,19 @@ void GraphMaker::read_blackboard() {
         if (wanted.empty()) wanted = camel_case(property.name);
         const std::string name = property_names_.unique(wanted, "property");
         if (!is_input && name != property.reference && !property.reference.empty())
-            remark(Remark::Kind::Changed, part, fmt::format("it is called '{}', not '{}'", name, property.reference), property.place);
+            remark(Remark::Kind::Changed, part, fmt::format("it is called '{}', not '{}'", name, property.reference),
+                   property.place);
         properties_[property.id] = name;
         SubgraphPorts::Input port{.name = name, .guid = property.guid, .reference = property.reference, .type = type};
         Declaration made = declaration_of(property);
-        const std::string what = is_input ? fmt::format("the input '{}'", name) : fmt::format("the property '{}'", name);
+        const std::string what =
+            is_input ? fmt::format("the input '{}'", name) : fmt::format("the property '{}'", name);
         if (is_texture(property.kind)) {
             if (is_input) {
-                made.type = type == Type::Texture2D ? "texture2d" : type == Type::Texture3D ? "texture3d"
-                            : type == Type::Cubemap ? "textureCube" : "texture2dArray";
+                made.type = type == Type::Texture2D   ? "texture2d"
+                            : type == Type::Texture3D ? "texture3d"
+                            : type == Type::Cubemap   ? "textureCube"
+                                                      : "texture2dArray";
             } else {
                 // Declared at the end, when it is known how it is sampled.
                 textures_[name];
@@ -148,13 +153,15 @@ void GraphMaker::read_blackboard() {
             }
         } else if (property.kind == "Dropdown") {
             if (!is_input) {
-                remark(Remark::Kind::Changed, part, "a material has no dropdowns: its first entry counts", property.place);
+                remark(Remark::Kind::Changed, part, "a material has no dropdowns: its first entry counts",
+                       property.place);
                 continue;
             }
             port.is_dropdown = true;
             int chosen = 0;
             for (const Json& entry : elements_of(property.json, "m_Entries")) {
-                if (whole_of(&entry, "id") == whole_of(property.json, "m_Value")) chosen = static_cast<int>(port.entries.size());
+                if (whole_of(&entry, "id") == whole_of(property.json, "m_Value"))
+                    chosen = static_cast<int>(port.entries.size());
                 port.entries.emplace_back(text_of(&entry, "displayName"));
             }
             made.type = "int";
@@ -176,7 +183,8 @@ void GraphMaker::read_blackboard() {
             ports_.inputs.push_back(port);
         } else {
             GraphProperty declared{.name = name, .type = made.type, .value = made.value, .more = std::move(made.more)};
-            if (property.name != name && !property.name.empty()) declared.more.push_back({"label", text(property.name)});
+            if (property.name != name && !property.name.empty())
+                declared.more.push_back({"label", text(property.name)});
             if (!property.group.empty()) declared.more.push_back({"group", text(property.group)});
             file_.properties.push_back(std::move(declared));
         }
@@ -219,7 +227,8 @@ Term GraphMaker::property_term(std::size_t index) {
     }
     Term made = link(name, type);
     made.is_color = found->kind == "Color";
-    if (found->kind == "Vector1" && whole_of(found->json, "m_FloatType") == 2) made.base = fmt::format("float({})", name);
+    if (found->kind == "Vector1" && whole_of(found->json, "m_FloatType") == 2)
+        made.base = fmt::format("float({})", name);
     made.nodes = {index};
     return made;
 }

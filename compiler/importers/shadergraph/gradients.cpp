@@ -8,7 +8,8 @@
 namespace patina::importers::shadergraph {
 namespace {
 
-GraphNode ramp(std::string_view kind, std::string_view value, const std::vector<Gradient::Key>& keys, int mode, const Term& at) {
+GraphNode ramp(std::string_view kind, std::string_view value, const std::vector<Gradient::Key>& keys, int mode,
+               const Term& at) {
     GraphNode made{.id = {}, .node = std::string(kind), .inputs = {{"position", at.value()}}};
     const std::size_t count = std::min<std::size_t>(keys.size(), 8);
     made.inputs.push_back({"keys", number_term(static_cast<double>(count)).value()});
@@ -26,7 +27,8 @@ GraphNode ramp(std::string_view kind, std::string_view value, const std::vector<
 Gradient gradient_of(const Json* json) {
     Gradient made;
     for (int i = 0; i < std::clamp(whole_of(json, "m_NumColorKeys", 2), 1, 8); ++i)
-        made.colors.push_back({.time = number_of(json, fmt::format("ctime{}", i)) / 65535, .value = vector_of(json, fmt::format("key{}", i), 3)});
+        made.colors.push_back({.time = number_of(json, fmt::format("ctime{}", i)) / 65535,
+                               .value = vector_of(json, fmt::format("key{}", i), 3)});
     for (int i = 0; i < std::clamp(whole_of(json, "m_NumAlphaKeys", 2), 1, 8); ++i) {
         const std::vector<double> key = vector_of(json, fmt::format("key{}", i), 4);
         made.alphas.push_back({.time = number_of(json, fmt::format("atime{}", i)) / 65535, .value = {key[3]}});
@@ -71,9 +73,12 @@ void make_sample_gradient(GraphMaker& maker, std::size_t node) {
     const std::string color = maker.add_node(node, ramp("ColorRamp", "color", keys, colors->mode, time));
     maker.written(time, fmt::format("the node '{}'", color));
     maker.written(from, fmt::format("the node '{}'", color));
-    const bool is_opaque = std::ranges::all_of(colors->alphas, [](const Gradient::Key& key) { return key.value[0] == 1; });
+    const bool is_opaque =
+        std::ranges::all_of(colors->alphas, [](const Gradient::Key& key) { return key.value[0] == 1; });
     const std::string alpha =
-        is_opaque ? "1" : maker.add_node(node, ramp("ValueRamp", "value", colors->alphas, colors->mode, time), color + "Alpha");
+        is_opaque
+            ? "1"
+            : maker.add_node(node, ramp("ValueRamp", "value", colors->alphas, colors->mode, time), color + "Alpha");
     const std::string rgb = is_perceptual ? color : fmt::format("SrgbToLinear({})", color);
     Term made = expression(fmt::format("float4({}, {})", rgb, alpha), Type::Float4);
     made.parts = {{rgb, 3}, {alpha, 1}};

@@ -122,7 +122,8 @@ void GraphMaker::evaluate(std::size_t index) {
     std::vector<Type> connected;
     for (const Slot& slot : at.slots) {
         if (type_of_slot(slot.kind).dynamic == Dynamic::No) continue;
-        if (const auto term = slot.is_input ? linked_term(index, slot.id) : std::nullopt) connected.push_back(term->type);
+        if (const auto term = slot.is_input ? linked_term(index, slot.id) : std::nullopt)
+            connected.push_back(term->type);
     }
     dynamic_types_[index] = {.vector = dynamic_vector(connected), .matrix = dynamic_matrix(connected)};
     if (is_output || apply_special(*this, index) || apply_rule(*this, index)) return;
@@ -157,8 +158,8 @@ Term GraphMaker::input(std::size_t index, int slot_id, bool may_stay_number) {
             term = named(*term);
         Term made = converted(*term, type, may_stay_number);
         if (made.type != Type::None || type == Type::None) return made;
-        approximate(index, fmt::format("the input '{}' takes {} and is connected to {}: it has 0", slot->name, word(type),
-                                       word(term->type)));
+        approximate(index, fmt::format("the input '{}' takes {} and is connected to {}: it has 0", slot->name,
+                                       word(type), word(term->type)));
         return magenta(type);
     }
     const Json* json = slot->json;
@@ -169,7 +170,8 @@ Term GraphMaker::input(std::size_t index, int slot_id, bool may_stay_number) {
         made.type = type;
         const std::size_t rows = width(type);
         for (std::size_t i = 0; i < rows * rows; ++i)
-            made.numbers.push_back(number_of(json, fmt::format("m_Value.e{}{}", i / rows, i % rows), i % (rows + 1) == 0 ? 1 : 0));
+            made.numbers.push_back(
+                number_of(json, fmt::format("m_Value.e{}{}", i / rows, i % rows), i % (rows + 1) == 0 ? 1 : 0));
     } else if (is_vector(type)) {
         std::vector<double> values = vector_of(json, "m_Value", width(type));
         if (slot->kind == "DynamicValue")
@@ -178,8 +180,10 @@ Term GraphMaker::input(std::size_t index, int slot_id, bool may_stay_number) {
             for (std::size_t i = 0; i < std::min<std::size_t>(values.size(), 3); ++i) values[i] = linear(values[i]);
         made = constant(std::move(values));
         made = bound(index, *slot, made);
-        const bool is_same = made.is_constant() && std::ranges::all_of(made.numbers, [&](double each) { return each == made.numbers[0]; });
-        if (is_same && may_stay_number && type_of_slot(slot->kind).dynamic != Dynamic::No) made = number_term(made.numbers[0]);
+        const bool is_same = made.is_constant() &&
+                             std::ranges::all_of(made.numbers, [&](double each) { return each == made.numbers[0]; });
+        if (is_same && may_stay_number && type_of_slot(slot->kind).dynamic != Dynamic::No)
+            made = number_term(made.numbers[0]);
         made = converted(made, is_same && may_stay_number ? made.type : type);
     } else if (type == Type::Texture2D) {
         made = texture_constant(index, type, json, "m_Texture", whole_of(json, "m_DefaultType"));
@@ -191,7 +195,8 @@ Term GraphMaker::input(std::size_t index, int slot_id, bool may_stay_number) {
         made = texture_constant(index, type, json, "m_Cubemap", 0);
     } else {
         made.type = type;
-        if (type == Type::Gradient) made.gradient = std::make_shared<const Gradient>(gradient_of(member(json, "m_Value")));
+        if (type == Type::Gradient)
+            made.gradient = std::make_shared<const Gradient>(gradient_of(member(json, "m_Value")));
     }
     return made;
 }
@@ -231,6 +236,10 @@ std::string GraphMaker::add_node(std::size_t index, GraphNode made, std::string_
     const std::string name = wanted.empty() ? camel_case(from.name) : std::string(wanted);
     made.id = ids_.unique(name, camel_case(kind));
     owners_[made.id] = index;
+    if (whole_of(from.json, "m_Precision") == 2) {
+        made.more.push_back({"precision", text("half")});
+        has_precision_.insert(index);
+    }
     taken(index, fmt::format("the node '{}'", made.id));
     std::string id = made.id;
     file_.nodes.push_back(std::move(made));
@@ -261,7 +270,8 @@ void GraphMaker::refuse(std::size_t index, std::string reason) {
         Term value = magenta(type);
         if (is_value(type)) {
             // A node, so that the place is seen in the graph, too.
-            const std::string id = add_node(index, {.id = {}, .expression = value.text(), .more = {{"note", text("not imported: " + reason)}}});
+            const std::string id = add_node(
+                index, {.id = {}, .expression = value.text(), .more = {{"note", text("not imported: " + reason)}}});
             value = link(id, type);
         } else if (type >= Type::Texture2D && type <= Type::Cubemap) {
             value = texture_constant(index, type, nullptr, "", 0);

@@ -8,6 +8,9 @@
 //   textures.cpp         textures and samplers
 //   surface.cpp          what the target gets, and its settings
 //   layout.cpp           positions, groups, notes; the remarks of nodes
+//   code/                custom functions
+//   values/              types, and values as text
+//   read/                the file, and files that it names
 #pragma once
 
 #include <map>
@@ -17,7 +20,7 @@
 #include "compiler/importers/graph_writer.h"
 #include "compiler/importers/shadergraph/node_table.h"
 #include "compiler/importers/shadergraph/project.h"
-#include "compiler/importers/shadergraph/term.h"
+#include "compiler/importers/shadergraph/values/term.h"
 
 namespace patina::importers::shadergraph {
 
@@ -101,19 +104,20 @@ private:
     std::vector<Value> inputs_{};  // of a sub-graph
     Names ids_{}, property_names_{};
 
-    std::map<Key, Key> edges_{};          // input -> output
-    std::map<Key, std::size_t> uses_{};   // of outputs, by nodes that count
+    std::map<Key, Key> edges_{};         // input -> output
+    std::map<Key, std::size_t> uses_{};  // of outputs, by nodes that count
     std::vector<std::size_t> order_{};
-    std::map<Key, Term> terms_{};         // outputs
+    std::map<Key, Term> terms_{};  // outputs
     struct DynamicTypes {
         Type vector = Type::Float, matrix = Type::Matrix2;
     };
-    std::vector<DynamicTypes> dynamic_types_{};  // of each node that was evaluated
+    std::vector<DynamicTypes> dynamic_types_{};         // of each node that was evaluated
     std::map<std::string, Term, std::less<>> named_{};  // by text
     std::vector<Outcome> outcomes_{};
-    std::map<std::string, std::size_t> owners_{};       // id -> node, for the layout
-    std::map<std::string, std::string> properties_{};   // id of the property -> name
-    std::map<std::string, TextureUse> textures_{};      // by name of the property
+    std::set<std::size_t> has_precision_{};               // nodes that are computed in half
+    std::map<std::string, std::size_t> owners_{};         // id -> node, for the layout
+    std::map<std::string, std::string> properties_{};     // id of the property -> name
+    std::map<std::string, TextureUse> textures_{};        // by name of the property
     std::map<std::string, std::string> texture_names_{};  // GUID -> property
 };
 

@@ -1,5 +1,5 @@
-// What a reader sees of the graph beside its values: the order of the nodes, groups, notes and positions; and the remark
-// of each node.
+// What a reader sees of the graph beside its values: the order of the nodes, groups, notes and positions; and the
+// remark of each node.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,8 +17,10 @@ bool is_word(char c) {
 // The word stands in the text by itself, not as "@uv" or "a.uv".
 bool has_word(std::string_view text, std::string_view word) {
     for (std::size_t at = 0; (at = text.find(word, at)) != text.npos; ++at) {
-        const char before = at > 0 ? text[at - 1] : ' ', after = at + word.size() < text.size() ? text[at + word.size()] : ' ';
-        if (!is_word(before) && before != '@' && before != '$' && before != '.' && !is_word(after) && after != '(') return true;
+        const char before = at > 0 ? text[at - 1] : ' ',
+                   after = at + word.size() < text.size() ? text[at + word.size()] : ' ';
+        if (!is_word(before) && before != '@' && before != '$' && before != '.' && !is_word(after) && after != '(')
+            return true;
     }
     return false;
 }
@@ -28,8 +30,8 @@ bool reads(const GraphFile& file, std::string_view word) {
         return std::ranges::any_of(members, [&](const Member& each) { return has_word(each.value.json, word); });
     };
     return in(file.surface) || in(file.more) || std::ranges::any_of(file.nodes, [&](const GraphNode& each) {
-        return has_word(each.expression, word) || in(each.inputs);
-    });
+               return has_word(each.expression, word) || in(each.inputs);
+           });
 }
 
 Value place(double x, double y) {
@@ -41,9 +43,10 @@ Value place(double x, double y) {
 void GraphMaker::make_layout() {
     for (const std::string_view each : {"uv1", "uv"})
         if (reads(file_, each))
-            file_.nodes.insert(file_.nodes.begin(), {.id = std::string(each),
-                                                     .expression = fmt::format("float2(@{0}.x, 1 - @{0}.y)", each == "uv" ? "uv0" : "uv1"),
-                                                     .more = {{"note", text("v counts from the bottom, as in the shader graph")}}});
+            file_.nodes.insert(file_.nodes.begin(),
+                               {.id = std::string(each),
+                                .expression = fmt::format("float2(@{0}.x, 1 - @{0}.y)", each == "uv" ? "uv0" : "uv1"),
+                                .more = {{"note", text("v counts from the bottom, as in the shader graph")}}});
     // Nodes of a group stay together, in the order in which the groups begin.
     std::vector<std::string> order;
     const auto group_of = [&](const GraphNode& each) {
@@ -79,8 +82,9 @@ void GraphMaker::make_layout() {
             remark(Remark::Kind::Taken, part, "its nodes are parts of others", group.place);
             continue;
         }
-        groups += (groups.empty() ? "" : ", ") +
-                  object(std::vector<Member>{{"title", text(group.title)}, {"nodes", {"[" + members[group.id] + "]"}}}).json;
+        groups +=
+            (groups.empty() ? "" : ", ") +
+            object(std::vector<Member>{{"title", text(group.title)}, {"nodes", {"[" + members[group.id] + "]"}}}).json;
         remark(Remark::Kind::Taken, part, "'ui.groups', and a comment above its nodes", group.place);
     }
     for (const Note& note : graph_.notes) {
@@ -105,8 +109,10 @@ void GraphMaker::report_nodes() {
         if (is_output[i]) continue;  // its inputs have remarks
         const Outcome& outcome = outcomes_[i];
         std::string what = !is_read[i] ? "nothing reads it" : outcome.where.empty() ? "its value" : outcome.where;
-        if (!outcome.text.empty()) what = outcome.kind == Remark::Kind::LeftOut ? outcome.text : what + ": " + outcome.text;
-        if (is_read[i] && whole_of(node(i).json, "m_Precision") == 2 && outcome.kind == Remark::Kind::Taken) {
+        if (!outcome.text.empty())
+            what = outcome.kind == Remark::Kind::LeftOut ? outcome.text : what + ": " + outcome.text;
+        if (is_read[i] && whole_of(node(i).json, "m_Precision") == 2 && outcome.kind == Remark::Kind::Taken &&
+            !has_precision_.contains(i)) {
             remark(Remark::Kind::Changed, part_of(i), what + ": computed in float, not in half", node(i).place);
             continue;
         }
@@ -116,7 +122,8 @@ void GraphMaker::report_nodes() {
 
 std::string GraphMaker::part_of(std::size_t index) const {
     const Node& at = node(index);
-    if (const Property* read = property(at.refers)) return fmt::format("node '{}' ({})", at.name.empty() ? at.kind : at.name, read->name);
+    if (const Property* read = property(at.refers))
+        return fmt::format("node '{}' ({})", at.name.empty() ? at.kind : at.name, read->name);
     return fmt::format("node '{}'", at.name.empty() ? at.kind : at.name);
 }
 

@@ -19,8 +19,9 @@ char lower(char c) {
 }
 
 // Words of the node language, which no name may be.
-constexpr std::string_view kReserved[] = {"true", "false", "if", "else", "for", "return", "const", "in", "out", "inout",
-                                          "struct", "enum", "void", "uint", "int", "bool", "half", "float"};
+constexpr std::string_view kReserved[] = {"true",  "false", "if",  "else",  "for",    "return",
+                                          "const", "in",    "out", "inout", "struct", "enum",
+                                          "void",  "uint",  "int", "bool",  "half",   "float"};
 
 }  // namespace
 

@@ -78,7 +78,8 @@ private:
     // How often each input is written, so that one that is written twice gets a name.
     void count_uses(const Statement& statement) {
         // A component is written again by each reader; anything longer that is read twice gets a name itself.
-        const bool is_component = statement.text.starts_with("{") && statement.text.find('}') + 1 == statement.text.size();
+        const bool is_component =
+            statement.text.starts_with("{") && statement.text.find('}') + 1 == statement.text.size();
         const std::size_t times = is_component ? std::max<std::size_t>(maker_.uses(node_, statement.output), 1) : 1;
         for (std::size_t at = 0; (at = statement.text.find('{', at)) != statement.text.npos; ++at) {
             const std::size_t end = statement.text.find('}', at);
@@ -96,7 +97,8 @@ private:
         // A component that the value does not have is 0.
         const std::size_t has = std::max<std::size_t>(width(made.type), 1);
         const std::string_view xyzw = "xyzw";
-        if (each.components.size() == 1 && xyzw.find(each.components[0]) >= has && xyzw.find(each.components[0]) != xyzw.npos)
+        if (each.components.size() == 1 && xyzw.find(each.components[0]) >= has &&
+            xyzw.find(each.components[0]) != xyzw.npos)
             return number_term(0);
         if (has < each.components.size()) return converted(made, vector_type(each.components.size()));
         return swizzled(made, each.components);
@@ -117,7 +119,8 @@ private:
             std::size_t length = text.size(), longest = terms.size();
             for (std::size_t i = 0; i < terms.size(); ++i) {
                 length += terms[i].text().size();
-                if (terms[i].is_constant() || terms[i].is_link() || !terms[i].owner || *terms[i].owner == node_) continue;
+                if (terms[i].is_constant() || terms[i].is_link() || !terms[i].owner || *terms[i].owner == node_)
+                    continue;
                 if (longest == terms.size() || terms[i].text().size() > terms[longest].text().size()) longest = i;
             }
             if (length <= kLongest || longest == terms.size()) break;
@@ -162,8 +165,10 @@ private:
         };
         const char left = before.empty() ? ' ' : before.back(), right = after.empty() ? ' ' : after.front();
         int needed = std::max<int>(strength(right), strength(left));
-        if (left == '-' || left == '/' || left == '%' || left == '*' || left == '=' || left == '<' || left == '>') ++needed;
-        if (left == '?' || right == '?' || (left == ':' && precedence_of(text) == kChoice)) needed = std::max<int>(needed, kOr);
+        if (left == '-' || left == '/' || left == '%' || left == '*' || left == '=' || left == '<' || left == '>')
+            ++needed;
+        if (left == '?' || right == '?' || (left == ':' && precedence_of(text) == kChoice))
+            needed = std::max<int>(needed, kOr);
         const bool has_operator = needed > kChoice;
         if (has_operator && text.starts_with("-") && strength(left) > kChoice) return "(" + text + ")";
         return at_least(text, static_cast<Precedence>(std::min<int>(needed, kPrimary)));
@@ -182,7 +187,8 @@ private:
             const Placeholder each = placeholder(std::string_view(text).substr(1, text.size() - 2));
             // A node that only hands on keeps what its value is.
             if (!each.is_exact && each.components.empty())
-                if (const auto term = maker_.linked_term(node_, each.slot); term && !is_vector(term->type)) return *term;
+                if (const auto term = maker_.linked_term(node_, each.slot); term && !is_vector(term->type))
+                    return *term;
             return term_of(each, false);
         }
         Term made;
@@ -210,7 +216,8 @@ private:
             constant.nodes = made.nodes;
             return constant;
         }
-        if (!made.base.starts_with("float") || made.base.size() < 8 || made.base[6] != '(' || !made.base.ends_with(')')) return made;
+        if (!made.base.starts_with("float") || made.base.size() < 8 || made.base[6] != '(' || !made.base.ends_with(')'))
+            return made;
         const std::string_view inner = std::string_view(made.base).substr(7, made.base.size() - 8);
         const std::vector<std::string> arguments = arguments_of(inner);
         std::string joined;
@@ -282,8 +289,8 @@ private:
         for (const Slot& slot : maker_.node(node_).slots)
             if (slot.is_input && type_of_slot(slot.kind).type == Type::Sampler)
                 if (const auto linked = maker_.linked_term(node_, slot.id)) sampler = linked->sampler;
-        const bool as_normal = sampling_node == "SampleNormalMap" || sampling_node == "TriplanarNormal" ||
-                               sampling_node == "UnpackNormal";
+        const bool as_normal =
+            sampling_node == "SampleNormalMap" || sampling_node == "TriplanarNormal" || sampling_node == "UnpackNormal";
         maker_.sample_with(node_, term, as_normal, sampler);
     }
 
@@ -291,7 +298,7 @@ private:
     const std::size_t node_;
     const NodeRule& rule_;
     std::map<int, std::size_t> counts_{};
-    Term self_{};        // "$"
+    Term self_{};           // "$"
     std::string wanted_{};  // name of the node
     std::string call_{};    // the node of the library that is being made
 };

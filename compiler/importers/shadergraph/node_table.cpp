@@ -5,7 +5,7 @@
 #include <map>
 
 #include "compiler/base/text.h"
-#include "compiler/importers/shadergraph/term.h"
+#include "compiler/importers/shadergraph/values/term.h"
 
 namespace patina::importers::shadergraph {
 namespace {
@@ -134,7 +134,8 @@ bool fill_settings(std::string& text, const Node& node, const std::function<std:
         const std::size_t end = text.find('>', begin);
         const bool is_setting = next == '&' || (next >= '2' && next <= '4') || (next >= 'a' && next <= 'z');
         if (!is_setting || end == text.npos) continue;
-        text.replace(begin, end - begin + 1, setting(std::string_view(text).substr(begin + 1, end - begin - 1), node, components));
+        text.replace(begin, end - begin + 1,
+                     setting(std::string_view(text).substr(begin + 1, end - begin - 1), node, components));
     }
     return true;
 }

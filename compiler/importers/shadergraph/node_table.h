@@ -13,7 +13,7 @@
 namespace patina::importers::shadergraph {
 
 struct Statement {
-    int output = -1;      // slot; -1: "$", which the others read
+    int output = -1;  // slot; -1: "$", which the others read
     std::string text{};
 };
 struct NodeRule {

@@ -19,7 +19,10 @@ constexpr std::size_t kDeepest = 32;  // sub-graphs in sub-graphs
 // A name of a file on every system.
 std::string file_word(std::string_view name) {
     std::string made;
-    for (const char c : name) made += std::string_view("/\\:*?\"<>|").find(c) != std::string_view::npos || static_cast<unsigned char>(c) < 32 ? '_' : c;
+    for (const char c : name)
+        made += std::string_view("/\\:*?\"<>|").find(c) != std::string_view::npos || static_cast<unsigned char>(c) < 32
+                    ? '_'
+                    : c;
     return made.empty() || made.starts_with('.') ? "_" + made : made;
 }
 
@@ -37,7 +40,8 @@ SubgraphPorts Project::read_graph(const std::string& path, const std::string& na
     Documents documents = read_documents(path, std::move(text));
     const ShaderGraph graph = read_shader_graph(documents);
     if (!graph.error.empty()) return {.error = graph.error};
-    const std::string own = file_names.unique(file_word(name), "graph") + (graph.is_subgraph ? ".subgraph.json" : ".graph.json");
+    const std::string own =
+        file_names.unique(file_word(name), "graph") + (graph.is_subgraph ? ".subgraph.json" : ".graph.json");
     open_.push_back(path);
     GraphMaker maker(*this, graph, name);
     maker.make();
@@ -53,10 +57,13 @@ SubgraphPorts Project::read_graph(const std::string& path, const std::string& na
 const SubgraphPorts& Project::subgraph(std::string_view guid, std::string_view name) {
     const std::optional<Assets::Found> found = assets.find(guid, name, kGraphs);
     const std::string key = found ? found->path : fmt::format("{} {}", guid, name);
-    if (const auto known = subgraphs_.find(key); known != subgraphs_.end() && std::ranges::find(open_, key) == open_.end()) return known->second;
+    if (const auto known = subgraphs_.find(key);
+        known != subgraphs_.end() && std::ranges::find(open_, key) == open_.end())
+        return known->second;
     SubgraphPorts& made = subgraphs_[key];
     if (!found) {
-        made.error = fmt::format("no file in {} has the GUID {} of the sub-graph '{}'", assets.folders(), guid.empty() ? "(none)" : guid, name);
+        made.error = fmt::format("no file in {} has the GUID {} of the sub-graph '{}'", assets.folders(),
+                                 guid.empty() ? "(none)" : guid, name);
         return made;
     }
     const auto is_same = [&](const std::string& open) {
@@ -81,7 +88,8 @@ const SubgraphPorts& Project::subgraph(std::string_view guid, std::string_view n
         remarks[i].line = remarks[i].column = 0;
     }
     if (found->is_by_name) read.remark = fmt::format("no file has its GUID: '{}' has its name", found->path);
-    if (!found->other.empty()) read.remark = fmt::format("'{}' could be meant as well as '{}', which is taken", found->other, found->path);
+    if (!found->other.empty())
+        read.remark = fmt::format("'{}' could be meant as well as '{}', which is taken", found->other, found->path);
     subgraphs_[key] = std::move(read);
     return subgraphs_[key];
 }

@@ -10,20 +10,20 @@
 #include "compiler/importers/shadergraph/names.h"
 #include "compiler/importers/shadergraph/read/assets.h"
 #include "compiler/importers/shadergraph/read/shader_graph.h"
-#include "compiler/importers/shadergraph/types.h"
+#include "compiler/importers/shadergraph/values/types.h"
 
 namespace patina::importers::shadergraph {
 
 // A sub-graph as those who use it see it.
 struct SubgraphPorts {
-    std::string file{};   // "./noise.subgraph.json"; empty: it cannot be used, and
-    std::string error{};  // why
+    std::string file{};    // "./noise.subgraph.json"; empty: it cannot be used, and
+    std::string error{};   // why
     std::string remark{};  // what is uncertain about it
     struct Input {
         std::string name{}, guid{}, reference{};
         Type type = Type::None;
         bool is_dropdown = false;
-        bool is_normal_map = false;  // it is sampled as one
+        bool is_normal_map = false;          // it is sampled as one
         std::vector<std::string> entries{};  // of a dropdown
         std::string connected{};  // the further input that says whether this one is connected; empty: nothing asks
     };

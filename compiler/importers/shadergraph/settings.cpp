@@ -64,16 +64,19 @@ public:
     explicit Reader(const TargetSettings& target) : target_(target) {}
 
     Settings read() {
-        const auto material =
-            std::ranges::find_if(kMaterials, [&](const Material& each) { return target_.material.find(each.in_name) != std::string::npos; });
+        const auto material = std::ranges::find_if(
+            kMaterials, [&](const Material& each) { return target_.material.find(each.in_name) != std::string::npos; });
         const bool is_known = material != std::end(kMaterials);
         made_.is_lit = is_known && material->is_lit;
         is_sprite_ = target_.material.find("Sprite") != std::string::npos;
-        const bool is_universal = target_.kind.find("Universal") != std::string::npos || target_.kind == "PBRMasterNode";
+        const bool is_universal =
+            target_.kind.find("Universal") != std::string::npos || target_.kind == "PBRMasterNode";
         if (made_.is_lit && is_universal) made_.lighting = "unity-brdf2";
-        const std::string difference(is_known ? material->difference : "this importer does not know it: it is drawn without light");
+        const std::string difference(is_known ? material->difference
+                                              : "this importer does not know it: it is drawn without light");
         add(difference.empty() ? Remark::Kind::Taken : Remark::Kind::Changed, "Material",
-            fmt::format("the workflow '{}'{}", made_.is_lit ? "metallic" : "unlit", difference.empty() ? "" : ": " + difference));
+            fmt::format("the workflow '{}'{}", made_.is_lit ? "metallic" : "unlit",
+                        difference.empty() ? "" : ": " + difference));
         workflow();
         surface();
         faces_and_depth();
@@ -83,7 +86,10 @@ public:
 
 private:
     void add(Remark::Kind kind, std::string_view label, std::string text) {
-        made_.remarks.push_back({.kind = kind, .part = fmt::format("setting '{}'", label), .text = std::move(text), .place = target_.place});
+        made_.remarks.push_back({.kind = kind,
+                                 .part = fmt::format("setting '{}'", label),
+                                 .text = std::move(text),
+                                 .place = target_.place});
     }
     // The object that has the setting: the target, its material, or further settings.
     const Json* holder(std::string_view key) const {
@@ -98,7 +104,8 @@ private:
     void workflow() {
         if (!made_.is_lit) return;
         made_.is_specular = whole(holder("m_WorkflowMode") ? "m_WorkflowMode" : "m_Model", 1) == 0;
-        add(Remark::Kind::Taken, "Workflow Mode", made_.is_specular ? "'specular-glossiness'" : "'metallic-smoothness'");
+        add(Remark::Kind::Taken, "Workflow Mode",
+            made_.is_specular ? "'specular-glossiness'" : "'metallic-smoothness'");
         made_.has_coat = whole("m_ClearCoat", 0) != 0;
         if (made_.has_coat) add(Remark::Kind::Changed, "Clear Coat", "the surface has no coat");
     }
@@ -123,7 +130,8 @@ private:
         add(Remark::Kind::Taken, "Surface Type", fmt::format("'{}'", kind));
         if (made_.is_blended) add(Remark::Kind::Taken, "Blending Mode", fmt::format("'{}'", kind));
         if (made_.is_clipped)
-            add(Remark::Kind::Taken, "Alpha Clipping", made_.is_blended ? "an alpha of 0 below the threshold" : "'cutout'");
+            add(Remark::Kind::Taken, "Alpha Clipping",
+                made_.is_blended ? "an alpha of 0 below the threshold" : "'cutout'");
         if (kind != "opaque") made_.render.push_back({"surface", text(kind)});
         made_.is_tinted = is_sprite_ && whole("m_DisableTint", 0) == 0;
     }
@@ -143,7 +151,7 @@ private:
             made_.render.push_back({"depthWrite", flag(write == 1)});
             add(Remark::Kind::Taken, "Depth Write", write == 1 ? "true" : "false");
         }
-        static constexpr std::string_view kTests[] = {"lessEqual", "never",   "less",     "equal",       "lessEqual",
+        static constexpr std::string_view kTests[] = {"lessEqual", "never",    "less",         "equal", "lessEqual",
                                                       "greater",   "notEqual", "greaterEqual", "always"};
         const int test = std::clamp(whole("m_ZTestMode", 4), 0, 8);
         if (test != 4 && test != 0) {
@@ -155,10 +163,12 @@ private:
 
     void rest() {
         for (const Known& each : kEditorOnly)
-            if (const Json* found = holder(each.key); found && (!text_of(found, each.key).empty() || whole_of(found, each.key) != 0))
+            if (const Json* found = holder(each.key);
+                found && (!text_of(found, each.key).empty() || whole_of(found, each.key) != 0))
                 add(Remark::Kind::Taken, each.label, std::string(each.text));
         for (const Lost& each : kLost)
-            if (const Json* found = holder(each.key); found && number_of(found, each.key, each.otherwise) != each.otherwise)
+            if (const Json* found = holder(each.key);
+                found && number_of(found, each.key, each.otherwise) != each.otherwise)
                 add(Remark::Kind::Changed, each.label, std::string(each.text));
     }
 
@@ -200,7 +210,9 @@ bool Settings::wants(std::string_view block) const {
 
 Settings read_settings(const ShaderGraph& graph) {
     if (graph.targets.empty())
-        return {.remarks = {{.kind = Remark::Kind::Changed, .part = "setting 'Active Targets'", .text = "there is none: it is drawn without light"}}};
+        return {.remarks = {{.kind = Remark::Kind::Changed,
+                             .part = "setting 'Active Targets'",
+                             .text = "there is none: it is drawn without light"}}};
     const TargetSettings* chosen = &graph.targets.front();
     for (const std::string_view preferred : {"BuiltIn", "Universal"})
         for (const TargetSettings& each : graph.targets)
@@ -211,7 +223,8 @@ Settings read_settings(const ShaderGraph& graph) {
     for (const TargetSettings& each : graph.targets)
         made.remarks.push_back({.kind = Remark::Kind::Taken,
                                 .part = fmt::format("target '{}'", each.kind),
-                                .text = &each == chosen ? "the workflow and the render state" : fmt::format("the graph is that of '{}'", chosen->kind),
+                                .text = &each == chosen ? "the workflow and the render state"
+                                                        : fmt::format("the graph is that of '{}'", chosen->kind),
                                 .place = each.place});
     return made;
 }

@@ -14,7 +14,7 @@ struct SettingRemark {
 };
 struct Settings {
     bool is_lit = false, is_specular = false;
-    std::string lighting{};         // a model; empty: the workflow's own
+    std::string lighting{};  // a model; empty: the workflow's own
     bool is_blended = false, is_clipped = false;
     bool is_clipped_blend = false;  // both, which no kind of surface is
     bool is_tinted = false;         // multiplied by the colour of the vertices, as sprites are

@@ -17,7 +17,8 @@ bool recognises(const Source& source) {
 
 Imported read(const Source& source, const Options& options) {
     const std::string name = options.name.empty() ? std::filesystem::path(source.path).stem().string() : options.name;
-    const std::string folder = options.folder.empty() ? std::filesystem::path(source.path).parent_path().string() : options.folder;
+    const std::string folder =
+        options.folder.empty() ? std::filesystem::path(source.path).parent_path().string() : options.folder;
     shadergraph::Project project(source.path, options.include_dirs, folder);
     Imported made;
     made.error = project.add_graph(source.path, name);

@@ -37,9 +37,15 @@ void matrix(GraphMaker& maker, std::size_t node, std::size_t rows) {
     }
     maker.set(node, 0, made);
 }
-void matrix2(GraphMaker& maker, std::size_t node) { matrix(maker, node, 2); }
-void matrix3(GraphMaker& maker, std::size_t node) { matrix(maker, node, 3); }
-void matrix4(GraphMaker& maker, std::size_t node) { matrix(maker, node, 4); }
+void matrix2(GraphMaker& maker, std::size_t node) {
+    matrix(maker, node, 2);
+}
+void matrix3(GraphMaker& maker, std::size_t node) {
+    matrix(maker, node, 3);
+}
+void matrix4(GraphMaker& maker, std::size_t node) {
+    matrix(maker, node, 4);
+}
 
 void engine_matrix(GraphMaker& maker, std::size_t node) {
     maker.refuse(node, "the matrices of the engine are not values of a graph: transform the vector instead");
@@ -58,7 +64,8 @@ void sampler_state(GraphMaker& maker, std::size_t node) {
 void texture_asset(GraphMaker& maker, std::size_t node) {
     const Node& at = maker.node(node);
     const Type type = at.slots.empty() ? Type::Texture2D : maker.type_of(node, at.slots.front());
-    maker.set(node, 0, maker.texture_constant(node, type, at.json, type == Type::Cubemap ? "m_Cubemap" : "m_Texture", 0));
+    maker.set(node, 0,
+              maker.texture_constant(node, type, at.json, type == Type::Cubemap ? "m_Cubemap" : "m_Texture", 0));
 }
 
 // --- vectors and matrices
@@ -73,7 +80,8 @@ void multiply(GraphMaker& maker, std::size_t node) {
         b = maker.input(node, 1, true);
         constexpr std::size_t kLongest = 80;
         for (Term* each : {&a, &b})
-            if (a.text().size() + b.text().size() > kLongest && each->text().size() > kLongest / 3) *each = maker.named(*each);
+            if (a.text().size() + b.text().size() > kLongest && each->text().size() > kLongest / 3)
+                *each = maker.named(*each);
         const auto factor = [](const Term& term) {
             std::string text = at_least(term.text(), kProduct);
             return text.starts_with("-") ? "(" + text + ")" : text;
@@ -113,8 +121,9 @@ void matrix_split(GraphMaker& maker, std::size_t node) {
     for (int i = 0; i < 4; ++i) {
         const bool exists = static_cast<std::size_t>(i) < rows;
         if (!maker.is_used(node, i + 1)) continue;
-        Term row = exists ? joined(fmt::format("{}[{}]", at_least(matrix.text(), kPrimary), i), vector_type(rows), {&matrix})
-                          : constant(std::vector<double>(rows, 0.0));
+        Term row =
+            exists ? joined(fmt::format("{}[{}]", at_least(matrix.text(), kPrimary), i), vector_type(rows), {&matrix})
+                   : constant(std::vector<double>(rows, 0.0));
         maker.set(node, i + 1, row);
     }
 }
@@ -210,7 +219,8 @@ void choose(GraphMaker& maker, std::size_t node, int output, const std::vector<s
         Term value = maker.input(node, cases[i].second);
         if (value.text().size() > 40) value = maker.named(value);
         const bool is_last = i + 1 == cases.size();
-        text += is_last ? at_least(value.text(), kOr) : fmt::format("{} ? {} : ", cases[i].first, at_least(value.text(), kOr));
+        text += is_last ? at_least(value.text(), kOr)
+                        : fmt::format("{} ? {} : ", cases[i].first, at_least(value.text(), kOr));
         made.type = value.type;
         note_all(made, value);
     }
@@ -233,8 +243,9 @@ void keyword(GraphMaker& maker, std::size_t node) {
     std::vector<std::pair<std::string, int>> cases;
     Names words;
     for (const Json& entry : entries)
-        cases.push_back({fmt::format("{} == {}", name, words.unique(identifier(text_of(&entry, "displayName")), "Value")),
-                         whole_of(&entry, "id")});
+        cases.push_back(
+            {fmt::format("{} == {}", name, words.unique(identifier(text_of(&entry, "displayName")), "Value")),
+             whole_of(&entry, "id")});
     choose(maker, node, 0, cases);
 }
 
@@ -246,7 +257,8 @@ void dropdown(GraphMaker& maker, std::size_t node) {
     }
     std::vector<std::pair<std::string, int>> cases;
     for (const Json& entry : elements_of(dropdown->json, "m_Entries"))
-        cases.push_back({fmt::format("${} == {}", maker.property_name(*dropdown), cases.size()), whole_of(&entry, "id")});
+        cases.push_back(
+            {fmt::format("${} == {}", maker.property_name(*dropdown), cases.size()), whole_of(&entry, "id")});
     if (cases.empty())
         maker.refuse(node, "its dropdown has no entries");
     else

@@ -15,7 +15,8 @@ const Slot* slot_of(const Node& node, const SubgraphPorts::Input& input) {
     for (std::size_t i = 0; i < std::min(guids.size(), ids.size()); ++i)
         if (guids[i].string == input.guid && !input.guid.empty()) return node.slot(whole_of(&ids[i], ""));
     // The first versions have no lists.
-    const auto found = std::ranges::find_if(node.slots, [&](const Slot& slot) { return slot.is_input && camel_case(slot.name) == input.name; });
+    const auto found = std::ranges::find_if(
+        node.slots, [&](const Slot& slot) { return slot.is_input && camel_case(slot.name) == input.name; });
     return guids.empty() && found != node.slots.end() ? &*found : nullptr;
 }
 
@@ -45,7 +46,8 @@ void make_subgraph_node(GraphMaker& maker, std::size_t index) {
     Term holds;
     for (const SubgraphPorts::Input& input : ports.inputs) {
         if (input.is_dropdown) {
-            if (const auto entry = chosen_entry(at, input)) made.inputs.push_back({input.name, number_term(*entry).value()});
+            if (const auto entry = chosen_entry(at, input))
+                made.inputs.push_back({input.name, number_term(*entry).value()});
             continue;
         }
         const Slot* slot = slot_of(at, input);
@@ -54,7 +56,9 @@ void make_subgraph_node(GraphMaker& maker, std::size_t index) {
         if (!is_value(input.type) || is_matrix(input.type)) {
             if (input.type < Type::Texture2D || input.type > Type::Cubemap) {
                 if (is_linked && input.type != Type::Sampler)
-                    maker.approximate(index, fmt::format("the input '{}' keeps its default, because a sub-graph cannot take {}", input.name, word(input.type)));
+                    maker.approximate(
+                        index, fmt::format("the input '{}' keeps its default, because a sub-graph cannot take {}",
+                                           input.name, word(input.type)));
                 continue;
             }
         }
@@ -77,7 +81,9 @@ void make_subgraph_node(GraphMaker& maker, std::size_t index) {
             maker.set(index, output.slot, link(id + "." + output.name, output.type));
     for (const Slot& slot : at.slots)
         if (!slot.is_input && maker.is_used(index, slot.id) &&
-            std::ranges::none_of(ports.outputs, [&](const SubgraphPorts::Output& each) { return each.slot == slot.id && is_value(each.type); }))
+            std::ranges::none_of(ports.outputs, [&](const SubgraphPorts::Output& each) {
+                return each.slot == slot.id && is_value(each.type);
+            }))
             maker.approximate(index, fmt::format("the sub-graph has no output '{}': it is a constant", slot.name));
 }
 

@@ -1,5 +1,5 @@
-// What the graph gives to its target: the surface and the vertex block of a material, or the outputs of a sub-graph; and
-// the settings of the target as the material's render state.
+// What the graph gives to its target: the surface and the vertex block of a material, or the outputs of a sub-graph;
+// and the settings of the target as the material's render state.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,10 +16,18 @@ struct BlockRow {
     double otherwise;  // the input's own default, which is not written; below 0: it is always written
 };
 constexpr BlockRow kLit[] = {
-    {"BaseColor", "baseColor", -1},    {"SpriteColor", "baseColor", -1}, {"NormalTS", "normalTS", -1},
-    {"NormalOS", "normalOS", -1},      {"NormalWS", "normalWS", -1},     {"Metallic", "metallic", 0},
-    {"Specular", "specular", -1},      {"Smoothness", "smoothness", 0.5}, {"Occlusion", "occlusion", 1},
-    {"Emission", "emission", 0},       {"Alpha", "alpha", 1},            {"AlphaClipThreshold", "alphaClip", 0.5},
+    {"BaseColor", "baseColor", -1},
+    {"SpriteColor", "baseColor", -1},
+    {"NormalTS", "normalTS", -1},
+    {"NormalOS", "normalOS", -1},
+    {"NormalWS", "normalWS", -1},
+    {"Metallic", "metallic", 0},
+    {"Specular", "specular", -1},
+    {"Smoothness", "smoothness", 0.5},
+    {"Occlusion", "occlusion", 1},
+    {"Emission", "emission", 0},
+    {"Alpha", "alpha", 1},
+    {"AlphaClipThreshold", "alphaClip", 0.5},
     {"AmbientOcclusion", "occlusion", 1},
 };
 constexpr BlockRow kUnlit[] = {
@@ -29,7 +37,8 @@ constexpr BlockRow kUnlit[] = {
     {"Alpha", "alpha", 1},
     {"AlphaClipThreshold", "alphaClip", 0.5},
 };
-constexpr BlockRow kVertex[] = {{"Position", "positionOS", -1}, {"Normal", "normalOS", -1}, {"Tangent", "tangentOS", -1}};
+constexpr BlockRow kVertex[] = {
+    {"Position", "positionOS", -1}, {"Normal", "normalOS", -1}, {"Tangent", "tangentOS", -1}};
 
 const BlockRow* row_of(std::span<const BlockRow> rows, std::string_view block) {
     const auto found = std::ranges::find(rows, block, &BlockRow::block);
@@ -90,7 +99,8 @@ void GraphMaker::make_surface() {
         if (!is_active) {
             const bool is_lost = settings.wants(block.name) && is_set;
             remark(is_lost ? Remark::Kind::Changed : Remark::Kind::Taken, part,
-                   is_lost ? "the workflow has no such input" : "the target has no such block with these settings", block.place);
+                   is_lost ? "the workflow has no such input" : "the target has no such block with these settings",
+                   block.place);
             continue;
         }
         Term term = input(block.node, block.slot);
@@ -133,7 +143,9 @@ void GraphMaker::make_surface() {
     if (alpha.type != Type::None && settings.is_clipped_blend) {
         // Blended pixels below the threshold leave the picture as it is.
         const Term whole = alpha.owner ? named(alpha) : alpha;
-        Term kept = expression(fmt::format("{} < {} ? 0 : {}", at_least(whole.text(), kSum), at_least(clip.text(), kSum), at_least(whole.text(), kOr)), Type::Float);
+        Term kept = expression(fmt::format("{} < {} ? 0 : {}", at_least(whole.text(), kSum),
+                                           at_least(clip.text(), kSum), at_least(whole.text(), kOr)),
+                               Type::Float);
         kept.nodes = alpha.nodes;
         alpha = kept;
     }
@@ -156,7 +168,8 @@ void GraphMaker::make_outputs() {
         const std::string name = names.unique(camel_case(block.name), "out");
         ports_.outputs.push_back({.slot = block.slot, .name = name, .type = type});
         if (!is_value(type)) {
-            remark(Remark::Kind::LeftOut, part, fmt::format("an output of a sub-graph cannot be {}", word(type)), block.place);
+            remark(Remark::Kind::LeftOut, part, fmt::format("an output of a sub-graph cannot be {}", word(type)),
+                   block.place);
             continue;
         }
         const Term term = input(block.node, block.slot);

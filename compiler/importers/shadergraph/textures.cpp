@@ -50,18 +50,22 @@ Value sampler_value(const SamplerState& sampler) {
     std::vector<Member> made;
     if (sampler.wrap > 0) made.push_back({"wrap", text(sampler.wrap == 1 ? "clamp" : "mirror")});
     if (sampler.filter == 1) made.push_back({"filter", text("nearest")});
-    if (sampler.anisotropy > 0) made.push_back({"anisotropy", number(static_cast<double>(1 << std::min(sampler.anisotropy, 4)))});
+    if (sampler.anisotropy > 0)
+        made.push_back({"anisotropy", number(static_cast<double>(1 << std::min(sampler.anisotropy, 4)))});
     return made.empty() ? Value{} : object(made);
 }
 
 }  // namespace
 
-Term GraphMaker::texture_constant(std::size_t index, Type type, const Json* holder, std::string_view key, int default_type) {
+Term GraphMaker::texture_constant(std::size_t index, Type type, const Json* holder, std::string_view key,
+                                  int default_type) {
     const Picture picture = picture_of(project_, member(holder, key));
-    std::string& name = texture_names_[fmt::format("{} {} {} {}", static_cast<int>(type), picture.file + picture.missing, default_type,
-                                                   picture.file.empty() && picture.missing.empty() ? std::to_string(index) : "")];
+    std::string& name =
+        texture_names_[fmt::format("{} {} {} {}", static_cast<int>(type), picture.file + picture.missing, default_type,
+                                   picture.file.empty() && picture.missing.empty() ? std::to_string(index) : "")];
     if (name.empty()) {
-        std::string wanted = picture.file.empty() ? camel_case(node(index).name) : camel_case(fs::path(picture.file).stem().string());
+        std::string wanted =
+            picture.file.empty() ? camel_case(node(index).name) : camel_case(fs::path(picture.file).stem().string());
         if (wanted.empty()) wanted = "texture";
         name = property_names_.unique("_" + wanted, "_texture");
         GraphProperty made{.name = name, .type = std::string(type_word(type))};
@@ -69,8 +73,8 @@ Term GraphMaker::texture_constant(std::size_t index, Type type, const Json* hold
         if (default_type == 4) made.more.push_back({"usage", text("data")});
         if (!picture.missing.empty()) {
             made.comment = fmt::format("The picture with the GUID {} was not found.", picture.missing);
-            approximate(index, fmt::format("its picture has the GUID {}, which no file in {} has: the texture is {}", picture.missing,
-                                           project_.assets.folders(), default_word(default_type)));
+            approximate(index, fmt::format("its picture has the GUID {}, which no file in {} has: the texture is {}",
+                                           picture.missing, project_.assets.folders(), default_word(default_type)));
         }
         file_.properties.push_back(std::move(made));
         if (type == Type::Texture2D) textures_[name].is_normal = default_type == 3;
@@ -78,7 +82,8 @@ Term GraphMaker::texture_constant(std::size_t index, Type type, const Json* hold
     return link("$" + name, type);
 }
 
-void GraphMaker::sample_with(std::size_t index, const Term& texture, bool as_normal, const std::optional<SamplerState>& sampler) {
+void GraphMaker::sample_with(std::size_t index, const Term& texture, bool as_normal,
+                             const std::optional<SamplerState>& sampler) {
     const auto found = textures_.find(texture.base.substr(1));
     if (found == textures_.end()) {
         for (SubgraphPorts::Input& input : ports_.inputs)
@@ -111,23 +116,29 @@ void GraphMaker::finish_textures() {
             made->value = text(picture.file.empty() ? default_word(default_type) : std::string_view(picture.file));
             if (!picture.missing.empty()) {
                 made->comment = fmt::format("The picture with the GUID {} was not found.", picture.missing);
-                difference = fmt::format("its picture has the GUID {}, which no file in {} has", picture.missing, project_.assets.folders());
+                difference = fmt::format("its picture has the GUID {}, which no file in {} has", picture.missing,
+                                         project_.assets.folders());
             }
             if (type == Type::Texture2D) use.is_normal |= default_type == 3;
             if (default_type == 4 && !use.is_normal) made->more.push_back({"usage", text("data")});
             if (default_type == 5) difference = "it is white without a picture, not red";
-            if (flag_of(source->json, "useTilingAndOffset")) made->more.push_back({"tiling", patina::importers::flag(true)});
+            if (flag_of(source->json, "useTilingAndOffset"))
+                made->more.push_back({"tiling", patina::importers::flag(true)});
             if (source->name != name && !source->name.empty()) made->more.push_back({"label", text(source->name)});
             if (!source->group.empty()) made->more.push_back({"group", text(source->group)});
         }
         if (use.is_normal && made->type == "texture2d") made->more.push_back({"usage", text("normal")});
         if (use.sampler)
-            if (const Value sampler = sampler_value(*use.sampler); !sampler.json.empty()) made->more.push_back({"sampler", sampler});
+            if (const Value sampler = sampler_value(*use.sampler); !sampler.json.empty())
+                made->more.push_back({"sampler", sampler});
         for (const std::size_t node : use.other_samplers)
-            approximate(node, fmt::format("the texture '{}' has one sampler, that of the node that reads it first", name));
+            approximate(node,
+                        fmt::format("the texture '{}' has one sampler, that of the node that reads it first", name));
         if (source)
-            remark(difference.empty() ? Remark::Kind::Taken : Remark::Kind::Changed, fmt::format("property '{}'", source->name),
-                   difference.empty() ? fmt::format("the property '{}'", name) : fmt::format("the property '{}': {}", name, difference),
+            remark(difference.empty() ? Remark::Kind::Taken : Remark::Kind::Changed,
+                   fmt::format("property '{}'", source->name),
+                   difference.empty() ? fmt::format("the property '{}'", name)
+                                      : fmt::format("the property '{}': {}", name, difference),
                    source->place);
     }
 }

@@ -69,7 +69,8 @@ const Assets::Index& Assets::index(std::span<const std::string_view> endings) {
             const std::string name = lower(path.filename().string());
             const bool is_meta = name.ends_with(".meta");
             const std::string_view asset = std::string_view(name).substr(0, name.size() - (is_meta ? 5 : 0));
-            if (std::ranges::none_of(endings, [&](std::string_view ending) { return asset.ends_with(ending); })) continue;
+            if (std::ranges::none_of(endings, [&](std::string_view ending) { return asset.ends_with(ending); }))
+                continue;
             if (!is_meta) {
                 made.by_name[lower(path.stem().string())].push_back(path.string());
             } else if (const std::string guid = guid_of(path); !guid.empty()) {
@@ -96,8 +97,7 @@ std::optional<Assets::Found> Assets::find(std::string_view guid, std::string_vie
         std::vector<std::string> there;
         for (const std::string& path : found->second)
             if (fs::is_regular_file(path, ignored)) there.push_back(path);
-        if (!there.empty())
-            return Found{.path = there.front(), .other = there.size() > 1 ? there[1] : std::string()};
+        if (!there.empty()) return Found{.path = there.front(), .other = there.size() > 1 ? there[1] : std::string()};
     }
     if (name.empty()) return {};
     const auto found = all.by_name.find(lower(std::string(name)));

@@ -15,8 +15,8 @@ namespace patina::importers::shadergraph {
 
 inline constexpr std::string_view kGraphs[] = {".shadersubgraph", ".shadergraph"};
 inline constexpr std::string_view kIncludes[] = {".hlsl", ".cginc", ".cg", ".hlslinc"};
-inline constexpr std::string_view kPictures[] = {".png", ".jpg", ".jpeg", ".tga", ".exr", ".hdr", ".tif",
-                                                 ".tiff", ".bmp", ".webp", ".psd"};
+inline constexpr std::string_view kPictures[] = {".png", ".jpg",  ".jpeg", ".tga",  ".exr", ".hdr",
+                                                 ".tif", ".tiff", ".bmp",  ".webp", ".psd"};
 
 class Assets {
 public:

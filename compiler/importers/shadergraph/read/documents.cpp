@@ -104,8 +104,8 @@ Documents read_documents(const std::string& path, std::string text) {
         counted = at;
         const std::size_t line_begin = rest.rfind('\n', at) == rest.npos ? 0 : rest.rfind('\n', at) + 1;
         if (rest[at] != '{') {
-            made.error = fmt::format("{}:{}:{}: an object of the graph begins with '{{'", path, lines + 1,
-                                     at - line_begin + 1);
+            made.error =
+                fmt::format("{}:{}:{}: an object of the graph begins with '{{'", path, lines + 1, at - line_begin + 1);
             return made;
         }
         const std::size_t end = end_of_object(rest, at);

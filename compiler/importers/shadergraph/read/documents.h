@@ -40,9 +40,9 @@ public:
 
 private:
     friend Documents read_documents(const std::string& path, std::string text);
-    struct Piece {              // a text of its own in `sources_`
+    struct Piece {  // a text of its own in `sources_`
         std::uint32_t size = 0;
-        int lines_before = 0;   // in the file
+        int lines_before = 0;                  // in the file
         std::vector<std::uint32_t> offsets{};  // if it lay in a string: where each byte is
         std::uint32_t string_begin = 0;
     };

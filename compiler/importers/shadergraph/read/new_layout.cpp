@@ -17,7 +17,8 @@ public:
             const std::string id(text_of(root, "m_ObjectId"));
             if (id.empty() || by_id_.try_emplace(id, root).second) continue;
             const Place at = documents_.place(*root);
-            graph_.error = fmt::format("{}:{}:{}: a second object has the id '{}'", graph_.path, at.line, at.column, id);
+            graph_.error =
+                fmt::format("{}:{}:{}: a second object has the id '{}'", graph_.path, at.line, at.column, id);
             return;
         }
         for (const Json* root : documents_.roots)
@@ -63,9 +64,8 @@ private:
                       .place = documents_.place(json)};
             for (const std::string_view key : {"m_Property.m_Id", "m_Keyword.m_Id", "m_Dropdown.m_Id"})
                 if (node.refers.empty()) node.refers = text_of(&json, key);
-            for_each(&json, "m_Slots", "a slot", [&](const Json& slot) {
-                node.slots.push_back(read_slot(slot, text_of(&slot, "m_Type")));
-            });
+            for_each(&json, "m_Slots", "a slot",
+                     [&](const Json& slot) { node.slots.push_back(read_slot(slot, text_of(&slot, "m_Type"))); });
             read_layout(node);
             if (nodes_.try_emplace(node.id, graph_.nodes.size()).second) graph_.nodes.push_back(std::move(node));
         });
@@ -121,7 +121,8 @@ private:
             const Node& node = graph_.nodes[output->second];
             for (const Slot& slot : node.slots)
                 if (slot.is_input)
-                    graph_.blocks.push_back({.name = slot.name, .node = output->second, .slot = slot.id, .place = node.place});
+                    graph_.blocks.push_back(
+                        {.name = slot.name, .node = output->second, .slot = slot.id, .place = node.place});
         }
         for (const std::string_view context : {"m_VertexContext.m_Blocks", "m_FragmentContext.m_Blocks"})
             for (const Json& reference : elements_of(graph_.json, context)) {

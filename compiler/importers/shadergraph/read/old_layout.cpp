@@ -18,11 +18,12 @@ struct MasterSlot {
     bool is_vertex = false;
 };
 // The inputs of the master nodes, by the numbers of their slots.
-constexpr MasterSlot kPbr[] = {{0, "BaseColor"},  {1, "Normal"},     {2, "Metallic"},          {3, "Specular"},
-                               {4, "Emission"},   {5, "Smoothness"}, {6, "Occlusion"},         {7, "Alpha"},
-                               {8, "AlphaClipThreshold"}, {9, "Position", true}, {10, "Normal", true}, {11, "Tangent", true}};
-constexpr MasterSlot kUnlit[] = {{0, "BaseColor"},         {7, "Alpha"},         {8, "AlphaClipThreshold"},
-                                 {9, "Position", true},    {10, "Normal", true}, {11, "Tangent", true}};
+constexpr MasterSlot kPbr[] = {{0, "BaseColor"},      {1, "Normal"},        {2, "Metallic"},
+                               {3, "Specular"},       {4, "Emission"},      {5, "Smoothness"},
+                               {6, "Occlusion"},      {7, "Alpha"},         {8, "AlphaClipThreshold"},
+                               {9, "Position", true}, {10, "Normal", true}, {11, "Tangent", true}};
+constexpr MasterSlot kUnlit[] = {{0, "BaseColor"},      {7, "Alpha"},         {8, "AlphaClipThreshold"},
+                                 {9, "Position", true}, {10, "Normal", true}, {11, "Tangent", true}};
 constexpr MasterSlot kSpriteLit[] = {{0, "SpriteColor"},    {1, "SpriteMask"},    {2, "NormalTS"},
                                      {9, "Position", true}, {10, "Normal", true}, {11, "Tangent", true}};
 constexpr MasterSlot kSpriteUnlit[] = {
@@ -74,8 +75,7 @@ private:
     std::pair<const Json*, std::string_view> inner(const Json& element, std::string_view what) {
         const Json* text = member(&element, "JSONnodeData");
         const Json* json = text ? documents_.inner(*text) : nullptr;
-        if (!json)
-            graph_.problems.push_back({std::string(what), "its JSON cannot be read", documents_.place(element)});
+        if (!json) graph_.problems.push_back({std::string(what), "its JSON cannot be read", documents_.place(element)});
         return {json, text_of(&element, "typeInfo.fullName")};
     }
 
@@ -142,8 +142,11 @@ private:
         const Node& node = graph_.nodes[output];
         graph_.is_subgraph = node.kind == "SubGraphOutputNode";
         if (!graph_.is_subgraph)
-            graph_.targets.push_back({.kind = node.kind, .material = node.kind, .json = node.json,
-                                      .material_json = node.json, .place = node.place});
+            graph_.targets.push_back({.kind = node.kind,
+                                      .material = node.kind,
+                                      .json = node.json,
+                                      .material_json = node.json,
+                                      .place = node.place});
         const std::span<const MasterSlot> known = slots_of(node.kind);
         for (const Slot& slot : node.slots) {
             if (!slot.is_input) continue;
@@ -157,7 +160,8 @@ private:
                 static constexpr std::string_view kSpaces[] = {"NormalTS", "NormalOS", "NormalWS"};
                 block.name = kSpaces[std::clamp(whole_of(node.json, "m_NormalDropOffSpace"), 0, 2)];
             }
-            if (!graph_.is_subgraph && known.empty()) {  // a master node of another pipeline: by the names of its inputs
+            if (!graph_.is_subgraph &&
+                known.empty()) {  // a master node of another pipeline: by the names of its inputs
                 std::erase(block.name, ' ');
                 block.is_vertex = block.name.starts_with("Vertex");
                 if (block.is_vertex) block.name = block.name.substr(6);

@@ -106,7 +106,8 @@ ShaderGraph read_shader_graph(Documents& documents) {
     } else if (first->find("m_Type") || documents.roots.size() > 1) {
         read_new_layout(documents, made);
     } else {
-        made.error = made.path + ": it is no shader graph: its object has neither \"m_Type\" nor \"m_SerializableNodes\"";
+        made.error =
+            made.path + ": it is no shader graph: its object has neither \"m_Type\" nor \"m_SerializableNodes\"";
     }
     if (made.error.empty()) find_circles(made);
     return made;

@@ -11,20 +11,20 @@
 namespace patina::importers::shadergraph {
 
 struct Slot {
-    int id = 0;                 // unique in its node
-    std::string name{};         // that people see: "Base Color"
-    std::string kind{};         // its class: "Vector1", "DynamicVector", "Texture2DInput"
+    int id = 0;          // unique in its node
+    std::string name{};  // that people see: "Base Color"
+    std::string kind{};  // its class: "Vector1", "DynamicVector", "Texture2DInput"
     bool is_input = false;
     const Json* json = nullptr;
 };
 struct Node {
     std::string id{};
-    std::string kind{};         // its class without name space: "MultiplyNode"
-    std::string name{};         // that people see
-    int version = 0;            // of its class: settings of older versions mean something else
+    std::string kind{};  // its class without name space: "MultiplyNode"
+    std::string name{};  // that people see
+    int version = 0;     // of its class: settings of older versions mean something else
     std::vector<Slot> slots{};
-    std::string refers{};       // id of the property, keyword or dropdown that it reads
-    std::string group{};        // id; empty: none
+    std::string refers{};  // id of the property, keyword or dropdown that it reads
+    std::string group{};   // id; empty: none
     double x = 0, y = 0;
     const Json* json = nullptr;
     Place place{};
@@ -65,9 +65,9 @@ struct Block {
     Place place{};
 };
 struct TargetSettings {
-    std::string kind{};               // "UniversalTarget"
-    std::string material{};           // "UniversalLitSubTarget"
-    const Json* json = nullptr;       // settings of the target
+    std::string kind{};          // "UniversalTarget"
+    std::string material{};      // "UniversalLitSubTarget"
+    const Json* json = nullptr;  // settings of the target
     const Json* material_json = nullptr;
     std::vector<const Json*> data{};  // further settings
     Place place{};
@@ -77,7 +77,7 @@ struct ShaderGraph {
     std::string error{};
     std::string path{};
     bool is_subgraph = false;
-    bool is_old = false;              // one object with JSON in strings
+    bool is_old = false;  // one object with JSON in strings
     std::vector<Node> nodes{};
     std::vector<Edge> edges{};
     std::vector<Property> properties{};
@@ -85,7 +85,7 @@ struct ShaderGraph {
     std::vector<Note> notes{};
     std::vector<Block> blocks{};
     std::vector<TargetSettings> targets{};  // of an old file: its master node
-    const Json* json = nullptr;       // the graph's own object
+    const Json* json = nullptr;             // the graph's own object
     struct Problem {
         std::string part, text;
         Place place{};
@@ -101,7 +101,7 @@ std::string_view short_class(std::string_view full);
 // What both layouts say in the same way.
 Slot read_slot(const Json& json, std::string_view full_class);
 Property read_property(const Json& json, std::string_view full_class, const Documents& documents);
-void read_layout(Node& node);                     // position, from its JSON
+void read_layout(Node& node);  // position, from its JSON
 void read_note(Note& note, const Json& json);
 
 // The two layouts.

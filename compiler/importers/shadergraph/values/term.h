@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "compiler/importers/graph_writer.h"
-#include "compiler/importers/shadergraph/types.h"
+#include "compiler/importers/shadergraph/values/types.h"
 
 namespace patina::importers::shadergraph {
 
@@ -25,8 +25,8 @@ struct Gradient {
     int mode = 0;  // 0 blend, 1 fixed, 2 perceptual
 };
 struct SamplerState {
-    int filter = 0;  // 0 linear, 1 point, 2 trilinear
-    int wrap = 0;    // 0 repeat, 1 clamp, 2 mirror, 3 mirror once
+    int filter = 0;      // 0 linear, 1 point, 2 trilinear
+    int wrap = 0;        // 0 repeat, 1 clamp, 2 mirror, 3 mirror once
     int anisotropy = 0;  // 0 none, 1..4: 2, 4, 8, 16
     friend bool operator==(const SamplerState&, const SamplerState&) = default;
 };
@@ -40,24 +40,24 @@ struct Term {
         std::string text;
         std::size_t width = 1;
     };
-    std::vector<Part> parts{};      // if `base` is float4(a, b, c): its arguments
-    std::string from_top{};         // of texture coordinates: the same with v counted from the top
-    bool is_color = false;          // its components are called r, g, b, a
-    std::vector<std::size_t> nodes{};  // of the source, that are written in it
+    std::vector<Part> parts{};           // if `base` is float4(a, b, c): its arguments
+    std::string from_top{};              // of texture coordinates: the same with v counted from the top
+    bool is_color = false;               // its components are called r, g, b, a
+    std::vector<std::size_t> nodes{};    // of the source, that are written in it
     std::optional<std::size_t> owner{};  // the node whose output it is, after which it can be named
     std::shared_ptr<const Gradient> gradient{};
     std::optional<SamplerState> sampler{};
 
     bool is_constant() const { return !numbers.empty(); }
-    std::string text() const;   // as a part of an expression: "float3(1, 0, 0)", "mask.x", "a + b"
-    bool is_link() const;       // a name with or without a port and a swizzle
-    Value value() const;        // at a port
+    std::string text() const;  // as a part of an expression: "float3(1, 0, 0)", "mask.x", "a + b"
+    bool is_link() const;      // a name with or without a port and a swizzle
+    Value value() const;       // at a port
 };
 
 Term number_term(double value);
 Term constant(std::vector<double> values);  // one to four: a number or a vector
 Term flag_term(bool value);
-Term link(std::string text, Type type);     // "$_Tint", "mask.r", "@uv0"
+Term link(std::string text, Type type);  // "$_Tint", "mask.r", "@uv0"
 Term expression(std::string text, Type type);
 
 // The term in the type that an edge or a slot asks for; numbers keep for vectors if `may_stay_number`, because an

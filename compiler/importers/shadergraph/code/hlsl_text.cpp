@@ -1,4 +1,4 @@
-#include "compiler/importers/shadergraph/hlsl_text.h"
+#include "compiler/importers/shadergraph/code/hlsl_text.h"
 
 #include <fmt/format.h>
 
@@ -18,7 +18,8 @@ bool is_digit(char c) {
 }
 
 std::string_view trimmed(std::string_view text) {
-    while (!text.empty() && (text.front() == ' ' || text.front() == '\t' || text.front() == '\r')) text.remove_prefix(1);
+    while (!text.empty() && (text.front() == ' ' || text.front() == '\t' || text.front() == '\r'))
+        text.remove_prefix(1);
     while (!text.empty() && (text.back() == ' ' || text.back() == '\t' || text.back() == '\r')) text.remove_suffix(1);
     return text;
 }
@@ -110,9 +111,17 @@ std::string preprocessed(std::string_view text, Macros& macros, std::string& err
 
 // Names of the engine for types of the language.
 constexpr std::pair<std::string_view, std::string_view> kWords[] = {
-    {"real", "float"},          {"real2", "float2"},   {"real3", "float3"},           {"real4", "float4"},
-    {"fixed", "half"},          {"fixed2", "half2"},   {"fixed3", "half3"},           {"fixed4", "half4"},
-    {"min16float", "half"},     {"dword", "uint"},     {"UnityTexture2D", "Texture2D"},
+    {"real", "float"},
+    {"real2", "float2"},
+    {"real3", "float3"},
+    {"real4", "float4"},
+    {"fixed", "half"},
+    {"fixed2", "half2"},
+    {"fixed3", "half3"},
+    {"fixed4", "half4"},
+    {"min16float", "half"},
+    {"dword", "uint"},
+    {"UnityTexture2D", "Texture2D"},
     {"UnityTextureCube", "TextureCube"},
 };
 
@@ -149,17 +158,20 @@ void use_engine_words(HlslText& text) {
         bool is_used = false;
         for (std::size_t at = 0; (at = text.code.find(each.word, at)) != text.code.npos;) {
             std::size_t end = at + each.word.size();
-            const bool is_word = has_identifier(std::string_view(text.code).substr(at, each.word.size() + 1), each.word) &&
-                                 (at == 0 || (!is_letter(text.code[at - 1]) && !is_digit(text.code[at - 1])));
+            const bool is_word =
+                has_identifier(std::string_view(text.code).substr(at, each.word.size() + 1), each.word) &&
+                (at == 0 || (!is_letter(text.code[at - 1]) && !is_digit(text.code[at - 1])));
             if (!is_word) {
                 at = end;
                 continue;
             }
             is_used = true;
             const std::size_t open = text.code.find_first_not_of(' ', end);
-            if (each.is_call && !each.keeps && open != text.code.npos && text.code[open] == '(') end = behind_bracket(text.code, open);
+            if (each.is_call && !each.keeps && open != text.code.npos && text.code[open] == '(')
+                end = behind_bracket(text.code, open);
             const bool is_member = end < text.code.size() && text.code[end] == '.';
-            const std::string ours = is_member && each.ours.find(' ') != each.ours.npos ? fmt::format("({})", each.ours) : std::string(each.ours);
+            const std::string ours = is_member && each.ours.find(' ') != each.ours.npos ? fmt::format("({})", each.ours)
+                                                                                        : std::string(each.ours);
             text.code.replace(at, end - at, ours);
             at += ours.size();
         }
@@ -199,13 +211,16 @@ HlslText in_node_language(std::string_view hlsl) {
             i = end;
         } else if (is_digit(text[i]) || (text[i] == '.' && i + 1 < text.size() && is_digit(text[i + 1]))) {
             std::size_t end = i;
-            while (end < text.size() && (is_digit(text[end]) || text[end] == '.' ||
-                                         ((text[end] == '-' || text[end] == '+') && (text[end - 1] == 'e' || text[end - 1] == 'E')) ||
-                                         is_letter(text[end])))
+            while (end < text.size() &&
+                   (is_digit(text[end]) || text[end] == '.' ||
+                    ((text[end] == '-' || text[end] == '+') && (text[end - 1] == 'e' || text[end - 1] == 'E')) ||
+                    is_letter(text[end])))
                 ++end;
             std::string number = text.substr(i, end - i);
             const bool is_hex = number.starts_with("0x");
-            while (!is_hex && !number.empty() && std::string_view("fFhHlL").find(number.back()) != std::string_view::npos) number.pop_back();
+            while (!is_hex && !number.empty() &&
+                   std::string_view("fFhHlL").find(number.back()) != std::string_view::npos)
+                number.pop_back();
             if (number.ends_with(".")) number += "0";
             made.code += number;
             i = end;

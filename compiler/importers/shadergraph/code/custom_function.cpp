@@ -1,5 +1,5 @@
-// Nodes with code of their own: a string in the node, or a function of a file. The code becomes a node file, if it is valid
-// in the node language.
+// Nodes with code of their own: a string in the node, or a function of a file. The code becomes a node file, if it is
+// valid in the node language.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,9 +7,9 @@
 #include <fstream>
 #include <iterator>
 
-#include "compiler/importers/shadergraph/graph_maker.h"
-#include "compiler/importers/shadergraph/hlsl_text.h"
 #include "compiler/base/text.h"
+#include "compiler/importers/shadergraph/code/hlsl_text.h"
+#include "compiler/importers/shadergraph/graph_maker.h"
 #include "patina/patina.h"
 
 namespace patina::importers::shadergraph {
@@ -21,7 +21,7 @@ std::string port_of(const Slot& slot) {
 }
 
 struct Code {
-    std::string text{};   // of the node file
+    std::string text{};  // of the node file
     std::string error{};
     bool has_engine_words = false;  // it reads values of the engine, for which the library's stand
     bool is_missing = false;        // its file is not there
@@ -33,7 +33,7 @@ struct Known {
 };
 constexpr Known kKnown[] = {
 #define FUNCTION(function, output, value) {function, output, value},
-#include "compiler/importers/shadergraph/functions.def"
+#include "compiler/importers/shadergraph/code/functions.def"
 #undef FUNCTION
 };
 
@@ -44,7 +44,9 @@ std::string plain(std::string_view name) {
 }
 
 const Known* known(std::string_view function, std::string_view output) {
-    const auto found = std::ranges::find_if(kKnown, [&](const Known& each) { return plain(each.function) == plain(function) && plain(each.output) == plain(output); });
+    const auto found = std::ranges::find_if(kKnown, [&](const Known& each) {
+        return plain(each.function) == plain(function) && plain(each.output) == plain(output);
+    });
     return found == std::end(kKnown) ? nullptr : &*found;
 }
 
@@ -59,7 +61,8 @@ bool apply_known(GraphMaker& maker, std::size_t index, std::string_view function
     for (const Slot& slot : at.slots) {
         if (slot.is_input || !maker.is_used(index, slot.id)) continue;
         std::string value(known(function, port_of(slot))->value);
-        if (const std::size_t place = value.find("{0}"); place != value.npos) value.replace(place, 3, first < 0 ? "@normalWS" : maker.named(maker.input(index, first)).text());
+        if (const std::size_t place = value.find("{0}"); place != value.npos)
+            value.replace(place, 3, first < 0 ? "@normalWS" : maker.named(maker.input(index, first)).text());
         maker.set(index, slot.id, expression(value, maker.type_of(index, slot)));
     }
     return true;
@@ -70,7 +73,8 @@ std::string signature(GraphMaker& maker, std::size_t index) {
     for (const bool is_input : {true, false})
         for (const Slot& slot : maker.node(index).slots)
             if (slot.is_input == is_input)
-                made += fmt::format("{}{}{} {}", made.empty() ? "" : ", ", is_input ? "" : "out ", word(maker.type_of(index, slot)), port_of(slot));
+                made += fmt::format("{}{}{} {}", made.empty() ? "" : ", ", is_input ? "" : "out ",
+                                    word(maker.type_of(index, slot)), port_of(slot));
     return made;
 }
 
@@ -98,7 +102,8 @@ std::string indented(std::string_view body) {
     return made;
 }
 
-std::string node_function(std::string_view name, std::string_view signature, std::string_view more, std::string_view body) {
+std::string node_function(std::string_view name, std::string_view signature, std::string_view more,
+                          std::string_view body) {
     return fmt::format("[node(\"Custom/{0}\")]\nvoid {0}({1}{2}{3}) {{\n{4}}}\n", name, signature,
                        signature.empty() || more.empty() ? "" : ", ", more, indented(body));
 }
@@ -116,9 +121,12 @@ Code from_file(GraphMaker& maker, std::size_t index, std::string_view name, std:
     const std::string source(text_of(json, "m_FunctionSource"));
     const std::filesystem::path as_path(source);
     const bool is_path = source.find('.') != source.npos;
-    const auto found = maker.project().assets.find(is_path ? "" : source, is_path ? as_path.stem().string() : "", kIncludes);
+    const auto found =
+        maker.project().assets.find(is_path ? "" : source, is_path ? as_path.stem().string() : "", kIncludes);
     if (!found)
-        return {.error = fmt::format("the file of its function '{}' is not in {}", own, maker.project().assets.folders()), .is_missing = true};
+        return {
+            .error = fmt::format("the file of its function '{}' is not in {}", own, maker.project().assets.folders()),
+            .is_missing = true};
     std::ifstream file(found->path, std::ios::binary);
     const std::string text{std::istreambuf_iterator<char>(file), {}};
     const HlslText code = in_node_language(text);
@@ -129,13 +137,15 @@ Code from_file(GraphMaker& maker, std::size_t index, std::string_view name, std:
     std::vector<const HlslFunction*> needed = {&*main};
     for (std::size_t i = 0; i < needed.size(); ++i)
         for (const HlslFunction& each : functions)
-            if (&each != needed[i] && has_identifier(needed[i]->body, each.name) && std::ranges::find(needed, &each) == needed.end())
+            if (&each != needed[i] && has_identifier(needed[i]->body, each.name) &&
+                std::ranges::find(needed, &each) == needed.end())
                 needed.push_back(&each);
     if (needed.size() > 1 && !code.parameters.empty())
         return {.error = "functions that it calls read values of the engine"};
     Code made{.has_engine_words = !code.parameters.empty()};
     for (std::size_t i = needed.size(); i-- > 1;)
-        made.text += fmt::format("{} {}({}) {{\n{}}}\n\n", needed[i]->result, needed[i]->name, needed[i]->parameters, indented(needed[i]->body));
+        made.text += fmt::format("{} {}({}) {{\n{}}}\n\n", needed[i]->result, needed[i]->name, needed[i]->parameters,
+                                 indented(needed[i]->body));
     made.text += node_function(name, main->parameters, code.parameters, main->body);
     return made;
 }
@@ -187,7 +197,8 @@ void make_custom_function(GraphMaker& maker, std::size_t index) {
         return;
     }
     maker.keep_node_file(file, text);
-    if (code.has_engine_words) maker.approximate(index, "for the engine's values stand those of the library: its main light is '@light'");
+    if (code.has_engine_words)
+        maker.approximate(index, "for the engine's values stand those of the library: its main light is '@light'");
     GraphNode made{.id = {}, .node = "./" + file};
     Term holds;
     for (const Slot& slot : at.slots) {

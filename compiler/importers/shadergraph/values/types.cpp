@@ -1,4 +1,4 @@
-#include "compiler/importers/shadergraph/types.h"
+#include "compiler/importers/shadergraph/values/types.h"
 
 #include <algorithm>
 

@@ -14,7 +14,7 @@ namespace patina::importers::shadergraph {
 struct HlslText {
     std::string code{};
     std::string parameters{};  // that the code needs for values of the engine: "[hidden] float engineTime = time"
-    std::string error{};  // what cannot be said in the node language; empty: nothing of this kind
+    std::string error{};       // what cannot be said in the node language; empty: nothing of this kind
 };
 HlslText in_node_language(std::string_view hlsl);
 

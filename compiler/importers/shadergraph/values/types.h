@@ -22,7 +22,7 @@ enum class Type {
     Cubemap,
     Sampler,
     Gradient,
-    Connection,     // whether an input of a sub-graph is connected
+    Connection,  // whether an input of a sub-graph is connected
     VirtualTexture
 };
 // How a slot's type follows from what is connected to its node.
@@ -32,12 +32,12 @@ struct SlotType {
     Type type = Type::None;  // of a dynamic slot: if nothing is connected
     Dynamic dynamic = Dynamic::No;
 };
-SlotType type_of_slot(std::string_view kind);   // "Vector3", "DynamicVector", "Texture2DInput"
-Type type_of_property(std::string_view kind);   // "Color", "Vector1"
+SlotType type_of_slot(std::string_view kind);  // "Vector3", "DynamicVector", "Texture2DInput"
+Type type_of_property(std::string_view kind);  // "Color", "Vector1"
 
-bool is_vector(Type type);   // also a number, not a bool
+bool is_vector(Type type);  // also a number, not a bool
 bool is_matrix(Type type);
-bool is_value(Type type);    // a bool, a number, a vector or a matrix
+bool is_value(Type type);      // a bool, a number, a vector or a matrix
 std::size_t width(Type type);  // components of a vector, rows of a matrix; of a bool 1
 Type vector_type(std::size_t width);
 Type matrix_type(std::size_t rows);

@@ -1,4 +1,4 @@
-#include "compiler/importers/shadergraph/term.h"
+#include "compiler/importers/shadergraph/values/term.h"
 
 #include <fmt/format.h>
 
@@ -33,7 +33,8 @@ Term from_parts(const Term& term, std::string_view components) {
     std::vector<std::pair<std::size_t, std::size_t>> places;  // of each component: the part, and the place in it
     for (std::size_t i = 0; i < term.parts.size(); ++i)
         for (std::size_t j = 0; j < term.parts[i].width; ++j) places.push_back({i, j});
-    Term made{.type = vector_type(components.size()), .is_color = term.is_color, .nodes = term.nodes, .owner = term.owner};
+    Term made{
+        .type = vector_type(components.size()), .is_color = term.is_color, .nodes = term.nodes, .owner = term.owner};
     for (std::size_t at = 0; at < components.size();) {
         const auto [index, begin] = places[std::min(index_of(components[at]), places.size() - 1)];
         const Term::Part& part = term.parts[index];
@@ -46,7 +47,8 @@ Term from_parts(const Term& term, std::string_view components) {
         else if (count == 1)
             made.parts.push_back({part_component(part, begin), 1});
         else
-            made.parts.push_back({at_least(part.text, kPrimary) + "." + std::string(kComponents.substr(begin, count)), count});
+            made.parts.push_back(
+                {at_least(part.text, kPrimary) + "." + std::string(kComponents.substr(begin, count)), count});
         at += count;
     }
     if (made.parts.size() == 1) {
@@ -61,7 +63,8 @@ Term from_parts(const Term& term, std::string_view components) {
 }
 
 Term wrapped(const Term& term, Type type, std::string text, std::vector<Term::Part> parts = {}) {
-    Term made{.type = type, .base = std::move(text), .parts = std::move(parts), .nodes = term.nodes, .owner = term.owner};
+    Term made{
+        .type = type, .base = std::move(text), .parts = std::move(parts), .nodes = term.nodes, .owner = term.owner};
     made.is_color = term.is_color;
     return made;
 }
@@ -89,8 +92,8 @@ Precedence precedence_of(std::string_view text) {
         if (c == ' ') continue;
         Precedence found = kPrimary;
         if (depth == 0) {
-            const bool is_exponent = i > 0 && (text[i - 1] == 'e' || text[i - 1] == 'E') && next >= '0' && next <= '9' &&
-                                     i > 1 && text[i - 2] >= '0' && text[i - 2] <= '9';
+            const bool is_exponent = i > 0 && (text[i - 1] == 'e' || text[i - 1] == 'E') && next >= '0' &&
+                                     next <= '9' && i > 1 && text[i - 2] >= '0' && text[i - 2] <= '9';
             if (c == '?') found = kChoice;
             if (c == '|' && next == '|') found = kOr;
             if (c == '&' && next == '&') found = kAnd;
@@ -99,7 +102,8 @@ Precedence precedence_of(std::string_view text) {
             if ((c == '+' || c == '-') && !is_exponent) found = is_operand ? kSum : kUnary;
             if (c == '*' || c == '/' || c == '%') found = kProduct;
             if (c == '!' && next != '=') found = kUnary;
-            if ((found == kEqual || found == kOr || found == kAnd || found == kCompare) && (next == '=' || next == c)) ++i;
+            if ((found == kEqual || found == kOr || found == kAnd || found == kCompare) && (next == '=' || next == c))
+                ++i;
         }
         if (found != kPrimary) {
             // A sign before a number belongs to it.
@@ -136,8 +140,7 @@ std::string Term::text() const {
 }
 
 bool Term::is_link() const {
-    return !is_constant() && !base.empty() && std::ranges::all_of(base, is_word) &&
-           !(base[0] >= '0' && base[0] <= '9');
+    return !is_constant() && !base.empty() && std::ranges::all_of(base, is_word) && !(base[0] >= '0' && base[0] <= '9');
 }
 
 Value Term::value() const {
@@ -181,7 +184,8 @@ Term swizzled(const Term& term, std::string_view components) {
     if (components != "xy") made.from_top.clear();
     if (term.is_constant()) {
         made.numbers.clear();
-        for (const char each : components) made.numbers.push_back(term.numbers[std::min(index_of(each), term.numbers.size() - 1)]);
+        for (const char each : components)
+            made.numbers.push_back(term.numbers[std::min(index_of(each), term.numbers.size() - 1)]);
         return made;
     }
     if (!term.parts.empty()) {
@@ -214,7 +218,8 @@ Term flipped(const Term& term) {
     if (term.is_constant() && term.numbers.size() > 1) return constant({term.numbers[0], 1 - term.numbers[1]});
     const Term u = swizzled(term, "x"), v = swizzled(term, "y");
     const std::string one_minus = "1 - " + at_least(v.text(), kProduct);
-    return wrapped(term, Type::Float2, fmt::format("float2({}, {})", u.text(), one_minus), {{u.text(), 1}, {one_minus, 1}});
+    return wrapped(term, Type::Float2, fmt::format("float2({}, {})", u.text(), one_minus),
+                   {{u.text(), 1}, {one_minus, 1}});
 }
 
 Term converted(const Term& term, Type type, bool may_stay_number) {
@@ -256,12 +261,14 @@ Term converted(const Term& term, Type type, bool may_stay_number) {
         const std::size_t rows = width(type);
         if (term.is_constant()) {
             Term made{.type = type};
-            for (std::size_t i = 0; i < rows * rows; ++i) made.numbers.push_back(term.numbers[i / rows * width(term.type) + i % rows]);
+            for (std::size_t i = 0; i < rows * rows; ++i)
+                made.numbers.push_back(term.numbers[i / rows * width(term.type) + i % rows]);
             return made;
         }
         std::string list;
         for (std::size_t i = 0; i < rows; ++i)
-            list += fmt::format("{}{}[{}].{}", i > 0 ? ", " : "", at_least(term.text(), kPrimary), i, kComponents.substr(0, rows));
+            list += fmt::format("{}{}[{}].{}", i > 0 ? ", " : "", at_least(term.text(), kPrimary), i,
+                                kComponents.substr(0, rows));
         return wrapped(term, type, fmt::format("{}({})", word(type), list));
     }
     return {};
