@@ -136,8 +136,8 @@ double number_of(const Json* object, std::string_view path, double otherwise) {
     const Json* found = member(object, path);
     if (!found) return otherwise;
     if (found->kind == Json::Kind::Bool) return found->boolean ? 1 : 0;
-    // What a float of the engine cannot hold is no number of the graph.
-    constexpr double kLargest = 3.4028234663852886e38;
+    // A number of a graph must fit a float of 32 bits, also after it was rounded to its shortest text.
+    constexpr double kLargest = 3.4e38;
     if (found->kind != Json::Kind::Number || !std::isfinite(found->number)) return otherwise;
     return std::clamp(found->number, -kLargest, kLargest);
 }
