@@ -28,9 +28,10 @@ struct Source {
 inline constexpr std::size_t kStart = 4096;
 
 struct Options {
-    std::string name{};     // of the graph; empty: the name of the file
-    std::string folder{};   // that the files will be written to, for references to others; empty: the source's own
-    std::string camera{};   // of a source with a scene: the camera that it is seen through; empty: the first
+    std::string name{};    // of the graph; empty: the name of the file
+    std::string folder{};  // that the files will be written to, for references to others; empty: the source's own
+    std::string camera{};  // of a source with a scene: the camera that it is seen through; empty: the first
+    std::vector<std::string> include_dirs{};  // folders that are searched for files that the source names
     std::string variant{};  // the one of its variants that the scene shows; empty: each has a scene of its own
     bool is_lit = false;    // what the scene is drawn in has light: without lights of its own, it needs no others
 };
@@ -71,13 +72,15 @@ struct Imported {
     std::vector<PictureFile> pictures{};
     std::vector<BinaryFile> copies{};
     std::vector<Remark> remarks{};
+    bool has_refused = false;  // the graphs show a constant in the place of what could not be imported
 };
 
 struct Importer {
-    std::string_view name;     // "merl"
-    std::string_view reads;    // for --help: "measured BRDFs of the MERL database (.binary)"
-    std::string_view example;  // for --help: "patina import gold-paint.binary"
-    bool makes_pictures;       // if it returns none, `patina import` need not load OpenImageIO
+    std::string_view name;      // "merl"
+    std::string_view reads;     // for --help: "measured BRDFs of the MERL database (.binary)"
+    std::string_view example;   // for --help: "patina import gold-paint.binary"
+    bool makes_pictures;        // if it returns none, `patina import` need not load OpenImageIO
+    bool keeps_report = false;  // `patina import` writes the remarks as NAME.import.json, too
     bool (*recognises)(const Source& source);
     Imported (*read)(const Source& source, const Options& options);
 };

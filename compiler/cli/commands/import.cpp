@@ -23,7 +23,8 @@ using importers::Remark;
 struct Arguments {
     std::vector<std::string> files;
     std::string folder;
-    bool shows_remarks = false, json = false;
+    std::vector<std::string> include_dirs;
+    bool shows_remarks = false, json = false, allows_refused = false;
 };
 
 importers::Source source_of(const std::string& path) {
@@ -66,20 +67,33 @@ void report_remarks(const Console& console, const Arguments& arguments, const st
     }
 }
 
-// What was written, and the remarks, as one JSON object on a line.
-std::string json_of(const std::string& file, const OutputFiles& written, std::span<const Remark> remarks) {
+// What was written, and the remarks, as one JSON object on a line, or with a line for each remark.
+std::string json_of(const std::string& file, std::span<const std::string> written, std::span<const Remark> remarks,
+                    bool has_lines = false) {
     std::string text = "{\"file\": " + json_text(file) + ", \"written\": [";
-    for (std::size_t i = 0; i < written.files.size(); ++i)
-        text += (i > 0 ? ", " : "") + json_text(written.files[i].path);
+    for (std::size_t i = 0; i < written.size(); ++i) text += (i > 0 ? ", " : "") + json_text(written[i]);
     text += "], \"parts\": [";
     for (std::size_t i = 0; i < remarks.size(); ++i) {
         const Remark& remark = remarks[i];
-        text += fmt::format("{}{{\"part\": {}, \"state\": {}, \"text\": {}", i > 0 ? ", " : "", json_text(remark.part),
-                            json_text(importers::to_string(remark.kind)), json_text(remark.text));
+        text +=
+            fmt::format("{}{}{{\"part\": {}, \"state\": {}, \"text\": {}", i > 0 ? "," : "",
+                        has_lines ? "\n  "
+                        : i > 0   ? " "
+                                  : "",
+                        json_text(remark.part), json_text(importers::to_string(remark.kind)), json_text(remark.text));
         if (remark.line > 0) text += fmt::format(", \"line\": {}, \"column\": {}", remark.line, remark.column);
         text += "}";
     }
-    return text + "]}\n";
+    return text + (has_lines ? "\n]}\n" : "]}\n");
+}
+
+// "12 parts: 10 mapped, 1 approximated, 1 refused"
+std::string summary_of(std::span<const Remark> remarks) {
+    std::string text = fmt::format("{} parts", remarks.size());
+    for (const Remark::Kind kind : {Remark::Kind::Taken, Remark::Kind::Changed, Remark::Kind::LeftOut})
+        text += fmt::format("{} {} {}", kind == Remark::Kind::Taken ? ":" : ",",
+                            std::ranges::count(remarks, kind, &Remark::kind), importers::to_string(kind));
+    return text;
 }
 
 // All files of an import, or what is wrong. The graphs come last: if a graph is there, its textures are, too.
@@ -104,10 +118,16 @@ Exit import_file(const Console& console, const Arguments& arguments, const std::
         return Exit::Wrong;
     }
     const fs::path folder = arguments.folder.empty() ? fs::path(file).parent_path() : fs::path(arguments.folder);
-    const Imported made = importer->read(source, {.folder = folder.string()});
+    Imported made = importer->read(source, {.folder = folder.string(), .include_dirs = arguments.include_dirs});
     if (!made.error.empty()) {
         complain(console, Complaint::CannotImport, {made.error});
         return Exit::Wrong;
+    }
+    if (importer->keeps_report) {
+        std::vector<std::string> names;
+        for (const importers::TextFile& graph : made.graphs) names.push_back(graph.name);
+        made.graphs.push_back({.name = fs::path(file).stem().string() + ".import.json",
+                               .text = json_of(fs::path(file).filename().string(), names, made.remarks, true)});
     }
     const runtime::Outcome<OutputFiles> files = files_of(made, folder, encode);
     if (!files) {
@@ -120,13 +140,17 @@ Exit import_file(const Console& console, const Arguments& arguments, const std::
         return Exit::Wrong;
     }
     if (!Outputs(console).write(file, files.value)) return Exit::Wrong;
+    const Exit exit = made.has_refused && !arguments.allows_refused ? Exit::Wrong : Exit::Ok;
     if (arguments.json) {
-        print(json_of(file, files.value, made.remarks));
-        return Exit::Ok;
+        std::vector<std::string> written;
+        for (const runtime::OutputFile& each : files.value.files) written.push_back(each.path);
+        print(json_of(file, written, made.remarks));
+        return exit;
     }
     report_remarks(console, arguments, file, made.remarks);
+    if (arguments.shows_remarks) print(fmt::format("{}: {}\n", file, summary_of(made.remarks)));
     say(console, files.value);
-    return Exit::Ok;
+    return exit;
 }
 
 }  // namespace
@@ -141,6 +165,13 @@ void add_import(Program& program) {
     command.add_option("-o,--output", arguments->folder, "Folder to write to; default: the folder of each file")
         ->type_name("DIR")
         ->check(is_folder_name);
+    command
+        .add_option("-I,--include", arguments->include_dirs,
+                    "Folder to search for files that the imported ones name; default: the folder of each file")
+        ->type_name("DIR")
+        ->allow_extra_args(false);
+    command.add_flag("--allow-refused", arguments->allows_refused,
+                     "Exit with 0, even if a graph shows a constant in the place of a part that is refused");
     command.add_flag("--report", arguments->shows_remarks,
                      "Print what became of each part of the files: mapped, approximated or refused, and why");
     command.add_flag("--json", arguments->json, "Print the same as JSON, one object a file, instead of warnings");

@@ -1,0 +1,247 @@
+// Properties, keywords and dropdowns: properties of a material, or inputs of a sub-graph.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "compiler/importers/shadergraph/graph_maker.h"
+
+namespace patina::importers::shadergraph {
+namespace {
+
+// "#c9a27e" if the colour is one of eight bits a channel, else linear numbers.
+Value color_value(const std::vector<double>& srgb, bool is_hdr) {
+    std::string hex = "#";
+    for (std::size_t i = 0; i < 4; ++i) {
+        const double steps = srgb[i] * 255;
+        if (is_hdr || steps < -0.01 || steps > 255.01 || std::abs(steps - std::round(steps)) > 0.01) hex.clear();
+        if (hex.empty()) break;
+        if (i < 3 || srgb[3] != 1) hex += fmt::format("{:02x}", static_cast<int>(std::round(steps)));
+    }
+    if (!hex.empty()) return text(hex);
+    std::vector<float> numbers;
+    for (std::size_t i = 0; i < 4; ++i)
+        if (i < 3 || srgb[3] != 1) numbers.push_back(static_cast<float>(i == 3 || is_hdr ? srgb[i] : linear(srgb[i])));
+    return list(numbers);
+}
+
+// What a property says of itself, beside its name and type.
+struct Declaration {
+    std::string type{};
+    Value value{};
+    std::vector<Member> more{};
+    std::string difference{};  // what the graph does not say
+};
+
+Declaration number_declaration(const Property& property) {
+    Declaration made{.type = "float"};
+    const double value = number_of(property.json, "m_Value");
+    const int kind = whole_of(property.json, "m_FloatType");
+    if (kind == 2) {
+        made.type = "int";
+        made.value = number(std::round(std::clamp(value, -1e9, 1e9)));
+        if (value != std::round(value)) made.difference = "its default is not a whole number";
+        return made;
+    }
+    made.value = number(static_cast<float>(value));
+    if (kind == 1) {
+        const double low = number_of(property.json, "m_RangeValues.x"),
+                     high = number_of(property.json, "m_RangeValues.y", 1);
+        if (low < high)
+            made.more.push_back({"range", list({number(static_cast<float>(std::min(low, value))),
+                                                number(static_cast<float>(std::max(high, value)))})});
+        if (whole_of(property.json, "m_SliderType") == 1) made.difference = "its slider is even, without a power";
+    }
+    if (kind == 3) made.difference = "it is a number, without the words of its list";
+    return made;
+}
+
+Declaration color_declaration(const Property& property) {
+    const bool is_hdr = whole_of(property.json, "m_ColorMode") == 1;
+    const std::vector<double> value = vector_of(property.json, "m_Value", 4);
+    Declaration made{.type = "color", .value = color_value(value, is_hdr)};
+    if (!is_hdr) return made;
+    double high = 16;
+    for (const double each : value) high = std::max(high, std::ceil(each));
+    made.more.push_back({"range", list({number(0.0), number(high)})});
+    return made;
+}
+
+Declaration keyword_declaration(const Property& property) {
+    Declaration made{.type = "bool"};
+    const std::vector<Json>& entries = elements_of(property.json, "m_Entries");
+    if (whole_of(property.json, "m_KeywordType") == 1 && !entries.empty()) {
+        made.type = "enum";
+        Names words;
+        std::vector<std::string> values;
+        for (const Json& entry : entries)
+            values.push_back(words.unique(identifier(text_of(&entry, "displayName")), "Value"));
+        std::string all = "[";
+        for (const std::string& each : values) all += (all.size() > 1 ? ", " : "") + text(each).json;
+        made.more.push_back({"values", {all + "]"}});
+        const int chosen = std::clamp(whole_of(property.json, "m_Value"), 0, static_cast<int>(values.size()) - 1);
+        made.value = text(values[static_cast<std::size_t>(chosen)]);
+    } else {
+        made.value = flag(flag_of(property.json, "m_Value"));
+    }
+    const int definition = whole_of(property.json, "m_KeywordDefinition");
+    if (definition != 3) made.more.push_back({"as", text("variant")});
+    if (definition == 2 || !flag_of(property.json, "m_IsEditable", true))
+        made.difference = "the engine sets it; here it is a variant with a default";
+    return made;
+}
+
+Declaration declaration_of(const Property& property) {
+    const std::string_view kind = property.kind;
+    if (kind == "Vector1") return number_declaration(property);
+    if (kind == "Color") return color_declaration(property);
+    if (kind == "Keyword") return keyword_declaration(property);
+    if (kind == "Boolean") return {.type = "bool", .value = flag(flag_of(property.json, "m_Value"))};
+    if (kind.starts_with("Vector") && kind.size() == 7) {
+        const std::size_t count = width(type_of_property(kind));
+        const std::vector<double> value = vector_of(property.json, "m_Value", count);
+        return {.type = fmt::format("float{}", count), .value = list(std::vector<float>(value.begin(), value.end()))};
+    }
+    return {};
+}
+
+bool is_texture(std::string_view kind) {
+    return kind.starts_with("Texture") || kind == "Cubemap";
+}
+
+}  // namespace
+
+const Property* GraphMaker::property(std::string_view id) const {
+    const auto found = std::ranges::find(graph_.properties, id, &Property::id);
+    return id.empty() || found == graph_.properties.end() ? nullptr : &*found;
+}
+
+std::string GraphMaker::property_name(const Property& property) const {
+    const auto found = properties_.find(property.id);
+    return found == properties_.end() ? std::string() : found->second;
+}
+
+void GraphMaker::read_blackboard() {
+    for (const Property& property : graph_.properties) {
+        const bool is_keyword = property.kind == "Keyword";
+        const bool is_input = graph_.is_subgraph && !is_keyword;
+        const std::string kind = is_keyword ? "keyword" : property.kind == "Dropdown" ? "dropdown" : "property";
+        const std::string part = fmt::format("{} '{}'", kind, property.name);
+        const Type type = type_of_property(property.kind);
+        std::string wanted = is_input ? camel_case(property.name) : identifier(property.reference);
+        if (wanted.empty()) wanted = camel_case(property.name);
+        const std::string name = property_names_.unique(wanted, "property");
+        if (!is_input && name != property.reference && !property.reference.empty())
+            remark(Remark::Kind::Changed, part, fmt::format("it is called '{}', not '{}'", name, property.reference),
+                   property.place);
+        properties_[property.id] = name;
+        SubgraphPorts::Input port{.name = name, .guid = property.guid, .reference = property.reference, .type = type};
+        Declaration made = declaration_of(property);
+        const std::string what =
+            is_input ? fmt::format("the input '{}'", name) : fmt::format("the property '{}'", name);
+        if (is_texture(property.kind)) {
+            if (is_input) {
+                made.type = type == Type::Texture2D   ? "texture2d"
+                            : type == Type::Texture3D ? "texture3d"
+                            : type == Type::Cubemap   ? "textureCube"
+                                                      : "texture2dArray";
+            } else {
+                // Declared at the end, when it is known how it is sampled.
+                textures_[name];
+                file_.properties.push_back({.name = name, .type = {}});
+                continue;
+            }
+        } else if (property.kind == "Dropdown") {
+            if (!is_input) {
+                remark(Remark::Kind::Changed, part, "a material has no dropdowns: its first entry counts",
+                       property.place);
+                continue;
+            }
+            port.is_dropdown = true;
+            int chosen = 0;
+            for (const Json& entry : elements_of(property.json, "m_Entries")) {
+                if (whole_of(&entry, "id") == whole_of(property.json, "m_Value"))
+                    chosen = static_cast<int>(port.entries.size());
+                port.entries.emplace_back(text_of(&entry, "displayName"));
+            }
+            made.type = "int";
+            made.value = number(static_cast<double>(chosen));
+        } else if (made.type.empty()) {
+            // Gradients, matrices and samplers are constants where they are used.
+            const bool is_sampler = property.kind == "SamplerState";
+            remark(is_sampler ? Remark::Kind::Taken : Remark::Kind::Changed, part,
+                   is_sampler ? "the sampler of the textures that use it" : "a constant: it cannot be set from outside",
+                   property.place);
+            if (is_input) ports_.inputs.push_back(port);
+            continue;
+        }
+        if (is_input) {
+            std::vector<Member> members = {{"name", text(name)}, {"type", text(made.type)}, {"default", made.value}};
+            for (Member& each : made.more)
+                if (each.key == "range") members.push_back(std::move(each));
+            inputs_.push_back(object(members));
+            ports_.inputs.push_back(port);
+        } else {
+            GraphProperty declared{.name = name, .type = made.type, .value = made.value, .more = std::move(made.more)};
+            if (property.name != name && !property.name.empty())
+                declared.more.push_back({"label", text(property.name)});
+            if (!property.group.empty()) declared.more.push_back({"group", text(property.group)});
+            file_.properties.push_back(std::move(declared));
+        }
+        remark(made.difference.empty() ? Remark::Kind::Taken : Remark::Kind::Changed, part,
+               made.difference.empty() ? what : what + ": " + made.difference, property.place);
+    }
+}
+
+Term GraphMaker::property_term(std::size_t index) {
+    const Property* found = property(node(index).refers);
+    if (!found) {
+        Term made = number_term(0);
+        approximate(index, "the graph has no such property: it is 0");
+        for (const Slot& slot : node(index).slots)
+            if (!slot.is_input && is_value(type_of(index, slot))) made = converted(made, type_of(index, slot));
+        return made;
+    }
+    const Type type = type_of_property(found->kind);
+    const std::string name = "$" + property_name(*found);
+    if (type == Type::Gradient) {
+        Term made{.type = type};
+        made.gradient = std::make_shared<const Gradient>(gradient_of(member(found->json, "m_Value")));
+        taken(index, "a constant");
+        return made;
+    }
+    if (type == Type::Sampler) {
+        Term made{.type = type};
+        made.sampler = SamplerState{.filter = whole_of(found->json, "m_Value.m_filter"),
+                                    .wrap = whole_of(found->json, "m_Value.m_wrap"),
+                                    .anisotropy = whole_of(found->json, "m_Value.m_anisotropic")};
+        taken(index, "the sampler of the texture");
+        return made;
+    }
+    if (is_matrix(type)) {
+        Term made{.type = type};
+        const std::size_t rows = width(type);
+        for (std::size_t i = 0; i < rows * rows; ++i)
+            made.numbers.push_back(number_of(found->json, fmt::format("m_Value.e{}{}", i / rows, i % rows)));
+        return made;
+    }
+    Term made = link(name, type);
+    made.is_color = found->kind == "Color";
+    if (found->kind == "Vector1" && whole_of(found->json, "m_FloatType") == 2)
+        made.base = fmt::format("float({})", name);
+    made.nodes = {index};
+    return made;
+}
+
+std::string GraphMaker::connected_input(const Property& property) {
+    const auto port = std::ranges::find(ports_.inputs, property.guid, &SubgraphPorts::Input::guid);
+    if (port == ports_.inputs.end()) return "false";
+    if (port->connected.empty()) {
+        port->connected = property_names_.unique(port->name + "Connected", "connected");
+        inputs_.push_back(object(std::vector<Member>{
+            {"name", text(port->connected)}, {"type", text("bool")}, {"default", patina::importers::flag(false)}}));
+    }
+    return port->connected;
+}
+
+}  // namespace patina::importers::shadergraph

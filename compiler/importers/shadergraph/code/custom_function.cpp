@@ -1,0 +1,218 @@
+// Nodes with code of their own: a string in the node, or a function of a file. The code becomes a node file, if it is
+// valid in the node language.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "compiler/base/text.h"
+#include "compiler/importers/shadergraph/code/hlsl_text.h"
+#include "compiler/importers/shadergraph/graph_maker.h"
+#include "patina/patina.h"
+
+namespace patina::importers::shadergraph {
+namespace {
+
+std::string port_of(const Slot& slot) {
+    std::string name = identifier(text_of(slot.json, "m_ShaderOutputName"));
+    return name.empty() ? identifier(slot.name) : name;
+}
+
+struct Code {
+    std::string text{};  // of the node file
+    std::string error{};
+    bool has_engine_words = false;  // it reads values of the engine, for which the library's stand
+    bool is_missing = false;        // its file is not there
+};
+
+// Functions that are known by their names.
+struct Known {
+    std::string_view function, output, value;
+};
+constexpr Known kKnown[] = {
+#define FUNCTION(function, output, value) {function, output, value},
+#include "compiler/importers/shadergraph/code/functions.def"
+#undef FUNCTION
+};
+
+std::string plain(std::string_view name) {
+    std::string made = spelled_alike(name);
+    if (const std::size_t at = made.find("colour"); at != made.npos) made.replace(at, 6, "color");
+    return made;
+}
+
+const Known* known(std::string_view function, std::string_view output) {
+    const auto found = std::ranges::find_if(kKnown, [&](const Known& each) {
+        return plain(each.function) == plain(function) && plain(each.output) == plain(output);
+    });
+    return found == std::end(kKnown) ? nullptr : &*found;
+}
+
+// False: one of the outputs that are read is not known.
+bool apply_known(GraphMaker& maker, std::size_t index, std::string_view function) {
+    const Node& at = maker.node(index);
+    int first = -1;
+    for (const Slot& slot : at.slots)
+        if (slot.is_input && first < 0) first = slot.id;
+    for (const Slot& slot : at.slots)
+        if (!slot.is_input && maker.is_used(index, slot.id) && !known(function, port_of(slot))) return false;
+    for (const Slot& slot : at.slots) {
+        if (slot.is_input || !maker.is_used(index, slot.id)) continue;
+        std::string value(known(function, port_of(slot))->value);
+        if (const std::size_t place = value.find("{0}"); place != value.npos)
+            value.replace(place, 3, first < 0 ? "@normalWS" : maker.named(maker.input(index, first)).text());
+        maker.set(index, slot.id, expression(value, maker.type_of(index, slot)));
+    }
+    return true;
+}
+
+std::string signature(GraphMaker& maker, std::size_t index) {
+    std::string made;
+    for (const bool is_input : {true, false})
+        for (const Slot& slot : maker.node(index).slots)
+            if (slot.is_input == is_input)
+                made += fmt::format("{}{}{} {}", made.empty() ? "" : ", ", is_input ? "" : "out ",
+                                    word(maker.type_of(index, slot)), port_of(slot));
+    return made;
+}
+
+std::string indented(std::string_view body) {
+    std::string made;
+    std::size_t depth = 1;
+    std::string line;
+    for (std::size_t i = 0; i <= body.size(); ++i) {
+        if (i < body.size() && body[i] != '\n') {
+            line += body[i];
+            continue;
+        }
+        const std::size_t first = line.find_first_not_of(" \t");
+        if (first != line.npos) {
+            line = line.substr(first);
+            if (line.starts_with("}") && depth > 1) --depth;
+            made += std::string(depth * 4, ' ') + line + "\n";
+            for (std::size_t j = line.starts_with("}") ? 1 : 0; j < line.size(); ++j) {
+                if (line[j] == '{') ++depth;
+                if (line[j] == '}' && depth > 1) --depth;
+            }
+        }
+        line.clear();
+    }
+    return made;
+}
+
+std::string node_function(std::string_view name, std::string_view signature, std::string_view more,
+                          std::string_view body) {
+    return fmt::format("[node(\"Custom/{0}\")]\nvoid {0}({1}{2}{3}) {{\n{4}}}\n", name, signature,
+                       signature.empty() || more.empty() ? "" : ", ", more, indented(body));
+}
+
+Code from_string(GraphMaker& maker, std::size_t index, std::string_view name) {
+    const HlslText body = in_node_language(text_of(maker.node(index).json, "m_FunctionBody"));
+    if (!body.error.empty()) return {.error = body.error};
+    return {.text = node_function(name, signature(maker, index), body.parameters, body.code),
+            .has_engine_words = !body.parameters.empty()};
+}
+
+// The function of the node, and those of the file that it calls.
+Code from_file(GraphMaker& maker, std::size_t index, std::string_view name, std::string_view own) {
+    const Json* json = maker.node(index).json;
+    const std::string source(text_of(json, "m_FunctionSource"));
+    const std::filesystem::path as_path(source);
+    const bool is_path = source.find('.') != source.npos;
+    const auto found =
+        maker.project().assets.find(is_path ? "" : source, is_path ? as_path.stem().string() : "", kIncludes);
+    if (!found)
+        return {
+            .error = fmt::format("the file of its function '{}' is not in {}", own, maker.project().assets.folders()),
+            .is_missing = true};
+    std::ifstream file(found->path, std::ios::binary);
+    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    const HlslText code = in_node_language(text);
+    if (!code.error.empty()) return {.error = code.error};
+    const std::vector<HlslFunction> functions = functions_in(code.code);
+    const auto main = std::ranges::find(functions, own, &HlslFunction::name);
+    if (main == functions.end()) return {.error = fmt::format("'{}' has no function '{}_float'", found->path, own)};
+    std::vector<const HlslFunction*> needed = {&*main};
+    for (std::size_t i = 0; i < needed.size(); ++i)
+        for (const HlslFunction& each : functions)
+            if (&each != needed[i] && has_identifier(needed[i]->body, each.name) &&
+                std::ranges::find(needed, &each) == needed.end())
+                needed.push_back(&each);
+    if (needed.size() > 1 && !code.parameters.empty())
+        return {.error = "functions that it calls read values of the engine"};
+    Code made{.has_engine_words = !code.parameters.empty()};
+    for (std::size_t i = needed.size(); i-- > 1;)
+        made.text += fmt::format("{} {}({}) {{\n{}}}\n\n", needed[i]->result, needed[i]->name, needed[i]->parameters,
+                                 indented(needed[i]->body));
+    made.text += node_function(name, main->parameters, code.parameters, main->body);
+    return made;
+}
+
+const Compiler& compiler() {
+    static const Compiler made;
+    return made;
+}
+
+// What is wrong with the node file; empty: nothing.
+std::string mistake(const std::string& file, const std::string& text) {
+    CompileOptions options;
+    options.files.read = [&](const std::string& path) -> std::optional<std::string> {
+        if (path == file) return text;
+        return std::nullopt;
+    };
+    const NodeFileResult result = compiler().check_node_file(file, options);
+    for (const Diagnostic& each : result.diagnostics)
+        if (each.severity == Severity::Error) return each.message;
+    return result.ok ? "" : "it is not valid";
+}
+
+}  // namespace
+
+void make_custom_function(GraphMaker& maker, std::size_t index) {
+    const Node& at = maker.node(index);
+    const std::string own = identifier(text_of(at.json, "m_FunctionName"));
+    if (own.empty()) {
+        maker.refuse(index, "its function has no name");
+        return;
+    }
+    std::string name = own;
+    name[0] = name[0] >= 'a' && name[0] <= 'z' ? static_cast<char>(name[0] - 32) : name[0];
+    if (compiler().node(name)) name += "Custom";
+    const bool is_file = whole_of(at.json, "m_SourceType") == 0;
+    const Code code = is_file ? from_file(maker, index, name, own) : from_string(maker, index, name);
+    if (code.is_missing && apply_known(maker, index, own)) {
+        maker.approximate(index, code.error + ": it is taken for the usual function of this name");
+        return;
+    }
+    if (!code.error.empty()) {
+        maker.refuse(index, code.error);
+        return;
+    }
+    const std::string text = fmt::format("/// The custom function '{}' of the shader graph.\n", own) + code.text;
+    const std::string file = maker.node_file(name, text);
+    if (const std::string wrong = mistake(file, text); !wrong.empty()) {
+        maker.refuse(index, fmt::format("its code is not valid in the node language: {}", wrong));
+        return;
+    }
+    maker.keep_node_file(file, text);
+    if (code.has_engine_words)
+        maker.approximate(index, "for the engine's values stand those of the library: its main light is '@light'");
+    GraphNode made{.id = {}, .node = "./" + file};
+    Term holds;
+    for (const Slot& slot : at.slots) {
+        if (!slot.is_input) continue;
+        Term term = maker.input(index, slot.id, true);
+        if (term.text().size() > 80) term = maker.named(term);
+        holds.nodes.insert(holds.nodes.end(), term.nodes.begin(), term.nodes.end());
+        made.inputs.push_back({port_of(slot), term.value()});
+    }
+    const std::string id = maker.add_node(index, std::move(made), camel_case(own));
+    maker.written(holds, fmt::format("the node '{}'", id));
+    for (const Slot& slot : at.slots)
+        if (!slot.is_input && maker.is_used(index, slot.id))
+            maker.set(index, slot.id, link(id + "." + port_of(slot), maker.type_of(index, slot)));
+}
+
+}  // namespace patina::importers::shadergraph

@@ -1,0 +1,30 @@
+// The code of a custom function as text of the node language: what the preprocessor would leave, without the words of
+// the engine for types and numbers. Whether the result is valid, the compiler says.
+//
+//   HlslText text = in_node_language("#ifdef SHADERGRAPH_PREVIEW\nOut = 1;\n#else\nOut = A * 2.0h;\n#endif");
+//   text.code;   // "Out = A * 2.0;"
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace patina::importers::shadergraph {
+
+struct HlslText {
+    std::string code{};
+    std::string parameters{};  // that the code needs for values of the engine: "[hidden] float engineTime = time"
+    std::string error{};       // what cannot be said in the node language; empty: nothing of this kind
+};
+HlslText in_node_language(std::string_view hlsl);
+
+struct HlslFunction {
+    std::string result{}, name{}, parameters{}, body{};  // "void", "Noise_float", "float2 UV, out float Out", "..."
+};
+// The functions that a text defines, in order.
+std::vector<HlslFunction> functions_in(std::string_view code);
+
+// The word stands in the code by itself.
+bool has_identifier(std::string_view code, std::string_view word);
+
+}  // namespace patina::importers::shadergraph

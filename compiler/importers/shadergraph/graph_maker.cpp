@@ -1,0 +1,303 @@
+#include "compiler/importers/shadergraph/graph_maker.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace patina::importers::shadergraph {
+namespace {
+
+// Such a value is written again where it is used; every other one that is used twice gets a name.
+bool is_short(const Term& term) {
+    if (term.is_constant() || term.is_link() || term.base.empty()) return true;
+    constexpr std::size_t kShort = 24;
+    return !term.parts.empty() && term.base.size() <= kShort &&
+           std::ranges::all_of(term.parts, [](const Term::Part& part) { return precedence_of(part.text) == kPrimary; });
+}
+
+// What stands for a value that cannot be imported, so that it is seen.
+Term magenta(Type type) {
+    switch (type) {
+        case Type::Float2: return constant({1, 0});
+        case Type::Float3: return constant({1, 0, 1});
+        case Type::Float4: return constant({1, 0, 1, 1});
+        case Type::Bool: return flag_term(false);
+        case Type::Matrix2:
+        case Type::Matrix3:
+        case Type::Matrix4: {
+            Term made{.type = type};
+            const std::size_t rows = width(type);
+            for (std::size_t i = 0; i < rows * rows; ++i) made.numbers.push_back(i % (rows + 1) == 0 ? 1 : 0);
+            return made;
+        }
+        case Type::None:
+        case Type::Float:
+        case Type::Texture2D:
+        case Type::Texture2DArray:
+        case Type::Texture3D:
+        case Type::Cubemap:
+        case Type::Sampler:
+        case Type::Gradient:
+        case Type::Connection:
+        case Type::VirtualTexture: break;
+    }
+    return number_term(1);
+}
+
+}  // namespace
+
+GraphMaker::GraphMaker(Project& project, const ShaderGraph& graph, std::string name)
+    : project_(project),
+      graph_(graph),
+      name_(std::move(name)),
+      dynamic_types_(graph.nodes.size()),
+      outcomes_(graph.nodes.size()) {
+    // Names that nodes get which do not come from one node.
+    ids_.take("uv");
+    ids_.take("uv1");
+    for (const Block& block : graph.blocks)
+        if (const std::size_t hash = block.name.find('#'); block.is_vertex && hash != block.name.npos)
+            ids_.take(camel_case(std::string_view(block.name).substr(0, hash)));
+}
+
+void GraphMaker::make() {
+    file_.name = name_;
+    for (const ShaderGraph::Problem& problem : graph_.problems)
+        remark(Remark::Kind::Changed, problem.part, problem.text, problem.place);
+    find_order();
+    read_blackboard();
+    for (const std::size_t node : order_) evaluate(node);
+    if (graph_.is_subgraph)
+        make_outputs();
+    else
+        make_surface();
+    finish_textures();
+    make_layout();
+    report_nodes();
+}
+
+// Nodes that an output depends on, each after what it reads. There are no circles.
+void GraphMaker::find_order() {
+    for (const Edge& edge : graph_.edges) {
+        const Slot* from = node(edge.from).slot(edge.from_slot);
+        const Slot* to = node(edge.to).slot(edge.to_slot);
+        if (!from || !to) {
+            remark(Remark::Kind::Changed, fmt::format("edge to '{}'", node(edge.to).name),
+                   "the slot at its end does not exist", edge.place);
+            continue;
+        }
+        if (!edges_.try_emplace({edge.to, edge.to_slot}, Key{edge.from, edge.from_slot}).second)
+            remark(Remark::Kind::Changed, fmt::format("edge to '{}'", node(edge.to).name),
+                   fmt::format("a second value for '{}': the first one counts", to->name), edge.place);
+    }
+    std::vector<int> states(graph_.nodes.size(), 0);
+    std::vector<std::pair<std::size_t, std::size_t>> path;
+    for (const Block& block : graph_.blocks) path.push_back({block.node, 0});
+    std::ranges::reverse(path);
+    while (!path.empty()) {
+        auto& [at, next] = path.back();
+        const std::vector<Slot>& slots = node(at).slots;
+        if (states[at] == 2 || next == slots.size()) {
+            if (states[at] != 2) order_.push_back(at);
+            states[at] = 2;
+            path.pop_back();
+            continue;
+        }
+        states[at] = 1;
+        const auto found = edges_.find({at, slots[next++].id});
+        if (found != edges_.end() && states[found->second.first] == 0) path.push_back({found->second.first, 0});
+    }
+    for (const auto& [to, from] : edges_)
+        if (states[to.first] == 2) ++uses_[from];
+}
+
+std::size_t GraphMaker::uses(std::size_t index, int slot) const {
+    const auto found = uses_.find({index, slot});
+    return found == uses_.end() ? 0 : found->second;
+}
+
+void GraphMaker::evaluate(std::size_t index) {
+    const Node& at = node(index);
+    const bool is_output = std::ranges::any_of(graph_.blocks, [&](const Block& block) { return block.node == index; });
+    std::vector<Type> connected;
+    for (const Slot& slot : at.slots) {
+        if (type_of_slot(slot.kind).dynamic == Dynamic::No) continue;
+        if (const auto term = slot.is_input ? linked_term(index, slot.id) : std::nullopt)
+            connected.push_back(term->type);
+    }
+    dynamic_types_[index] = {.vector = dynamic_vector(connected), .matrix = dynamic_matrix(connected)};
+    if (is_output || apply_special(*this, index) || apply_rule(*this, index)) return;
+    refuse(index, is_in_table(at.kind)
+                      ? "it has a setting that this importer does not know"
+                      : fmt::format("'{}' is no node of Shader Graph that this importer knows", at.kind));
+}
+
+Type GraphMaker::type_of(std::size_t index, const Slot& slot) const {
+    const SlotType type = type_of_slot(slot.kind);
+    if (type.dynamic == Dynamic::No) return type.type;
+    return type.dynamic == Dynamic::Matrix ? dynamic_types_[index].matrix : dynamic_types_[index].vector;
+}
+
+std::optional<Term> GraphMaker::linked_term(std::size_t index, int slot) const {
+    const auto edge = edges_.find({index, slot});
+    if (edge == edges_.end()) return {};
+    const auto found = terms_.find(edge->second);
+    if (found != terms_.end()) return found->second;
+    const Slot* from = node(edge->second.first).slot(edge->second.second);
+    return magenta(from ? type_of(edge->second.first, *from) : Type::Float);
+}
+
+Term GraphMaker::input(std::size_t index, int slot_id, bool may_stay_number) {
+    const Slot* slot = node(index).slot(slot_id);
+    if (!slot) return number_term(0);
+    const Type type = type_of(index, *slot);
+    if (std::optional<Term> term = linked_term(index, slot_id)) {
+        // A value of another group stays there.
+        if (term->owner && !is_short(*term) && node(*term->owner).group != node(index).group &&
+            !node(*term->owner).group.empty())
+            term = named(*term);
+        Term made = converted(*term, type, may_stay_number);
+        if (made.type != Type::None || type == Type::None) return made;
+        approximate(index, fmt::format("the input '{}' takes {} and is connected to {}: it has 0", slot->name,
+                                       word(type), word(term->type)));
+        return magenta(type);
+    }
+    const Json* json = slot->json;
+    Term made;
+    if (type == Type::Bool) {
+        made = flag_term(flag_of(json, "m_Value"));
+    } else if (is_matrix(type)) {
+        made.type = type;
+        const std::size_t rows = width(type);
+        for (std::size_t i = 0; i < rows * rows; ++i)
+            made.numbers.push_back(
+                number_of(json, fmt::format("m_Value.e{}{}", i / rows, i % rows), i % (rows + 1) == 0 ? 1 : 0));
+    } else if (is_vector(type)) {
+        std::vector<double> values = vector_of(json, "m_Value", width(type));
+        if (slot->kind == "DynamicValue")
+            for (std::size_t i = 0; i < values.size(); ++i) values[i] = number_of(json, fmt::format("m_Value.e0{}", i));
+        if (slot->kind.starts_with("ColorRGB") && whole_of(json, "m_ColorMode") == 0)
+            for (std::size_t i = 0; i < std::min<std::size_t>(values.size(), 3); ++i) values[i] = linear(values[i]);
+        made = constant(std::move(values));
+        made = bound(index, *slot, made);
+        const bool is_same = made.is_constant() &&
+                             std::ranges::all_of(made.numbers, [&](double each) { return each == made.numbers[0]; });
+        if (is_same && may_stay_number && type_of_slot(slot->kind).dynamic != Dynamic::No)
+            made = number_term(made.numbers[0]);
+        made = converted(made, is_same && may_stay_number ? made.type : type);
+    } else if (type == Type::Texture2D) {
+        made = texture_constant(index, type, json, "m_Texture", whole_of(json, "m_DefaultType"));
+    } else if (type == Type::Texture2DArray) {
+        made = texture_constant(index, type, json, "m_TextureArray", 0);
+    } else if (type == Type::Texture3D) {
+        made = texture_constant(index, type, json, "m_Texture", 0);
+    } else if (type == Type::Cubemap) {
+        made = texture_constant(index, type, json, "m_Cubemap", 0);
+    } else {
+        made.type = type;
+        if (type == Type::Gradient)
+            made.gradient = std::make_shared<const Gradient>(gradient_of(member(json, "m_Value")));
+    }
+    return made;
+}
+
+void GraphMaker::set(std::size_t index, int slot, Term term) {
+    term.owner = index;
+    if (std::ranges::find(term.nodes, index) == term.nodes.end()) term.nodes.push_back(index);
+    if (uses(index, slot) > 1 && !is_short(term) && is_value(term.type)) term = named(term);
+    terms_[{index, slot}] = std::move(term);
+}
+
+Term GraphMaker::named(const Term& term) {
+    if (term.is_constant() || term.is_link() || !term.owner) return term;
+    // A swizzle stays where it is read.
+    Term whole = term;
+    whole.swizzle.clear();
+    if (!term.swizzle.empty()) whole.type = Type::None;
+    const auto [found, is_new] = named_.try_emplace(whole.base);
+    if (is_new) {
+        const std::string id = add_node(*term.owner, {.id = {}, .expression = whole.base});
+        found->second = link(id, whole.type);
+        found->second.owner = term.owner;
+        written(term, fmt::format("the node '{}'", id));
+    }
+    Term made = found->second;
+    made.type = term.type;
+    made.swizzle = term.swizzle;
+    made.is_color = term.is_color;
+    made.from_top = term.from_top;
+    return made;
+}
+
+std::string GraphMaker::add_node(std::size_t index, GraphNode made, std::string_view wanted) {
+    const Node& from = node(index);
+    std::string_view kind = from.kind;
+    if (kind.ends_with("Node")) kind.remove_suffix(4);
+    const std::string name = wanted.empty() ? camel_case(from.name) : std::string(wanted);
+    made.id = ids_.unique(name, camel_case(kind));
+    owners_[made.id] = index;
+    if (whole_of(from.json, "m_Precision") == 2) {
+        made.more.push_back({"precision", text("half")});
+        has_precision_.insert(index);
+    }
+    taken(index, fmt::format("the node '{}'", made.id));
+    std::string id = made.id;
+    file_.nodes.push_back(std::move(made));
+    return id;
+}
+
+void GraphMaker::written(const Term& term, std::string_view where) {
+    for (const std::size_t each : term.nodes)
+        if (outcomes_[each].where.empty()) outcomes_[each].where = where;
+}
+
+void GraphMaker::taken(std::size_t index, std::string where) {
+    if (outcomes_[index].where.empty()) outcomes_[index].where = std::move(where);
+}
+
+void GraphMaker::approximate(std::size_t index, std::string difference) {
+    Outcome& outcome = outcomes_[index];
+    if (outcome.kind == Remark::Kind::Taken) outcome.kind = Remark::Kind::Changed;
+    if (outcome.text.find(difference) == outcome.text.npos)
+        outcome.text += (outcome.text.empty() ? "" : "; ") + std::move(difference);
+}
+
+void GraphMaker::refuse(std::size_t index, std::string reason) {
+    project_.has_refused = true;
+    for (const Slot& slot : node(index).slots) {
+        if (slot.is_input || !is_used(index, slot.id)) continue;
+        const Type type = type_of(index, slot);
+        Term value = magenta(type);
+        if (is_value(type)) {
+            // A node, so that the place is seen in the graph, too.
+            const std::string id = add_node(
+                index, {.id = {}, .expression = value.text(), .more = {{"note", text("not imported: " + reason)}}});
+            value = link(id, type);
+        } else if (type >= Type::Texture2D && type <= Type::Cubemap) {
+            value = texture_constant(index, type, nullptr, "", 0);
+        } else {
+            value = Term{.type = type};
+        }
+        set(index, slot.id, value);
+    }
+    outcomes_[index] = {.kind = Remark::Kind::LeftOut, .where = {}, .text = std::move(reason)};
+}
+
+std::string GraphMaker::node_file(const std::string& function, const std::string& text) {
+    for (const TextFile& each : project_.files)
+        if (each.text == text) return each.name;
+    return project_.file_names.unique(function, "function") + ".node.hlsl";
+}
+
+void GraphMaker::keep_node_file(const std::string& file, const std::string& text) {
+    if (std::ranges::find(project_.files, file, &TextFile::name) == project_.files.end())
+        project_.files.push_back({.name = file, .text = text});
+}
+
+void GraphMaker::remark(Remark::Kind kind, std::string part, std::string text, Place place) {
+    if (kind == Remark::Kind::LeftOut) project_.has_refused = true;
+    project_.remarks.push_back(
+        {.kind = kind, .part = std::move(part), .text = std::move(text), .line = place.line, .column = place.column});
+}
+
+}  // namespace patina::importers::shadergraph

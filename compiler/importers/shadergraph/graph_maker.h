@@ -1,0 +1,138 @@
+// Makes a graph of Patina from a shader graph: evaluates its nodes in order, from what has no inputs to what the target
+// or the sub-graph's output reads. The parts of this work lie in files of their own:
+//
+//   graph_maker.cpp      the order; what an input is; which value gets a name
+//   node_rules.cpp       nodes of the table
+//   special_nodes.cpp    nodes that no row can say, by a list of functions
+//   blackboard.cpp       properties, keywords, inputs of sub-graphs
+//   textures.cpp         textures and samplers
+//   surface.cpp          what the target gets, and its settings
+//   layout.cpp           positions, groups, notes; the remarks of nodes
+//   code/                custom functions
+//   values/              types, and values as text
+//   read/                the file, and files that it names
+#pragma once
+
+#include <map>
+#include <set>
+#include <span>
+
+#include "compiler/importers/graph_writer.h"
+#include "compiler/importers/shadergraph/node_table.h"
+#include "compiler/importers/shadergraph/project.h"
+#include "compiler/importers/shadergraph/values/term.h"
+
+namespace patina::importers::shadergraph {
+
+class GraphMaker {
+public:
+    GraphMaker(Project& project, const ShaderGraph& graph, std::string name);
+
+    void make();
+    GraphFile& file() { return file_; }
+    SubgraphPorts& ports() { return ports_; }
+
+    // --- for those who evaluate nodes
+    const ShaderGraph& graph() const { return graph_; }
+    const Node& node(std::size_t index) const { return graph_.nodes[index]; }
+    Project& project() { return project_; }
+    bool is_linked(std::size_t node, int slot) const { return edges_.contains({node, slot}); }
+    bool is_used(std::size_t node, int slot) const { return uses_.contains({node, slot}); }
+    std::size_t uses(std::size_t node, int slot) const;
+    // The type of a slot, which for a dynamic one follows from what is connected to the node.
+    Type type_of(std::size_t node, const Slot& slot) const;
+    // The value at an input, in the type of its slot. `may_stay_number`: who takes it converts numbers to vectors.
+    Term input(std::size_t node, int slot, bool may_stay_number = false);
+    // The same as it comes, in whatever type; nothing if the input is not connected.
+    std::optional<Term> linked_term(std::size_t node, int slot) const;
+    void set(std::size_t node, int slot, Term term);
+    // A link to the term, which becomes a node of its own unless it is a link already.
+    Term named(const Term& term);
+    // Adds a node that stands for this one, and returns its id.
+    std::string add_node(std::size_t node, GraphNode made, std::string_view wanted = {});
+    // Notes where the nodes that the term holds have gone.
+    void written(const Term& term, std::string_view where);
+    void refuse(std::size_t node, std::string reason);
+    void approximate(std::size_t node, std::string difference);
+    void taken(std::size_t node, std::string where);
+    void remark(Remark::Kind kind, std::string part, std::string text, Place place);
+
+    // Texture coordinates of the mesh, as the engine counts them.
+    Term coordinates(std::size_t node, int channel);
+    // A value of the mesh or the camera, in a space.
+    Term bound(std::size_t node, const Slot& slot, const Term& otherwise);
+    // The texture that a slot or an asset holds, as a property of its own.
+    Term texture_constant(std::size_t node, Type type, const Json* holder, std::string_view key, int default_type);
+    void sample_with(std::size_t node, const Term& texture, bool as_normal, const std::optional<SamplerState>& sampler);
+    Term property_term(std::size_t node);
+    const Property* property(std::string_view id) const;
+    std::string property_name(const Property& property) const;
+    // In a sub-graph: the input that says whether that one is connected.
+    std::string connected_input(const Property& property);
+    // The name of a file with a function; the same for the same text.
+    std::string node_file(const std::string& function, const std::string& text);
+    void keep_node_file(const std::string& file, const std::string& text);
+
+private:
+    using Key = std::pair<std::size_t, int>;
+    struct Outcome {
+        Remark::Kind kind = Remark::Kind::Taken;
+        std::string where{}, text{};
+    };
+    struct TextureUse {
+        bool is_normal = false, is_color = false;
+        std::optional<SamplerState> sampler{};
+        std::set<std::size_t> other_samplers{};  // nodes that sample it in another way
+    };
+
+    void find_order();
+    void evaluate(std::size_t node);
+    void read_blackboard();
+    void finish_textures();
+    void make_surface();
+    void add_pinned(std::string id, const Block& block);
+    void make_outputs();
+    void make_layout();
+    void report_nodes();
+    std::string part_of(std::size_t node) const;
+
+    Project& project_;
+    const ShaderGraph& graph_;
+    std::string name_;
+    GraphFile file_{};
+    SubgraphPorts ports_{};
+    std::vector<Value> inputs_{};  // of a sub-graph
+    Names ids_{}, property_names_{};
+
+    std::map<Key, Key> edges_{};         // input -> output
+    std::map<Key, std::size_t> uses_{};  // of outputs, by nodes that count
+    std::vector<std::size_t> order_{};
+    std::map<Key, Term> terms_{};  // outputs
+    struct DynamicTypes {
+        Type vector = Type::Float, matrix = Type::Matrix2;
+    };
+    std::vector<DynamicTypes> dynamic_types_{};         // of each node that was evaluated
+    std::map<std::string, Term, std::less<>> named_{};  // by text
+    std::vector<Outcome> outcomes_{};
+    std::set<std::size_t> has_precision_{};               // nodes that are computed in half
+    std::map<std::string, std::size_t> owners_{};         // id -> node, for the layout
+    std::map<std::string, std::string> properties_{};     // id of the property -> name
+    std::map<std::string, TextureUse> textures_{};        // by name of the property
+    std::map<std::string, std::string> texture_names_{};  // GUID -> property
+};
+
+// Evaluates a node by the table; false: it is not in the table.
+bool apply_rule(GraphMaker& maker, std::size_t node);
+// Evaluates a node that has a function of its own; false: it has none.
+bool apply_special(GraphMaker& maker, std::size_t node);
+// The classes that have one.
+std::vector<std::string_view> special_classes();
+
+Gradient gradient_of(const Json* json);  // as a slot or a property holds it
+void make_gradient(GraphMaker& maker, std::size_t node);
+void make_sample_gradient(GraphMaker& maker, std::size_t node);
+// Nodes with files of their own.
+void make_subgraph_node(GraphMaker& maker, std::size_t node);
+void make_custom_function(GraphMaker& maker, std::size_t node);
+
+}  // namespace patina::importers::shadergraph

@@ -1,0 +1,55 @@
+// Values of the mesh, the camera and the screen that a slot reads if nothing is connected to it.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "compiler/importers/shadergraph/graph_maker.h"
+
+namespace patina::importers::shadergraph {
+namespace {
+
+struct Bound {
+    std::string_view kind;
+    std::string_view spaces[4];  // object, view, world, tangent
+};
+constexpr Bound kBound[] = {
+    {"Normal", {"@normalOS", "@normalVS", "@normalWS", "float3(0, 0, 1)"}},
+    {"Tangent", {"@tangentOS.xyz", "TangentVector(View)", "@tangentWS", "float3(1, 0, 0)"}},
+    {"Bitangent", {"BitangentVector(Object)", "BitangentVector(View)", "@bitangentWS", "float3(0, 1, 0)"}},
+    {"Position", {"@positionOS", "@positionVS", "@positionWS", "Position(Tangent)"}},
+    {"ViewDirection", {"ViewDirection(Object)", "ViewDirection(View)", "@viewDirWS", "ViewDirection(Tangent)"}},
+};
+
+}  // namespace
+
+Term GraphMaker::coordinates(std::size_t index, int channel) {
+    const std::string_view set = channel == 0 ? "0" : "1";
+    if (channel > 1) approximate(index, "there are two sets of texture coordinates: it reads the second");
+    const std::string name = channel == 0 ? "uv" : "uv1";
+    Term made = expression(fmt::format("float4({}, 0, 1)", name), Type::Float4);
+    made.parts = {{name, 2}, {"0", 1}, {"1", 1}};
+    made.from_top = fmt::format("@uv{}", set);
+    return made;
+}
+
+Term GraphMaker::bound(std::size_t index, const Slot& slot, const Term& otherwise) {
+    if (slot.kind == "UV") return converted(coordinates(index, whole_of(slot.json, "m_Channel")), Type::Float2);
+    if (slot.kind == "VertexColor") return link("@vertexColor", Type::Float4);
+    if (slot.kind == "ScreenPosition") {
+        const int mode = std::clamp(whole_of(slot.json, "m_ScreenSpaceType"), 0, 4);
+        if (mode == 0) {
+            Term made = expression("float4(@screenUV.x, 1 - @screenUV.y, 0, 0)", Type::Float4);
+            made.parts = {{"@screenUV.x", 1}, {"1 - @screenUV.y", 1}, {"0", 1}, {"0", 1}};
+            made.from_top = "@screenUV";
+            return made;
+        }
+        static constexpr std::string_view kModes[] = {"Default", "Raw", "Center", "Tiled", "Pixel"};
+        return expression(fmt::format("ScreenPosition({}, Bottom)", kModes[mode]), Type::Float4);
+    }
+    const auto row = std::ranges::find(kBound, slot.kind, &Bound::kind);
+    if (row == std::end(kBound)) return otherwise;
+    const int space = std::clamp(whole_of(slot.json, "m_Space"), 0, 4);
+    return expression(std::string(row->spaces[space == 4 ? 2 : space]), Type::Float3);
+}
+
+}  // namespace patina::importers::shadergraph

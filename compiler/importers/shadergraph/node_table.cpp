@@ -1,0 +1,158 @@
+#include "compiler/importers/shadergraph/node_table.h"
+
+#include <algorithm>
+#include <charconv>
+#include <map>
+
+#include "compiler/base/text.h"
+#include "compiler/importers/shadergraph/values/term.h"
+
+namespace patina::importers::shadergraph {
+namespace {
+
+struct Row {
+    std::string_view kind, condition, outputs, remark;
+};
+constexpr Row kRows[] = {
+#define NODE(kind, condition, outputs, remark) {kind, condition, outputs, remark},
+#include "compiler/importers/shadergraph/nodes.def"
+#undef NODE
+};
+
+std::string_view trimmed(std::string_view text) {
+    while (text.starts_with(' ')) text.remove_prefix(1);
+    while (text.ends_with(' ')) text.remove_suffix(1);
+    return text;
+}
+
+int number_in(std::string_view text) {
+    int made = 0;
+    std::from_chars(text.data(), text.data() + text.size(), made);
+    return made;
+}
+
+std::vector<Statement> statements_of(std::string_view outputs) {
+    std::vector<Statement> made;
+    for (const std::string_view each : split(outputs, ";")) {
+        const std::string_view text = trimmed(each);
+        if (text.starts_with("$ = ")) {
+            made.push_back({.text = std::string(text.substr(4))});
+        } else {
+            const std::size_t colon = text.find(": ");
+            made.push_back({.output = number_in(text.substr(0, colon)), .text = std::string(text.substr(colon + 2))});
+        }
+    }
+    return made;
+}
+
+using Table = std::map<std::string_view, std::vector<NodeRule>>;
+const Table& table() {
+    static const Table made = [] {
+        Table all;
+        for (const Row& row : kRows)
+            all[row.kind].push_back(
+                {.condition = row.condition, .statements = statements_of(row.outputs), .remark = row.remark});
+        return all;
+    }();
+    return made;
+}
+
+bool holds(std::string_view condition, const Node& node, const NodeFacts& facts) {
+    for (const std::string_view word : split(condition, " ")) {
+        if (word.starts_with("linked:")) {
+            if (!facts.is_linked(number_in(word.substr(7)))) return false;
+        } else if (word.starts_with("uses:")) {
+            if (!facts.is_used(number_in(word.substr(5)))) return false;
+        } else if (word.starts_with("version<")) {
+            if (node.version >= number_in(word.substr(8))) return false;
+        } else {
+            const std::size_t equals = word.find('=');
+            // A setting that the file does not have is not that of a row, so the last row has the default.
+            if (!member(node.json, word.substr(0, equals))) return false;
+            if (whole_of(node.json, word.substr(0, equals)) != number_in(word.substr(equals + 1))) return false;
+        }
+    }
+    return true;
+}
+
+// What stands between "<" and ">".
+std::string setting(std::string_view text, const Node& node, const std::function<std::size_t(int)>& components) {
+    if (text.size() > 2 && text[0] >= '2' && text[0] <= '4' && text[1] == ' ')
+        return constant(vector_of(node.json, text.substr(2), static_cast<std::size_t>(text[0] - '0'))).text();
+    const std::size_t colon = text.find(':');
+    if (colon == text.npos) return digits(number_of(node.json, text));
+    const std::size_t count = std::clamp<std::size_t>(components(number_in(text.substr(colon + 1))), 1, 4);
+    std::vector<double> flags;
+    if (text[0] == '&') {
+        const int bits = whole_of(node.json, text.substr(1, colon - 1), -1);
+        for (std::size_t i = 0; i < count; ++i) flags.push_back((bits >> i) & 1);
+    } else {
+        for (const std::string_view each : split(text.substr(0, colon), ","))
+            if (flags.size() < count) flags.push_back(flag_of(node.json, each) ? 1 : 0);
+    }
+    return constant(flags).text();
+}
+
+}  // namespace
+
+const NodeRule* rule_of(const Node& node, const NodeFacts& facts) {
+    const auto rules = table().find(node.kind);
+    if (rules == table().end()) return nullptr;
+    const auto found =
+        std::ranges::find_if(rules->second, [&](const NodeRule& rule) { return holds(rule.condition, node, facts); });
+    return found == rules->second.end() ? nullptr : &*found;
+}
+
+bool is_in_table(std::string_view kind) {
+    return table().contains(kind);
+}
+
+std::vector<std::string_view> classes_in_table() {
+    std::vector<std::string_view> made;
+    for (const Row& row : kRows)
+        if (made.empty() || made.back() != row.kind) made.push_back(row.kind);
+    return made;
+}
+
+bool fill_settings(std::string& text, const Node& node, const std::function<std::size_t(int)>& components) {
+    for (std::size_t begin; (begin = text.find('[')) != text.npos;) {
+        const std::size_t end = text.find(']', begin);
+        if (end == text.npos) break;
+        const std::string inner = text.substr(begin + 1, end - begin - 1);
+        std::vector<std::string> words;
+        for (std::size_t at = 0; at <= inner.size();) {
+            const std::size_t bar = std::min(inner.find('|', at), inner.size());
+            words.push_back(inner.substr(at, bar - at));
+            at = bar + 1;
+        }
+        const int choice = whole_of(node.json, words[0]);
+        if (choice < 0 || choice + 1 >= static_cast<int>(words.size())) return false;
+        text.replace(begin, end - begin + 1, words[static_cast<std::size_t>(choice) + 1]);
+    }
+    for (std::size_t begin = 0; (begin = text.find('<', begin)) != text.npos; ++begin) {
+        const char next = begin + 1 < text.size() ? text[begin + 1] : ' ';
+        const std::size_t end = text.find('>', begin);
+        const bool is_setting = next == '&' || (next >= '2' && next <= '4') || (next >= 'a' && next <= 'z');
+        if (!is_setting || end == text.npos) continue;
+        text.replace(begin, end - begin + 1,
+                     setting(std::string_view(text).substr(begin + 1, end - begin - 1), node, components));
+    }
+    return true;
+}
+
+std::vector<std::string> arguments_of(std::string_view list) {
+    std::vector<std::string> made;
+    int depth = 0;
+    std::size_t begin = 0;
+    for (std::size_t i = 0; i <= list.size(); ++i) {
+        if (i < list.size() && (list[i] == '(' || list[i] == '{' || list[i] == '[')) ++depth;
+        if (i < list.size() && (list[i] == ')' || list[i] == '}' || list[i] == ']')) --depth;
+        if (i < list.size() && (list[i] != ',' || depth > 0)) continue;
+        const std::string_view part = trimmed(list.substr(begin, i - begin));
+        if (!part.empty()) made.push_back(std::string(part));
+        begin = i + 1;
+    }
+    return made;
+}
+
+}  // namespace patina::importers::shadergraph

@@ -1,0 +1,40 @@
+// The table of node classes (nodes.def), read once.
+//
+//   if (const NodeRule* rule = rule_of(node, facts)) for (const Statement& each : rule->statements) ...
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "compiler/importers/shadergraph/read/shader_graph.h"
+
+namespace patina::importers::shadergraph {
+
+struct Statement {
+    int output = -1;  // slot; -1: "$", which the others read
+    std::string text{};
+};
+struct NodeRule {
+    std::string_view condition{};
+    std::vector<Statement> statements{};
+    std::string_view remark{};
+};
+// What a condition asks of a node.
+struct NodeFacts {
+    std::function<bool(int)> is_linked, is_used;  // an input, an output
+};
+// Null: the class is not in the table, or no row fits.
+const NodeRule* rule_of(const Node& node, const NodeFacts& facts);
+bool is_in_table(std::string_view kind);
+std::vector<std::string_view> classes_in_table();  // each once, in order
+
+// Choices "[s|a|b]" and settings "<s>" replaced by what the node says; false: a choice has no such value.
+// `components`: of the input with that slot, for "<...:0>".
+bool fill_settings(std::string& text, const Node& node, const std::function<std::size_t(int)>& components);
+
+// The arguments of a call at the outer level: "a, f(b, c)" -> "a", "f(b, c)".
+std::vector<std::string> arguments_of(std::string_view list);
+
+}  // namespace patina::importers::shadergraph

@@ -1,0 +1,232 @@
+#include "compiler/importers/shadergraph/settings.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace patina::importers::shadergraph {
+namespace {
+
+// Materials of targets, by a part of their class. The first row that fits counts.
+struct Material {
+    std::string_view in_name;
+    bool is_lit;
+    std::string_view difference;  // empty: the material does the same
+};
+constexpr Material kMaterials[] = {
+    {"SpriteUnlit", false, ""},
+    {"SpriteCustomLit", false, "2D lights are not known: it is drawn without light"},
+    {"SpriteLit", false, "2D lights are not known: it is drawn without light"},
+    {"Unlit", false, ""},
+    {"UniversalLit", true, ""},
+    {"BuiltInLit", true, ""},
+    {"PBRMasterNode", true, ""},
+    {"HDLit", true, "it is lit as the built-in pipeline does"},
+    {"Decal", true, "it is drawn on its mesh, and not projected on what is behind it"},
+    {"Fullscreen", false, "it is drawn on its mesh, and not over the whole picture"},
+    {"Canvas", false, "it is drawn on its mesh, and not on a canvas"},
+    {"SixWay", true, "it is lit as a surface, without maps for six directions"},
+    {"Terrain", true, "it is drawn on its mesh, without the layers of a terrain"},
+    {"Fabric", true, "it is lit as a surface without fibres"},
+    {"Vfx", false, "it is drawn on its mesh, and not on particles"},
+    {"VFX", false, "it is drawn on its mesh, and not on particles"},
+};
+
+// Settings that change nothing that a graph says.
+struct Known {
+    std::string_view key, label, text;
+};
+constexpr Known kEditorOnly[] = {
+    {"m_CustomEditorGUI", "Custom Editor GUI", "it concerns the editor alone"},
+    {"m_SupportVFX", "Support VFX Graph", "it concerns the editor alone"},
+    {"m_OverrideEnabled", "Override ShaderGUI", "it concerns the editor alone"},
+    {"m_ShaderGUIOverride", "ShaderGUI", "it concerns the editor alone"},
+    {"m_DOTSInstancing", "DOTS Instancing", "it concerns the engine's way of drawing alone"},
+};
+
+// Settings that a graph does not have: what is lost if they differ from their default.
+struct Lost {
+    std::string_view key, label;
+    double otherwise;
+    std::string_view text;
+};
+constexpr Lost kLost[] = {
+    {"m_AllowMaterialOverride", "Allow Material Override", 0, "materials cannot change the graph's settings"},
+    {"m_CastShadows", "Cast Shadows", 1, "it casts shadows"},
+    {"m_ReceiveShadows", "Receive Shadows", 1, "it receives shadows"},
+    {"m_SupportsLODCrossFade", "LOD Cross Fade", 0, "levels of detail do not fade"},
+    {"m_AdditionalMotionVectorMode", "Additional Motion Vectors", 0, "there are no motion vectors"},
+    {"m_AlembicMotionVectors", "Alembic Motion Vectors", 0, "there are no motion vectors"},
+};
+
+class Reader {
+public:
+    explicit Reader(const TargetSettings& target) : target_(target) {}
+
+    Settings read() {
+        const auto material = std::ranges::find_if(
+            kMaterials, [&](const Material& each) { return target_.material.find(each.in_name) != std::string::npos; });
+        const bool is_known = material != std::end(kMaterials);
+        made_.is_lit = is_known && material->is_lit;
+        is_sprite_ = target_.material.find("Sprite") != std::string::npos;
+        const bool is_universal =
+            target_.kind.find("Universal") != std::string::npos || target_.kind == "PBRMasterNode";
+        if (made_.is_lit && is_universal) made_.lighting = "unity-brdf2";
+        const std::string difference(is_known ? material->difference
+                                              : "this importer does not know it: it is drawn without light");
+        add(difference.empty() ? Remark::Kind::Taken : Remark::Kind::Changed, "Material",
+            fmt::format("the workflow '{}'{}", made_.is_lit ? "metallic" : "unlit",
+                        difference.empty() ? "" : ": " + difference));
+        workflow();
+        surface();
+        faces_and_depth();
+        rest();
+        return std::move(made_);
+    }
+
+private:
+    void add(Remark::Kind kind, std::string_view label, std::string text) {
+        made_.remarks.push_back({.kind = kind,
+                                 .part = fmt::format("setting '{}'", label),
+                                 .text = std::move(text),
+                                 .place = target_.place});
+    }
+    // The object that has the setting: the target, its material, or further settings.
+    const Json* holder(std::string_view key) const {
+        for (const Json* each : {target_.json, target_.material_json})
+            if (member(each, key)) return each;
+        for (const Json* each : target_.data)
+            if (member(each, key)) return each;
+        return nullptr;
+    }
+    int whole(std::string_view key, int otherwise) const { return whole_of(holder(key), key, otherwise); }
+
+    void workflow() {
+        if (!made_.is_lit) return;
+        made_.is_specular = whole(holder("m_WorkflowMode") ? "m_WorkflowMode" : "m_Model", 1) == 0;
+        add(Remark::Kind::Taken, "Workflow Mode",
+            made_.is_specular ? "'specular-glossiness'" : "'metallic-smoothness'");
+        made_.has_coat = whole("m_ClearCoat", 0) != 0;
+        if (made_.has_coat) add(Remark::Kind::Changed, "Clear Coat", "the surface has no coat");
+    }
+
+    bool has_clip() const {
+        if (holder("m_AlphaClip")) return whole("m_AlphaClip", 0) != 0;
+        return is_clipped_by_slot;
+    }
+
+    void surface() {
+        const int mode = whole("m_AlphaMode", 0);
+        made_.is_blended = is_sprite_ || whole("m_SurfaceType", 0) == 1;
+        made_.is_clipped = has_clip();
+        made_.is_clipped_blend = made_.is_blended && made_.is_clipped;
+        std::string_view kind = made_.is_clipped ? "cutout" : "opaque";
+        if (made_.is_blended) {
+            const bool keeps_reflections = made_.is_lit && whole("m_BlendModePreserveSpecular", 0) != 0;
+            static constexpr std::string_view kKinds[] = {"fade", "transparent", "additive", "multiply"};
+            kind = kKinds[std::clamp(mode, 0, 3)];
+            if (mode == 0 && keeps_reflections) kind = "transparent";
+        }
+        add(Remark::Kind::Taken, "Surface Type", fmt::format("'{}'", kind));
+        if (made_.is_blended) add(Remark::Kind::Taken, "Blending Mode", fmt::format("'{}'", kind));
+        if (made_.is_clipped)
+            add(Remark::Kind::Taken, "Alpha Clipping",
+                made_.is_blended ? "an alpha of 0 below the threshold" : "'cutout'");
+        if (kind != "opaque") made_.render.push_back({"surface", text(kind)});
+        made_.is_tinted = is_sprite_ && whole("m_DisableTint", 0) == 0;
+    }
+
+    void faces_and_depth() {
+        std::string_view cull = is_sprite_ ? "off" : "back";
+        if (holder("m_RenderFace")) {
+            static constexpr std::string_view kWords[] = {"off", "front", "back"};
+            cull = kWords[std::clamp(whole("m_RenderFace", 2), 0, 2)];
+        } else if (whole("m_TwoSided", 0) != 0 || holder_is_on("m_DoubleSided")) {
+            cull = "off";
+        }
+        add(Remark::Kind::Taken, "Render Face", fmt::format("\"cull\": \"{}\"", cull));
+        if (cull != "back") made_.render.push_back({"cull", text(cull)});
+        const int write = whole("m_ZWriteControl", 0);
+        if (write == 1 || write == 2) {
+            made_.render.push_back({"depthWrite", flag(write == 1)});
+            add(Remark::Kind::Taken, "Depth Write", write == 1 ? "true" : "false");
+        }
+        static constexpr std::string_view kTests[] = {"lessEqual", "never",    "less",         "equal", "lessEqual",
+                                                      "greater",   "notEqual", "greaterEqual", "always"};
+        const int test = std::clamp(whole("m_ZTestMode", 4), 0, 8);
+        if (test != 4 && test != 0) {
+            made_.render.push_back({"depthTest", text(kTests[test])});
+            add(Remark::Kind::Taken, "Depth Test", fmt::format("'{}'", kTests[test]));
+        }
+    }
+    bool holder_is_on(std::string_view key) const { return whole(key, 0) != 0; }
+
+    void rest() {
+        for (const Known& each : kEditorOnly)
+            if (const Json* found = holder(each.key);
+                found && (!text_of(found, each.key).empty() || whole_of(found, each.key) != 0))
+                add(Remark::Kind::Taken, each.label, std::string(each.text));
+        for (const Lost& each : kLost)
+            if (const Json* found = holder(each.key);
+                found && number_of(found, each.key, each.otherwise) != each.otherwise)
+                add(Remark::Kind::Changed, each.label, std::string(each.text));
+    }
+
+public:
+    bool is_clipped_by_slot = false;  // of an old file: its threshold is connected or above 0
+
+private:
+    const TargetSettings& target_;
+    Settings made_{};
+    bool is_sprite_ = false;
+};
+
+bool is_clipped_by_slot(const ShaderGraph& graph) {
+    if (!graph.is_old) return false;
+    for (const Block& block : graph.blocks) {
+        if (block.name != "AlphaClipThreshold") continue;
+        const Slot* slot = graph.nodes[block.node].slot(block.slot);
+        const bool is_linked = std::ranges::any_of(
+            graph.edges, [&](const Edge& edge) { return edge.to == block.node && edge.to_slot == block.slot; });
+        if (is_linked || (slot && number_of(slot->json, "m_Value") > 0)) return true;
+    }
+    return false;
+}
+
+}  // namespace
+
+bool Settings::uses(std::string_view block) const {
+    if (block == "Metallic") return is_lit && !is_specular;
+    if (block == "Specular") return is_lit && is_specular;
+    if (block == "Alpha") return is_blended || is_clipped;
+    if (block == "AlphaClipThreshold") return is_clipped;
+    return true;
+}
+
+bool Settings::wants(std::string_view block) const {
+    if (block.starts_with("Coat")) return has_coat;
+    return block == "SpriteMask" || block.starts_with("Fullscreen") || block == "NormalAlpha" || block == "MAOSAlpha";
+}
+
+Settings read_settings(const ShaderGraph& graph) {
+    if (graph.targets.empty())
+        return {.remarks = {{.kind = Remark::Kind::Changed,
+                             .part = "setting 'Active Targets'",
+                             .text = "there is none: it is drawn without light"}}};
+    const TargetSettings* chosen = &graph.targets.front();
+    for (const std::string_view preferred : {"BuiltIn", "Universal"})
+        for (const TargetSettings& each : graph.targets)
+            if (each.kind.find(preferred) != std::string::npos) chosen = &each;
+    Reader reader(*chosen);
+    reader.is_clipped_by_slot = is_clipped_by_slot(graph);
+    Settings made = reader.read();
+    for (const TargetSettings& each : graph.targets)
+        made.remarks.push_back({.kind = Remark::Kind::Taken,
+                                .part = fmt::format("target '{}'", each.kind),
+                                .text = &each == chosen ? "the workflow and the render state"
+                                                        : fmt::format("the graph is that of '{}'", chosen->kind),
+                                .place = each.place});
+    return made;
+}
+
+}  // namespace patina::importers::shadergraph

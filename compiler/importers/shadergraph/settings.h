@@ -1,0 +1,31 @@
+// The settings of a target: which workflow and render state a material has.
+#pragma once
+
+#include "compiler/importers/graph_writer.h"
+#include "compiler/importers/importer.h"
+#include "compiler/importers/shadergraph/read/shader_graph.h"
+
+namespace patina::importers::shadergraph {
+
+struct SettingRemark {
+    Remark::Kind kind = Remark::Kind::Taken;
+    std::string part{}, text{};
+    Place place{};
+};
+struct Settings {
+    bool is_lit = false, is_specular = false;
+    std::string lighting{};  // a model; empty: the workflow's own
+    bool is_blended = false, is_clipped = false;
+    bool is_clipped_blend = false;  // both, which no kind of surface is
+    bool is_tinted = false;         // multiplied by the colour of the vertices, as sprites are
+    bool has_coat = false;
+    std::vector<Member> render{};
+    std::vector<SettingRemark> remarks{};
+
+    bool uses(std::string_view block) const;   // the target has this block with these settings
+    bool wants(std::string_view block) const;  // it has the block, and a workflow may not
+};
+// Of the target that counts: that of the universal pipeline, if there are several.
+Settings read_settings(const ShaderGraph& graph);
+
+}  // namespace patina::importers::shadergraph

@@ -1,0 +1,333 @@
+// Nodes that no row of the table can say: their inputs depend on the file, or their value is no number.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "compiler/importers/shadergraph/graph_maker.h"
+
+namespace patina::importers::shadergraph {
+namespace {
+
+void note_all(Term& into, const Term& from) {
+    into.nodes.insert(into.nodes.end(), from.nodes.begin(), from.nodes.end());
+}
+
+Term joined(std::string text, Type type, std::initializer_list<const Term*> from) {
+    Term made = expression(std::move(text), type);
+    for (const Term* each : from) note_all(made, *each);
+    return made;
+}
+
+// --- constants
+
+void color(GraphMaker& maker, std::size_t node) {
+    const Node& at = maker.node(node);
+    std::vector<double> value = vector_of(at.json, "m_Color.color", 4);
+    // Nodes of the first version converted HDR colours, too.
+    if (whole_of(at.json, "m_Color.mode") == 0 || at.version < 1)
+        for (std::size_t i = 0; i < 3; ++i) value[i] = linear(value[i]);
+    maker.set(node, 0, constant(value));
+}
+
+void matrix(GraphMaker& maker, std::size_t node, std::size_t rows) {
+    Term made{.type = matrix_type(rows)};
+    for (std::size_t row = 0; row < rows; ++row) {
+        const std::vector<double> numbers = vector_of(maker.node(node).json, fmt::format("m_Row{}", row), rows);
+        made.numbers.insert(made.numbers.end(), numbers.begin(), numbers.end());
+    }
+    maker.set(node, 0, made);
+}
+void matrix2(GraphMaker& maker, std::size_t node) {
+    matrix(maker, node, 2);
+}
+void matrix3(GraphMaker& maker, std::size_t node) {
+    matrix(maker, node, 3);
+}
+void matrix4(GraphMaker& maker, std::size_t node) {
+    matrix(maker, node, 4);
+}
+
+void engine_matrix(GraphMaker& maker, std::size_t node) {
+    maker.refuse(node, "the matrices of the engine are not values of a graph: transform the vector instead");
+}
+
+void sampler_state(GraphMaker& maker, std::size_t node) {
+    const Json* json = maker.node(node).json;
+    Term made{.type = Type::Sampler};
+    made.sampler = SamplerState{.filter = whole_of(json, "m_filter"),
+                                .wrap = whole_of(json, "m_wrap"),
+                                .anisotropy = whole_of(json, "m_aniso")};
+    maker.set(node, 0, made);
+    maker.taken(node, "the sampler of the texture");
+}
+
+void texture_asset(GraphMaker& maker, std::size_t node) {
+    const Node& at = maker.node(node);
+    const Type type = at.slots.empty() ? Type::Texture2D : maker.type_of(node, at.slots.front());
+    maker.set(node, 0,
+              maker.texture_constant(node, type, at.json, type == Type::Cubemap ? "m_Cubemap" : "m_Texture", 0));
+}
+
+// --- vectors and matrices
+
+// Two matrices, or a matrix and a vector, are multiplied as such; what is connected decides.
+void multiply(GraphMaker& maker, std::size_t node) {
+    const auto first = maker.linked_term(node, 0), second = maker.linked_term(node, 1);
+    const bool is_first = first && is_matrix(first->type), is_second = second && is_matrix(second->type);
+    Term a, b;
+    if (!is_first && !is_second) {
+        a = maker.input(node, 0, true);
+        b = maker.input(node, 1, true);
+        constexpr std::size_t kLongest = 80;
+        for (Term* each : {&a, &b})
+            if (a.text().size() + b.text().size() > kLongest && each->text().size() > kLongest / 3)
+                *each = maker.named(*each);
+        const auto factor = [](const Term& term) {
+            std::string text = at_least(term.text(), kProduct);
+            return text.starts_with("-") ? "(" + text + ")" : text;
+        };
+        const std::string right = precedence_of(b.text()) == kProduct ? "(" + b.text() + ")" : factor(b);
+        Term made = joined(fmt::format("{} * {}", factor(a), right), a.type == Type::Float ? b.type : a.type, {&a, &b});
+        made.is_color = a.is_color || b.is_color;
+        maker.set(node, 2, made);
+        return;
+    }
+    std::size_t rows = 4;
+    if (is_first) rows = std::min(rows, width(first->type));
+    if (is_second) rows = std::min(rows, width(second->type));
+    const auto operand = [&](const std::optional<Term>& linked, int slot) {
+        if (linked && is_matrix(linked->type)) return converted(maker.named(*linked), matrix_type(rows));
+        if (linked) return converted(*linked, vector_type(rows));
+        std::vector<double> row;
+        for (std::size_t i = 0; i < rows; ++i)
+            row.push_back(number_of(maker.node(node).slot(slot)->json, fmt::format("m_Value.e0{}", i)));
+        return constant(row);
+    };
+    a = operand(first, 0);
+    b = operand(second, 1);
+    const Type type = is_first && is_second ? matrix_type(rows) : vector_type(rows);
+    maker.set(node, 2, joined(fmt::format("mul({}, {})", a.text(), b.text()), type, {&a, &b}));
+}
+
+void matrix_split(GraphMaker& maker, std::size_t node) {
+    const bool is_column = whole_of(maker.node(node).json, "m_Axis") == 1;
+    Term matrix = maker.named(maker.input(node, 0));
+    if (is_column) {
+        matrix = joined(fmt::format("transpose({})", matrix.text()), matrix.type, {&matrix});
+        matrix.owner = node;
+        matrix = maker.named(matrix);
+    }
+    const std::size_t rows = width(matrix.type);
+    for (int i = 0; i < 4; ++i) {
+        const bool exists = static_cast<std::size_t>(i) < rows;
+        if (!maker.is_used(node, i + 1)) continue;
+        Term row =
+            exists ? joined(fmt::format("{}[{}]", at_least(matrix.text(), kPrimary), i), vector_type(rows), {&matrix})
+                   : constant(std::vector<double>(rows, 0.0));
+        maker.set(node, i + 1, row);
+    }
+}
+
+void append(GraphMaker& maker, std::size_t node) {
+    const auto part = [&](int slot, std::size_t most) {
+        const auto linked = maker.linked_term(node, slot);
+        const Term made = linked ? *linked : converted(maker.input(node, slot), Type::Float);
+        const Term value = made.type == Type::Bool ? converted(made, Type::Float) : made;
+        return width(value.type) > most ? converted(value, vector_type(most)) : value;
+    };
+    const Term a = part(0, 3), b = part(1, 4 - width(a.type));
+    Term made = joined("", vector_type(width(a.type) + width(b.type)), {&a, &b});
+    made.base = fmt::format("{}({}, {})", word(made.type), a.text(), b.text());
+    made.parts = {{a.text(), width(a.type)}, {b.text(), width(b.type)}};
+    maker.set(node, 2, made);
+}
+
+void swizzle(GraphMaker& maker, std::size_t node) {
+    const Node& at = maker.node(node);
+    const Term from = maker.linked_term(node, 0).value_or(maker.input(node, 0));
+    std::string mask(text_of(at.json, "_maskInput"));
+    static constexpr std::string_view kLetters = "xyzwrgba";
+    for (char& c : mask) {
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c + 32);
+        const std::size_t found = kLetters.find(c);
+        c = found == kLetters.npos ? '?' : kLetters[found % 4];
+    }
+    if (mask.empty() && member(at.json, "m_RedChannel")) {  // the first version: always four
+        for (const std::string_view key : {"m_RedChannel", "m_GreenChannel", "m_BlueChannel", "m_AlphaChannel"})
+            mask += kLetters[static_cast<std::size_t>(std::clamp(whole_of(at.json, key), 0, 3))];
+    }
+    if (mask.empty()) mask = "xxxx";
+    if (mask.size() > 4 || mask.find('?') != mask.npos) {
+        maker.refuse(node, fmt::format("'{}' is no list of one to four components", text_of(at.json, "_maskInput")));
+        return;
+    }
+    // The input is as wide as the highest component that is read, and what it lacks is 0 or, the fourth, 1.
+    std::size_t needs = 1;
+    for (const char c : mask) needs = std::max(needs, kLetters.find(c) + 1);
+    Term value = from.type == Type::Bool ? converted(from, Type::Float) : from;
+    if (width(value.type) < needs) value = converted(value, vector_type(needs));
+    if (!value.is_constant() && value.parts.empty()) value = maker.named(value);
+    Term made = swizzled(value, mask);
+    made.nodes.push_back(node);
+    maker.set(node, 1, made);
+}
+
+// --- the mesh and the screen
+
+void uv(GraphMaker& maker, std::size_t node) {
+    maker.set(node, 0, maker.coordinates(node, whole_of(maker.node(node).json, "m_OutputChannel")));
+}
+
+bool is_default_screen(const Node& node) {
+    return whole_of(node.json, "m_ScreenSpaceType") == 0;
+}
+
+void screen_position(GraphMaker& maker, std::size_t node) {
+    if (!is_default_screen(maker.node(node))) {
+        apply_rule(maker, node);
+        return;
+    }
+    Slot slot{.kind = "ScreenPosition", .is_input = true, .json = maker.node(node).json};
+    maker.set(node, 0, maker.bound(node, slot, {}));
+}
+
+void custom_interpolator(GraphMaker& maker, std::size_t node) {
+    const std::string name(text_of(maker.node(node).json, "customBlockNodeName"));
+    for (const Block& block : maker.graph().blocks) {
+        if (!block.is_vertex || block.name.substr(0, block.name.find('#')) != name) continue;
+        const Slot* slot = maker.node(block.node).slot(block.slot);
+        const Type type = slot ? maker.type_of(block.node, *slot) : Type::Float4;
+        // The block becomes a node of this name, which is computed for each vertex.
+        maker.set(node, 0, link(camel_case(name), type));
+        maker.taken(node, fmt::format("the node '{}'", camel_case(name)));
+        return;
+    }
+    maker.refuse(node, fmt::format("the vertex context has no custom interpolator '{}'", name));
+}
+
+// --- choices
+
+void property_node(GraphMaker& maker, std::size_t node) {
+    maker.set(node, 0, maker.property_term(node));
+}
+
+// The last one counts for every other value.
+void choose(GraphMaker& maker, std::size_t node, int output, const std::vector<std::pair<std::string, int>>& cases) {
+    Term made;
+    std::string text;
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+        Term value = maker.input(node, cases[i].second);
+        if (value.text().size() > 40) value = maker.named(value);
+        const bool is_last = i + 1 == cases.size();
+        text += is_last ? at_least(value.text(), kOr)
+                        : fmt::format("{} ? {} : ", cases[i].first, at_least(value.text(), kOr));
+        made.type = value.type;
+        note_all(made, value);
+    }
+    made.base = text;
+    maker.set(node, output, made);
+}
+
+void keyword(GraphMaker& maker, std::size_t node) {
+    const Property* keyword = maker.property(maker.node(node).refers);
+    if (!keyword) {
+        maker.refuse(node, "the graph has no such keyword");
+        return;
+    }
+    const std::string name = "$" + maker.property_name(*keyword);
+    const std::vector<Json>& entries = elements_of(keyword->json, "m_Entries");
+    if (whole_of(keyword->json, "m_KeywordType") == 0 || entries.empty()) {
+        choose(maker, node, 0, {{name, 1}, {"", 2}});
+        return;
+    }
+    std::vector<std::pair<std::string, int>> cases;
+    Names words;
+    for (const Json& entry : entries)
+        cases.push_back(
+            {fmt::format("{} == {}", name, words.unique(identifier(text_of(&entry, "displayName")), "Value")),
+             whole_of(&entry, "id")});
+    choose(maker, node, 0, cases);
+}
+
+void dropdown(GraphMaker& maker, std::size_t node) {
+    const Property* dropdown = maker.property(maker.node(node).refers);
+    if (!dropdown) {
+        maker.refuse(node, "the graph has no such dropdown");
+        return;
+    }
+    std::vector<std::pair<std::string, int>> cases;
+    for (const Json& entry : elements_of(dropdown->json, "m_Entries"))
+        cases.push_back(
+            {fmt::format("${} == {}", maker.property_name(*dropdown), cases.size()), whole_of(&entry, "id")});
+    if (cases.empty())
+        maker.refuse(node, "its dropdown has no entries");
+    else
+        choose(maker, node, 0, cases);
+}
+
+void branch_on_connection(GraphMaker& maker, std::size_t node) {
+    // The state comes from a property, through wires only.
+    std::size_t at = node;
+    int slot = 0;
+    const Property* property = nullptr;
+    for (const Edge& edge : maker.graph().edges)
+        if (edge.to == at && edge.to_slot == slot) property = maker.property(maker.node(edge.from).refers);
+    if (property && maker.graph().is_subgraph) {
+        choose(maker, node, 3, {{"$" + maker.connected_input(*property), 1}, {"", 2}});
+        return;
+    }
+    // In a material, and without a property, nothing is connected.
+    Term made = maker.input(node, 2);
+    made.nodes.push_back(node);
+    maker.set(node, 3, made);
+}
+
+struct Special {
+    std::string_view kind;
+    void (*make)(GraphMaker& maker, std::size_t node);
+};
+constexpr Special kSpecial[] = {
+    {"ColorNode", color},
+    {"Matrix2Node", matrix2},
+    {"Matrix3Node", matrix3},
+    {"Matrix4Node", matrix4},
+    {"TransformationMatrixNode", engine_matrix},
+    {"SamplerStateNode", sampler_state},
+    {"Texture2DAssetNode", texture_asset},
+    {"Texture2DArrayAssetNode", texture_asset},
+    {"Texture3DAssetNode", texture_asset},
+    {"CubemapAssetNode", texture_asset},
+    {"GradientNode", make_gradient},
+    {"SampleGradient", make_sample_gradient},
+    {"SampleGradientNode", make_sample_gradient},
+    {"MultiplyNode", multiply},
+    {"MatrixSplitNode", matrix_split},
+    {"AppendVectorNode", append},
+    {"SwizzleNode", swizzle},
+    {"UVNode", uv},
+    {"ScreenPositionNode", screen_position},
+    {"CustomInterpolatorNode", custom_interpolator},
+    {"PropertyNode", property_node},
+    {"KeywordNode", keyword},
+    {"DropdownNode", dropdown},
+    {"BranchOnInputConnectionNode", branch_on_connection},
+    {"SubGraphNode", make_subgraph_node},
+    {"CustomFunctionNode", make_custom_function},
+};
+
+}  // namespace
+
+bool apply_special(GraphMaker& maker, std::size_t node) {
+    const auto found = std::ranges::find(kSpecial, maker.node(node).kind, &Special::kind);
+    if (found == std::end(kSpecial)) return false;
+    found->make(maker, node);
+    return true;
+}
+
+std::vector<std::string_view> special_classes() {
+    std::vector<std::string_view> made;
+    for (const Special& each : kSpecial) made.push_back(each.kind);
+    return made;
+}
+
+}  // namespace patina::importers::shadergraph

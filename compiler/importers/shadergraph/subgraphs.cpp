@@ -1,0 +1,90 @@
+// Nodes that are sub-graphs: each sub-graph becomes a file, which all nodes that use it share.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "compiler/importers/shadergraph/graph_maker.h"
+
+namespace patina::importers::shadergraph {
+namespace {
+
+// The slot of the node that gives a value to the input; nothing if the node has none.
+const Slot* slot_of(const Node& node, const SubgraphPorts::Input& input) {
+    const std::vector<Json>& guids = elements_of(node.json, "m_PropertyGuids");
+    const std::vector<Json>& ids = elements_of(node.json, "m_PropertyIds");
+    for (std::size_t i = 0; i < std::min(guids.size(), ids.size()); ++i)
+        if (guids[i].string == input.guid && !input.guid.empty()) return node.slot(whole_of(&ids[i], ""));
+    // The first versions have no lists.
+    const auto found = std::ranges::find_if(
+        node.slots, [&](const Slot& slot) { return slot.is_input && camel_case(slot.name) == input.name; });
+    return guids.empty() && found != node.slots.end() ? &*found : nullptr;
+}
+
+std::optional<int> chosen_entry(const Node& node, const SubgraphPorts::Input& input) {
+    const std::vector<Json>& names = elements_of(node.json, "m_Dropdowns");
+    const std::vector<Json>& entries = elements_of(node.json, "m_DropdownSelectedEntries");
+    for (std::size_t i = 0; i < std::min(names.size(), entries.size()); ++i) {
+        if (names[i].string != input.reference) continue;
+        const auto found = std::ranges::find(input.entries, entries[i].string);
+        if (found != input.entries.end()) return static_cast<int>(found - input.entries.begin());
+    }
+    return {};
+}
+
+}  // namespace
+
+void make_subgraph_node(GraphMaker& maker, std::size_t index) {
+    const Node& at = maker.node(index);
+    const std::string guid = guid_in(text_of(at.json, "m_SerializedSubGraph"));
+    const SubgraphPorts& ports = maker.project().subgraph(guid, at.name);
+    if (!ports.error.empty()) {
+        maker.refuse(index, ports.error);
+        return;
+    }
+    if (!ports.remark.empty()) maker.approximate(index, ports.remark);
+    GraphNode made{.id = {}, .node = ports.file};
+    Term holds;
+    for (const SubgraphPorts::Input& input : ports.inputs) {
+        if (input.is_dropdown) {
+            if (const auto entry = chosen_entry(at, input))
+                made.inputs.push_back({input.name, number_term(*entry).value()});
+            continue;
+        }
+        const Slot* slot = slot_of(at, input);
+        const bool is_linked = slot && maker.is_linked(index, slot->id);
+        if (!input.connected.empty() && is_linked) made.inputs.push_back({input.connected, flag_term(true).value()});
+        if (!is_value(input.type) || is_matrix(input.type)) {
+            if (input.type < Type::Texture2D || input.type > Type::Cubemap) {
+                if (is_linked && input.type != Type::Sampler)
+                    maker.approximate(
+                        index, fmt::format("the input '{}' keeps its default, because a sub-graph cannot take {}",
+                                           input.name, word(input.type)));
+                continue;
+            }
+        }
+        if (!slot) {
+            if (is_value(input.type)) continue;  // its default
+            made.inputs.push_back({input.name, maker.texture_constant(index, input.type, nullptr, "", 0).value()});
+            continue;
+        }
+        Term term = maker.input(index, slot->id, true);
+        if (input.type == Type::Texture2D && input.is_normal_map) maker.sample_with(index, term, true, std::nullopt);
+        if (is_value(input.type)) term = converted(term, input.type, true);
+        if (term.text().size() > 80) term = maker.named(term);
+        holds.nodes.insert(holds.nodes.end(), term.nodes.begin(), term.nodes.end());
+        made.inputs.push_back({input.name, term.value()});
+    }
+    const std::string id = maker.add_node(index, std::move(made));
+    maker.written(holds, fmt::format("the node '{}'", id));
+    for (const SubgraphPorts::Output& output : ports.outputs)
+        if (maker.is_used(index, output.slot) && is_value(output.type))
+            maker.set(index, output.slot, link(id + "." + output.name, output.type));
+    for (const Slot& slot : at.slots)
+        if (!slot.is_input && maker.is_used(index, slot.id) &&
+            std::ranges::none_of(ports.outputs, [&](const SubgraphPorts::Output& each) {
+                return each.slot == slot.id && is_value(each.type);
+            }))
+            maker.approximate(index, fmt::format("the sub-graph has no output '{}': it is a constant", slot.name));
+}
+
+}  // namespace patina::importers::shadergraph

@@ -1,0 +1,186 @@
+// What the graph gives to its target: the surface and the vertex block of a material, or the outputs of a sub-graph;
+// and the settings of the target as the material's render state.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "compiler/importers/shadergraph/graph_maker.h"
+#include "compiler/importers/shadergraph/settings.h"
+
+namespace patina::importers::shadergraph {
+namespace {
+
+struct BlockRow {
+    std::string_view block, input;
+    double otherwise;  // the input's own default, which is not written; below 0: it is always written
+};
+constexpr BlockRow kLit[] = {
+    {"BaseColor", "baseColor", -1},
+    {"SpriteColor", "baseColor", -1},
+    {"NormalTS", "normalTS", -1},
+    {"NormalOS", "normalOS", -1},
+    {"NormalWS", "normalWS", -1},
+    {"Metallic", "metallic", 0},
+    {"Specular", "specular", -1},
+    {"Smoothness", "smoothness", 0.5},
+    {"Occlusion", "occlusion", 1},
+    {"Emission", "emission", 0},
+    {"Alpha", "alpha", 1},
+    {"AlphaClipThreshold", "alphaClip", 0.5},
+    {"AmbientOcclusion", "occlusion", 1},
+};
+constexpr BlockRow kUnlit[] = {
+    {"BaseColor", "color", -1},
+    {"SpriteColor", "color", -1},
+    {"FullscreenColor", "color", -1},
+    {"Alpha", "alpha", 1},
+    {"AlphaClipThreshold", "alphaClip", 0.5},
+};
+constexpr BlockRow kVertex[] = {
+    {"Position", "positionOS", -1}, {"Normal", "normalOS", -1}, {"Tangent", "tangentOS", -1}};
+
+const BlockRow* row_of(std::span<const BlockRow> rows, std::string_view block) {
+    const auto found = std::ranges::find(rows, block, &BlockRow::block);
+    return found == rows.end() ? nullptr : &*found;
+}
+
+// A constant vector keeps its size: the type of an output follows from it.
+Value output_value(const Term& term) {
+    return term.is_constant() && width(term.type) > 1 ? text("= " + term.text()) : term.value();
+}
+
+}  // namespace
+
+void GraphMaker::add_pinned(std::string id, const Block& block) {
+    const Term term = input(block.node, block.slot);
+    written(term, fmt::format("the node '{}'", id));
+    owners_[id] = block.node;
+    file_.nodes.push_back({.id = std::move(id), .expression = term.text(), .more = {{"stage", text("vertex")}}});
+}
+
+void GraphMaker::make_surface() {
+    const Settings settings = read_settings(graph_);
+    for (const SettingRemark& each : settings.remarks) remark(each.kind, each.part, each.text, each.place);
+    file_.workflow = settings.is_lit ? settings.is_specular ? "specular-glossiness" : "metallic-smoothness" : "unlit";
+    file_.lighting = settings.lighting;
+    std::vector<Member> vertex;
+    Term alpha, clip = number_term(0.5);
+    for (const Block& block : graph_.blocks) {
+        const std::string part = fmt::format("block '{}'", block.name);
+        const bool is_set = is_linked(block.node, block.slot);
+        const Slot* slot = node(block.node).slot(block.slot);
+        if (!slot) {
+            remark(Remark::Kind::Changed, part, "it has no slot: its default is used", block.place);
+            continue;
+        }
+        if (const std::size_t hash = block.name.find('#'); block.is_vertex && hash != block.name.npos) {
+            const std::string id = camel_case(std::string_view(block.name).substr(0, hash));
+            add_pinned(id, block);
+            remark(Remark::Kind::Taken, part, fmt::format("the node '{}', computed for each vertex", id), block.place);
+            continue;
+        }
+        if (block.is_vertex) {
+            const BlockRow* row = row_of(kVertex, block.name);
+            if (!is_set) {
+                remark(Remark::Kind::Taken, part, "the mesh's own", block.place);
+            } else if (!row) {
+                remark(Remark::Kind::Changed, part, "the vertex block of a graph has no such value", block.place);
+            } else {
+                const Term term = input(block.node, block.slot);
+                written(term, fmt::format("'vertex.{}'", row->input));
+                vertex.push_back({std::string(row->input), term.value()});
+                remark(Remark::Kind::Taken, part, fmt::format("'vertex.{}'", row->input), block.place);
+            }
+            continue;
+        }
+        const BlockRow* row = row_of(settings.is_lit ? std::span<const BlockRow>(kLit) : kUnlit, block.name);
+        const bool is_active = row && settings.uses(block.name);
+        if (!is_active) {
+            const bool is_lost = settings.wants(block.name) && is_set;
+            remark(is_lost ? Remark::Kind::Changed : Remark::Kind::Taken, part,
+                   is_lost ? "the workflow has no such input" : "the target has no such block with these settings",
+                   block.place);
+            continue;
+        }
+        Term term = input(block.node, block.slot);
+        std::string key(row->input);
+        if (settings.is_specular && key == "smoothness") key = "glossiness";
+        if (block.name == "SpriteColor") {  // a colour with its alpha
+            alpha = swizzled(term, "w");
+            alpha.owner = term.owner;
+            term = swizzled(named(term), "xyz");
+        }
+        written(term, fmt::format("'surface.{}'", key));
+        remark(Remark::Kind::Taken, part, fmt::format("'surface.{}'", key), block.place);
+        if (key == "alpha") {
+            alpha = term;
+            continue;
+        }
+        if (key == "alphaClip") {
+            clip = term;
+            if (settings.is_clipped_blend) continue;
+        }
+        if (key.starts_with("normal") && !is_set) continue;
+        if (!is_set && term.is_constant() && row->otherwise >= 0 &&
+            std::ranges::all_of(term.numbers, [&](double each) { return each == row->otherwise; }))
+            continue;
+        if ((key == "color" || key == "baseColor") && settings.is_tinted) {
+            // The engine multiplies a sprite by the colour of its vertices.
+            term.base = fmt::format("{} * @vertexColor.rgb", at_least(term.text(), kProduct));
+            term.numbers.clear();
+            term.swizzle.clear();
+        }
+        file_.surface.push_back({key, term.value()});
+    }
+    if (settings.is_tinted) {
+        Term tint = link("@vertexColor.a", Type::Float);
+        const bool is_one = alpha.type == Type::None || (alpha.is_constant() && alpha.numbers[0] == 1);
+        if (!is_one) tint.base = fmt::format("{} * @vertexColor.a", at_least(alpha.text(), kProduct));
+        tint.nodes = alpha.nodes;
+        alpha = tint;
+    }
+    if (alpha.type != Type::None && settings.is_clipped_blend) {
+        // Blended pixels below the threshold leave the picture as it is.
+        const Term whole = alpha.owner ? named(alpha) : alpha;
+        Term kept = expression(fmt::format("{} < {} ? 0 : {}", at_least(whole.text(), kSum),
+                                           at_least(clip.text(), kSum), at_least(whole.text(), kOr)),
+                               Type::Float);
+        kept.nodes = alpha.nodes;
+        alpha = kept;
+    }
+    if (alpha.type != Type::None && !(alpha.is_constant() && alpha.numbers[0] == 1)) {
+        written(alpha, "'surface.alpha'");
+        file_.surface.push_back({"alpha", alpha.value()});
+    }
+    if (!vertex.empty()) file_.more.push_back({"vertex", object(vertex)});
+    if (!settings.render.empty()) file_.more.push_back({"render", object(settings.render)});
+}
+
+void GraphMaker::make_outputs() {
+    file_.kind = "subgraph";
+    std::vector<Member> outputs;
+    Names names;
+    for (const Block& block : graph_.blocks) {
+        const Slot* slot = node(block.node).slot(block.slot);
+        const Type type = slot ? type_of(block.node, *slot) : Type::None;
+        const std::string part = fmt::format("output '{}'", block.name);
+        const std::string name = names.unique(camel_case(block.name), "out");
+        ports_.outputs.push_back({.slot = block.slot, .name = name, .type = type});
+        if (!is_value(type)) {
+            remark(Remark::Kind::LeftOut, part, fmt::format("an output of a sub-graph cannot be {}", word(type)),
+                   block.place);
+            continue;
+        }
+        const Term term = input(block.node, block.slot);
+        written(term, fmt::format("the output '{}'", name));
+        outputs.push_back({name, output_value(term)});
+        remark(Remark::Kind::Taken, part, fmt::format("the output '{}'", name), block.place);
+    }
+    std::string all;
+    for (const Value& each : inputs_) all += (all.empty() ? "" : ", ") + each.json;
+    if (!all.empty()) file_.more.push_back({"inputs", {"[" + all + "]"}});
+    file_.more.push_back({"outputs", object(outputs)});
+}
+
+}  // namespace patina::importers::shadergraph

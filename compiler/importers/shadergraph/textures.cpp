@@ -1,0 +1,146 @@
+// Textures: which file a property shows, how it is decoded, and its sampler, which in a graph of Patina belong to the
+// texture and not to the node that samples it.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "compiler/importers/shadergraph/graph_maker.h"
+
+namespace patina::importers::shadergraph {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Picture {
+    std::string file{};     // relative to the output folder; empty: there is none
+    std::string missing{};  // GUID of one that was not found
+};
+
+// The picture that the JSON in a string names: {"texture":{"fileID":2800000,"guid":"..."}}
+Picture picture_of(Project& project, const Json* holder) {
+    if (!holder) return {};
+    std::string guid;
+    for (const std::string_view key : {"m_SerializedTexture", "m_SerializedCubemap"})
+        if (guid.empty()) guid = guid_in(text_of(holder, key));
+    if (guid.empty()) guid = text_of(holder, "m_Guid");
+    if (guid.empty()) return {};
+    const auto found = project.assets.find(guid, "", kPictures);
+    if (!found) return {.missing = guid};
+    std::error_code wrong;
+    const fs::path folder = fs::absolute(project.folder.empty() ? "." : project.folder, wrong);
+    std::string file = fs::proximate(found->path, folder, wrong).generic_string();
+    if (wrong) return {.missing = guid};
+    return {.file = file.starts_with("../") ? file : "./" + file};
+}
+
+std::string_view type_word(Type type) {
+    if (type == Type::Texture3D) return "texture3d";
+    if (type == Type::Cubemap) return "textureCube";
+    return type == Type::Texture2DArray ? "texture2dArray" : "texture2d";
+}
+
+// 0 white, 1 black, 2 grey, 3 normal map, 4 linear grey, 5 red
+std::string_view default_word(int kind) {
+    static constexpr std::string_view kWords[] = {"white", "black", "gray", "bump", "gray", "white"};
+    return kWords[std::clamp(kind, 0, 5)];
+}
+
+Value sampler_value(const SamplerState& sampler) {
+    std::vector<Member> made;
+    if (sampler.wrap > 0) made.push_back({"wrap", text(sampler.wrap == 1 ? "clamp" : "mirror")});
+    if (sampler.filter == 1) made.push_back({"filter", text("nearest")});
+    if (sampler.anisotropy > 0)
+        made.push_back({"anisotropy", number(static_cast<double>(1 << std::min(sampler.anisotropy, 4)))});
+    return made.empty() ? Value{} : object(made);
+}
+
+}  // namespace
+
+Term GraphMaker::texture_constant(std::size_t index, Type type, const Json* holder, std::string_view key,
+                                  int default_type) {
+    const Picture picture = picture_of(project_, member(holder, key));
+    std::string& name =
+        texture_names_[fmt::format("{} {} {} {}", static_cast<int>(type), picture.file + picture.missing, default_type,
+                                   picture.file.empty() && picture.missing.empty() ? std::to_string(index) : "")];
+    if (name.empty()) {
+        std::string wanted =
+            picture.file.empty() ? camel_case(node(index).name) : camel_case(fs::path(picture.file).stem().string());
+        if (wanted.empty()) wanted = "texture";
+        name = property_names_.unique("_" + wanted, "_texture");
+        GraphProperty made{.name = name, .type = std::string(type_word(type))};
+        made.value = text(picture.file.empty() ? default_word(default_type) : std::string_view(picture.file));
+        if (default_type == 4) made.more.push_back({"usage", text("data")});
+        if (!picture.missing.empty()) {
+            made.comment = fmt::format("The picture with the GUID {} was not found.", picture.missing);
+            approximate(index, fmt::format("its picture has the GUID {}, which no file in {} has: the texture is {}",
+                                           picture.missing, project_.assets.folders(), default_word(default_type)));
+        }
+        file_.properties.push_back(std::move(made));
+        if (type == Type::Texture2D) textures_[name].is_normal = default_type == 3;
+    }
+    return link("$" + name, type);
+}
+
+void GraphMaker::sample_with(std::size_t index, const Term& texture, bool as_normal,
+                             const std::optional<SamplerState>& sampler) {
+    const auto found = textures_.find(texture.base.substr(1));
+    if (found == textures_.end()) {
+        for (SubgraphPorts::Input& input : ports_.inputs)
+            if (as_normal && "$" + input.name == texture.base) input.is_normal_map = true;
+        if (sampler && *sampler != SamplerState{})
+            approximate(index, "the texture has the sampler of the material that uses this sub-graph");
+        return;
+    }
+    TextureUse& use = found->second;
+    (as_normal ? use.is_normal : use.is_color) = true;
+    const SamplerState wanted = sampler.value_or(SamplerState{});
+    if (!use.sampler) use.sampler = wanted;
+    if (*use.sampler != wanted) use.other_samplers.insert(index);
+    if (wanted.wrap == 3) approximate(index, "the texture is mirrored again and again, not once");
+}
+
+void GraphMaker::finish_textures() {
+    for (auto& [name, use] : textures_) {
+        const auto made = std::ranges::find(file_.properties, name, &GraphProperty::name);
+        if (made == file_.properties.end()) continue;
+        std::string difference;
+        const Property* source = nullptr;
+        for (const Property& each : graph_.properties)
+            if (property_name(each) == name) source = &each;
+        if (source && made->type.empty()) {
+            const Type type = type_of_property(source->kind);
+            const int default_type = type == Type::Texture2D ? whole_of(source->json, "m_DefaultType") : 0;
+            const Picture picture = picture_of(project_, member(source->json, "m_Value"));
+            made->type = type_word(type);
+            made->value = text(picture.file.empty() ? default_word(default_type) : std::string_view(picture.file));
+            if (!picture.missing.empty()) {
+                made->comment = fmt::format("The picture with the GUID {} was not found.", picture.missing);
+                difference = fmt::format("its picture has the GUID {}, which no file in {} has", picture.missing,
+                                         project_.assets.folders());
+            }
+            if (type == Type::Texture2D) use.is_normal |= default_type == 3;
+            if (default_type == 4 && !use.is_normal) made->more.push_back({"usage", text("data")});
+            if (default_type == 5) difference = "it is white without a picture, not red";
+            if (flag_of(source->json, "useTilingAndOffset"))
+                made->more.push_back({"tiling", patina::importers::flag(true)});
+            if (source->name != name && !source->name.empty()) made->more.push_back({"label", text(source->name)});
+            if (!source->group.empty()) made->more.push_back({"group", text(source->group)});
+        }
+        if (use.is_normal && made->type == "texture2d") made->more.push_back({"usage", text("normal")});
+        if (use.sampler)
+            if (const Value sampler = sampler_value(*use.sampler); !sampler.json.empty())
+                made->more.push_back({"sampler", sampler});
+        for (const std::size_t node : use.other_samplers)
+            approximate(node,
+                        fmt::format("the texture '{}' has one sampler, that of the node that reads it first", name));
+        if (source)
+            remark(difference.empty() ? Remark::Kind::Taken : Remark::Kind::Changed,
+                   fmt::format("property '{}'", source->name),
+                   difference.empty() ? fmt::format("the property '{}'", name)
+                                      : fmt::format("the property '{}': {}", name, difference),
+                   source->place);
+    }
+}
+
+}  // namespace patina::importers::shadergraph

@@ -1,0 +1,80 @@
+// A value on its way from slot to slot, as a graph of Patina writes it: numbers, a link, or an expression.
+//
+//   Term tint = link("$_Tint", Type::Float4);
+//   converted(tint, Type::Float3).text();       // "$_Tint.xyz"
+//   converted(number_term(0.5), Type::Float3);       // 0.5, which serves as a vector
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "compiler/importers/graph_writer.h"
+#include "compiler/importers/shadergraph/values/types.h"
+
+namespace patina::importers::shadergraph {
+
+struct Gradient {
+    struct Key {
+        double time = 0;
+        std::vector<double> value{};  // a colour, linear, or an alpha
+    };
+    std::vector<Key> colors{}, alphas{};
+    int mode = 0;  // 0 blend, 1 fixed, 2 perceptual
+};
+struct SamplerState {
+    int filter = 0;      // 0 linear, 1 point, 2 trilinear
+    int wrap = 0;        // 0 repeat, 1 clamp, 2 mirror, 3 mirror once
+    int anisotropy = 0;  // 0 none, 1..4: 2, 4, 8, 16
+    friend bool operator==(const SamplerState&, const SamplerState&) = default;
+};
+
+struct Term {
+    Type type = Type::None;
+    std::vector<double> numbers{};  // of a constant, as many as its type has; else
+    std::string base{};             // a link or an expression
+    std::string swizzle{};          // behind it: "xyz"
+    struct Part {
+        std::string text;
+        std::size_t width = 1;
+    };
+    std::vector<Part> parts{};           // if `base` is float4(a, b, c): its arguments
+    std::string from_top{};              // of texture coordinates: the same with v counted from the top
+    bool is_color = false;               // its components are called r, g, b, a
+    std::vector<std::size_t> nodes{};    // of the source, that are written in it
+    std::optional<std::size_t> owner{};  // the node whose output it is, after which it can be named
+    std::shared_ptr<const Gradient> gradient{};
+    std::optional<SamplerState> sampler{};
+
+    bool is_constant() const { return !numbers.empty(); }
+    std::string text() const;  // as a part of an expression: "float3(1, 0, 0)", "mask.x", "a + b"
+    bool is_link() const;      // a name with or without a port and a swizzle
+    Value value() const;       // at a port
+};
+
+Term number_term(double value);
+Term constant(std::vector<double> values);  // one to four: a number or a vector
+Term flag_term(bool value);
+Term link(std::string text, Type type);  // "$_Tint", "mask.r", "@uv0"
+Term expression(std::string text, Type type);
+
+// The term in the type that an edge or a slot asks for; numbers keep for vectors if `may_stay_number`, because an
+// operator or a port converts them. A conversion that does not exist gives the type None.
+Term converted(const Term& term, Type type, bool may_stay_number = false);
+// Components of a vector: "x", "zyx".
+Term swizzled(const Term& term, std::string_view components);
+// The same texture coordinates, with v counted from the other side.
+Term flipped(const Term& term);
+
+// --- text of expressions
+
+enum Precedence { kChoice, kOr, kAnd, kEqual, kCompare, kSum, kProduct, kUnary, kPrimary };
+Precedence precedence_of(std::string_view expression);
+// In brackets, if it binds less strongly than that.
+std::string at_least(std::string_view expression, Precedence precedence);
+std::string digits(double number);  // "0.5"
+double linear(double srgb);         // a component of a colour
+
+}  // namespace patina::importers::shadergraph
