@@ -24,7 +24,6 @@ struct Measured {
 Measured measure_graph(const Compiler& compiler, const Arguments& arguments, const std::string& graph) {
     CompileOptions options;
     options.targets = {Target::Glsl};
-    options.accept_parts = true;
     options.include_dirs = arguments.include_dirs;
     options.request = CompileOptions::Passes{.path = arguments.path.path};
     options.switches = arguments.path.switches();
@@ -46,7 +45,7 @@ void add_cost(Program& program) {
         {"patina cost rust.graph.json", "patina cost art --path all", "patina cost rust.graph.json --json > cost.json",
          "patina check rust.graph.json --max-instructions 400   # fails if it costs more"});
     auto arguments = std::make_shared<Arguments>();
-    add_input_options(command, arguments->inputs, "Graphs (JSON)");
+    add_input_options(command, arguments->inputs, "Material graphs (JSON)");
     command.add_flag("--json", arguments->json, "Print it as JSON");
     add_path_options(command, arguments->path);
     add_include_option(command, arguments->include_dirs);
