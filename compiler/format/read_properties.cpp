@@ -149,8 +149,8 @@ void read_default(Reading& reading, const Json& json, Property& property) {
     }
 }
 
-// The value until a default is read: 0, the unit matrix, a gradient or curve from 0 to 1, a white colour (or the nearest to them in the range), a texture that changes
-// nothing.
+// The value until a default is read: 0, the unit matrix, a gradient or curve from 0 to 1, a white colour (or the
+// nearest to them in the range), a texture that changes nothing.
 void set_implied_default(Property& property) {
     if (property.type == PropertyType::Color) property.value = {1, 1, 1, 1};
     if (is_array(property.type)) property.numbers = implied_array_value(property.type);
