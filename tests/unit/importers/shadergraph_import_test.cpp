@@ -206,7 +206,8 @@ ShaderGraphText graph_of(const Row& row) {
         const bool is_matrix = row.kind == "MatrixDeterminantNode" || row.kind == "MatrixTransposeNode";
         if (is_matrix) slot = {.id = slot.id, .kind = "DynamicMatrix", .value = R"({"e00":1.0,"e11":1.0})"};
         if (row.kind == "MatrixConstructionNode") slot.kind = "Vector4";
-        if (row.outputs.find("cross(") != std::string::npos || row.outputs.find("reflect(") != std::string::npos ||
+        if (row.outputs.find("cross(") != std::string::npos || row.outputs.find("normalize({") != std::string::npos ||
+            row.outputs.find("reflect(") != std::string::npos ||
             row.outputs.find("Transform({" + each) != std::string::npos ||
             row.outputs.find("AmbientIrradiance(") != std::string::npos)
             slot.kind = "Vector3";
