@@ -28,6 +28,7 @@ std::string show(const Expr* expr) {
         case Expr::Kind::Color: return "color";
         case Expr::Kind::Member: return "(." + text + parts + ")";
         case Expr::Kind::Index: return "([]" + parts + ")";
+        case Expr::Kind::Object:
         case Expr::Kind::Call: return "(" + text + "()" + parts + ")";
         case Expr::Kind::Method: return "(." + text + "()" + parts + ")";
         case Expr::Kind::Unary:
