@@ -15,7 +15,8 @@ BakedSurface bakeConvertedFragment(float3 tangent = tangentWS, float3 bitangent 
     float3 diffuse = 0.96 * diffuseBeforeReflection(lit);
     float3 baseColor = MetallicFromSpecular(diffuse, lit.f0, 1 - lit.roughness).baseColor;
     float metallic = MetallicFromSpecular(diffuse, lit.f0, 1 - lit.roughness).metallic;
+    float error = MetallicFromSpecular(diffuse, lit.f0, 1 - lit.roughness).error;
     baked.color = float4(baseColor, lit.alpha);
-    baked.reflection = float4(lit.occlusion, lit.roughness, metallic, 0);
+    baked.reflection = float4(lit.occlusion, lit.roughness, metallic, error);
     return baked;
 }

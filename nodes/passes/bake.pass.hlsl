@@ -15,7 +15,7 @@
 
 struct BakedSurface {
     [target("bakedColor", "rgba32f")] float4 color;            // base colour, alpha
-    [target("bakedReflection", "rgba32f")] float4 reflection;  // occlusion, roughness, metallic
+    [target("bakedReflection", "rgba32f")] float4 reflection;  // occlusion, roughness, metallic; what a conversion loses
     [target("bakedNormal", "rgba32f")] float4 normal;          // in tangent space; 1 where the mesh is
     [target("bakedEmission", "rgba32f")] float4 emission;      // radiance, occlusion
     [target("bakedCutoff", "r32f")] float cutoff;              // alphaClip

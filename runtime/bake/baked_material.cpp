@@ -16,6 +16,8 @@ namespace {
 constexpr float kFlat = 0.25f * 2 / 255;
 // How far a value may be outside of 0 to 1 before a warning names it.
 constexpr float kSlack = 1e-3f;
+// From here on, a difference of colours can be seen: a step of 8 bits.
+constexpr float kVisible = 1.0f / 255;
 constexpr std::string_view kStrength = "emissiveStrength";
 
 class Making {
@@ -161,7 +163,21 @@ private:
         for (BakedMaterial::Loss& loss : made.losses) lose(std::move(loss.what), std::move(loss.why));
     }
 
+    // What the nearest base colour and metallic lose of a stated diffuse colour and f0.
+    void say_conversion() {
+        std::size_t texels = 0, lossy = 0;
+        for (std::size_t i = 0; i < covered_.size(); i++) {
+            texels += covered_[i];
+            lossy += covered_[i] && drawn_.reflection.pixels[4 * i + 3] > kVisible;
+        }
+        if (lossy == 0) return;
+        lose(fmt::format("the diffuse colour together with the f0 (at {:.1f} % of the texels, by up to {:.2g})",
+                         100.0 * double(lossy) / double(texels), range(drawn_.reflection, 3).high),
+             "no base colour and metallic have both; '--workflow specular-glossiness' has");
+    }
+
     void metallic_roughness() {
+        say_conversion();
         const Range roughness = share(drawn_.reflection, 1, "the roughness");
         const Range metallic = share(drawn_.reflection, 2, "the metallic");
         const bool is_rough = !roughness.is_constant(), is_metallic = !metallic.is_constant();

@@ -59,6 +59,23 @@ Value Term::value() const {
     return numbers.size() == 1 ? short_number(numbers[0]) : short_list(numbers);
 }
 
+namespace {
+
+template <class Part>
+bool has_name(const std::vector<Part>& parts, std::string Part::*name, const std::string& wanted) {
+    return std::any_of(parts.begin(), parts.end(), [&](const Part& part) { return part.*name == wanted; });
+}
+
+// The name, or if it is taken, the name with the first number from 2 that is free.
+template <class IsTaken>
+std::string free_name(const std::string& wanted, const IsTaken& is_taken) {
+    std::string name = wanted;
+    for (int i = 2; is_taken(name); ++i) name = wanted + std::to_string(i);
+    return name;
+}
+
+}  // namespace
+
 Term constant(double number) {
     return {.numbers = {number}};
 }
@@ -103,11 +120,14 @@ std::string MaterialGraph::texture_property(std::size_t texture, std::string_vie
     if (!is_new) return found->second;
     const TextureFile& file = pictures_->texture(texture, fmt::format("{}_{}", name_, slot));
     if (file.file.empty()) return {};
-    GraphProperty property{.name = map_name(slot), .type = "texture2d", .value = text(file.file)};
+    const std::string name = free_name(map_name(slot), [&](const std::string& wanted) {
+        return has_name(graph.properties, &GraphProperty::name, wanted);
+    });
+    GraphProperty property{.name = name, .type = "texture2d", .value = text(file.file)};
     property.more.push_back({"usage", text(usage)});
     if (!file.sampler.empty()) property.more.push_back({"sampler", object(file.sampler)});
     graph.properties.push_back(std::move(property));
-    return found->second = map_name(slot);
+    return found->second = name;
 }
 
 // The texture coordinates, as an input takes them; empty for the first set as it is. A transform becomes a node, which
@@ -202,7 +222,9 @@ std::string MaterialGraph::texel(Object& from, std::string_view key, std::string
     const bool is_normal = usage == "normal";
     const auto [found, is_new] = samples_.try_emplace({property, uv, std::string(usage)});
     if (is_new) {
-        found->second = slot;
+        // A texture that is read at two places has two nodes: the second one is named by what it is read for.
+        const auto is_node = [&](const std::string& id) { return has_name(graph.nodes, &GraphNode::id, id); };
+        found->second = free_name(is_node(slot) ? std::string(own_slot) : slot, is_node);
         GraphNode sample{.id = found->second, .node = is_normal ? "SampleNormalMap" : "SampleTexture2D"};
         sample.inputs.push_back({"texture", text("$" + property)});
         if (!uv.empty()) sample.inputs.push_back({"uv", text(uv)});

@@ -134,7 +134,6 @@ TEST(OtherNames, LeadToWhatTheyMean) {
         {"Normal Vector", "'Normal'"},
         {"Blend", "'BlendColors'"},
         {"Reflection", "'Reflect'"},
-        {"Sample Gradient", "'ColorRamp'"},
         // GLSL and HLSL
         {"faceforward", "'dot(i, g) < 0 ? n : -n'"},
         {"modf", "'x - trunc(x)'"},

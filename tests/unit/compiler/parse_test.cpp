@@ -353,8 +353,8 @@ TEST(ParseStatement, Errors) {
     EXPECT_EQ(errors("float if = 1;"), Errors{"[if] expected a name for the variable, not 'if'"});
     EXPECT_EQ(errors("x = $_Tint.r;"), Errors{"[$_Tint] '$_Tint' is not allowed here"});
     EXPECT_EQ(errors("x = @uv0;"), Errors{"[@uv0] '@uv0' is not allowed here"});
-    EXPECT_EQ(errors("[unroll] for (int i = 0; i < 2; i++) { }"),
-              Errors{"[unroll] the attribute 'unroll' is not allowed before a statement"});
+    EXPECT_EQ(errors("[branch] for (int i = 0; i < 2; i++) { }"),
+              Errors{"[branch] the attribute 'branch' is not allowed before a statement"});
 }
 
 TEST(ParseStatement, LoopShapes) {

@@ -78,6 +78,12 @@ private:
     bool array_holds(std::string_view keyword, const Json& rule, const Json& value, const Tree& tree) const {
         if (keyword == "minItems") return static_cast<double>(value.elements.size()) >= rule.number;
         if (keyword == "maxItems") return static_cast<double>(value.elements.size()) <= rule.number;
+        if (keyword == "prefixItems") {
+            const std::size_t both = std::min(rule.elements.size(), value.elements.size());
+            return std::equal(rule.elements.begin(), rule.elements.begin() + std::ptrdiff_t(both),
+                              value.elements.begin(),
+                              [&](const Json& one, const Json& element) { return valid(one, element, tree); });
+        }
         if (keyword == "items") {
             return std::all_of(value.elements.begin(), value.elements.end(),
                                [&](const Json& element) { return valid(rule, element, tree); });
@@ -124,20 +130,10 @@ private:
     }
 
     static bool known(std::string_view keyword) {
-        static constexpr std::string_view kOthers[] = {"$schema",
-                                                       "$defs",
-                                                       "title",
-                                                       "description",
-                                                       "then",
-                                                       "else",
-                                                       "minItems",
-                                                       "items",
-                                                       "maxItems",
-                                                       "uniqueItems",
-                                                       "required",
-                                                       "properties",
-                                                       "additionalProperties",
-                                                       "propertyNames"};
+        static constexpr std::string_view kOthers[] = {
+            "$schema",     "$defs",    "title",      "description",          "then",
+            "else",        "minItems", "items",      "prefixItems",          "maxItems",
+            "uniqueItems", "required", "properties", "additionalProperties", "propertyNames"};
         const bool is_known = std::find(std::begin(kOthers), std::end(kOthers), keyword) != std::end(kOthers);
         EXPECT_TRUE(is_known) << "the validator does not know " << keyword;
         return is_known;

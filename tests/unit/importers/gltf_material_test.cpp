@@ -240,6 +240,31 @@ TEST(GltfMaterial, APackedTextureIsNamedByWhatItHolds) {
     EXPECT_NE(three.find(R"("occlusion": "packed.r")"), three.npos) << three;
 }
 
+// One picture that is read at two places: each place has a node of its own, and names stay unique.
+TEST(GltfMaterial, ATextureIsReadAtTwoPlaces) {
+    const std::string here = R"({"index":0})", there = R"({"index":0,"texCoord":1})";
+    const std::string clearcoat = R"("KHR_materials_clearcoat":{"clearcoatFactor":1,"clearcoatRoughnessFactor":1,)"
+                                  R"("clearcoatTexture":)" +
+                                  here + R"(,"clearcoatRoughnessTexture":)" + there + "}";
+    const std::string iridescence = R"("KHR_materials_iridescence":{"iridescenceFactor":1,"iridescenceTexture":)" +
+                                    here + R"(,"iridescenceThicknessTexture":)" + there + "}";
+    const std::string transmission = R"("KHR_materials_transmission":{"transmissionFactor":1,"transmissionTexture":)" +
+                                     there + R"(},"KHR_materials_volume":{"thicknessFactor":1,"thicknessTexture":)" +
+                                     here + "}";
+    const std::string core =
+        R"("pbrMetallicRoughness":{"metallicRoughnessTexture":)" + here + R"(},"occlusionTexture":)" + there;
+    for (const std::string& layers :
+         {clearcoat, iridescence, transmission, clearcoat + "," + iridescence + "," + transmission}) {
+        for (const std::string& more : {std::string(), core + ","}) {
+            const std::string text =
+                graph_of({.materials = "[{" + more + R"("extensions":{)" + layers + "}}]", .textures = kTexture});
+            EXPECT_NE(text.find("@uv1"), text.npos) << text;
+        }
+    }
+    const std::string two = part_of(graph_of({.materials = "[{" + core + "}]", .textures = kTexture}), "surface");
+    EXPECT_NE(two.find(R"("metallic": "orm.b", "roughness": "orm.g", "occlusion": "occlusion.r")"), two.npos) << two;
+}
+
 // The specification's colours are sRGB, all else is data: one picture with both uses is two properties.
 TEST(GltfMaterial, ATextureIsDecodedOnlyAsAColor) {
     const std::string text = graph_of(

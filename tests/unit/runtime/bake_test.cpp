@@ -441,6 +441,19 @@ TEST(Bake, SoDoesASurfaceThatMetallicCannotExpress) {
     const Baked made = baked(folder, {.render = {.graph = graph, .mesh = "sphere", .size = 64}, .is_specular = true});
     ASSERT_TRUE(made.outcome.ok);
     expect_alike(picture({.graph = graph, .mesh = "sphere"}), picture_of_model(folder), "blue");
+
+    // As metallic and roughness it has another colour, which is said; a pair that these can express is not.
+    const auto says = [](const Baked& made) {
+        return std::any_of(made.outcome.diagnostics.begin(), made.outcome.diagnostics.end(),
+                           [](const Diagnostic& each) {
+                               return each.message.find("no base colour and metallic have both") != std::string::npos;
+                           });
+    };
+    EXPECT_FALSE(says(made));
+    EXPECT_TRUE(says(baked(Folder(), {.render = {.graph = graph, .mesh = "sphere", .size = 64}})));
+    const std::string plain = folder.write("plain.graph.json", R"({ "patina": 1, "workflow": "specular-glossiness",
+        "lighting": "gltf", "surface": { "baseColor": [0.1, 0.2, 0.6], "specular": [0.04, 0.04, 0.04] } })");
+    EXPECT_FALSE(says(baked(Folder(), {.render = {.graph = plain, .mesh = "sphere", .size = 64}})));
 }
 
 }  // namespace
