@@ -501,7 +501,7 @@ private:
             const Attribute* is = function.attribute("is");
             if (!is || is->args.size() > 1 || meaning_of(nodelang::attribute_text(*is)) != to) continue;
             const bool takes = std::any_of(function.params.begin(), function.params.end(), [&](const ParamDecl& param) {
-                if (param.is_out) return false;
+                if (param.is_out || param.type.name.starts_with("Texture")) return false;  // which is no value
                 const Meaning wanted = declared(param.attributes, param.name);
                 return wanted == from || (from.kind == Kind::Texel && wanted.kind == Kind::NormalMap);
             });
