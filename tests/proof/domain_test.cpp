@@ -26,9 +26,11 @@ bool is_tried(const FunctionDecl& function) {
            path.starts_with("Vector/Normal/") || path == "Vector/Safe Normalize";
 }
 
-bool takes_texture(const FunctionDecl& function) {
-    return std::any_of(function.params.begin(), function.params.end(),
-                       [](const ParamDecl& p) { return p.type.name.starts_with("Texture"); });
+// A texture, or a struct such as a gradient.
+bool takes_more_than_numbers(const FunctionDecl& function) {
+    return std::any_of(function.params.begin(), function.params.end(), [](const ParamDecl& p) {
+        return p.type.name.starts_with("Texture") || library().declarations.structure(p.type.name);
+    });
 }
 
 // A node with each word of its drop-downs; true and false of a const bool. Const numbers keep their default.
@@ -141,7 +143,7 @@ Tried try_all(Arithmetic arithmetic, const std::string& witness, Judge&& judge,
     Faults faults;
     Tried tried;
     for (const Form& form : all_forms()) {
-        if (takes_texture(*form.function) || but.contains(form.function->name)) continue;
+        if (takes_more_than_numbers(*form.function) || but.contains(form.function->name)) continue;
         Term term = Term::node(*form.function, form.constants, arithmetic);
         if (term.reads_globals()) continue;
         const Domain domain = domain_of(*form.function);
@@ -250,7 +252,8 @@ TEST(Domain, EveryNodeIsFiniteAndInItsRangeOnTheGpu) {
     Faults faults;
     std::size_t draws = 0;
     for (const Form& form : all_forms()) {
-        if (takes_texture(*form.function) || Term::node(*form.function, form.constants).reads_globals()) continue;
+        if (takes_more_than_numbers(*form.function) || Term::node(*form.function, form.constants).reads_globals())
+            continue;
         const Domain domain = domain_of(*form.function);
         const std::size_t corners = domain.corners(most);
         const runtime::Image texels = texels_of(*form.function, domain, corners, most);

@@ -1,7 +1,7 @@
 [node("Test/F")]
 [color]
 float F([rnage(0, 1)] float a = 1, [range(0)] float b = 1) {
-    [unroll] for (int i = 0; i < 3; i++) { a += b; }
+    [branch] for (int i = 0; i < 3; i++) { a += b; }
     return a;
 }
 [node("Test/G")]
