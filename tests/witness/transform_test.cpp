@@ -1,5 +1,5 @@
-// The node Transform against what the stages compute: a stretched and turned cube before a camera that looks down at it.
-// Each graph adds up how far a vector is off in all of its forms; every pixel that the cube covers must say zero.
+// The node Transform against what the stages compute: a stretched and turned cube before a camera that looks down at
+// it. Each graph adds up how far a vector is off in all of its forms; every pixel that the cube covers must say zero.
 #include <gtest/gtest.h>
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -24,9 +24,9 @@ runtime::Scene stretched_cube() {
 // `off`: an expression that is zero.
 void expect_zero(const std::string& off) {
     Bench bench;
-    const auto material = bench.compile(
-        R"({ "patina": 1, "workflow": "unlit", "nodes": [ { "id": "off", "expr": ")" + off +
-        R"json(" } ], "surface": { "color": "= float3(length(off), 1, 0)", "alpha": "= 1" } })json");
+    const auto material =
+        bench.compile(R"({ "patina": 1, "workflow": "unlit", "nodes": [ { "id": "off", "expr": ")" + off +
+                      R"json(" } ], "surface": { "color": "= float3(length(off), 1, 0)", "alpha": "= 1" } })json");
     ASSERT_TRUE(material);
     const runtime::Scene scene = stretched_cube();
     const Inputs inputs{.scene = &scene};
@@ -70,8 +70,9 @@ TEST(Transform, TurnsNormalsAndDirections) {
     expect_zero("Transform(float3(1, 0, 0), Tangent, World, Direction) - @tangentWS");
     expect_zero("Transform(@viewDirWS, World, View, Direction) + normalize(@positionVS)");
     // A direction that is stretched twice and back keeps its length if it is not normalized.
-    expect_zero("Transform(Transform(float3(1, 2, 3), Object, World, Direction, false), World, Object, Direction, "
-                "false) - float3(1, 2, 3)");
+    expect_zero(
+        "Transform(Transform(float3(1, 2, 3), Object, World, Direction, false), World, Object, Direction, "
+        "false) - float3(1, 2, 3)");
 }
 
 }  // namespace

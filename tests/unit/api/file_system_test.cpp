@@ -117,7 +117,8 @@ TEST(FileSystem, AFailedCompilationDependsOnWhatItLookedFor) {
     const Result result = compiler().compile_text("m/test.graph.json", kGraph, options);
     EXPECT_FALSE(result.ok);
     const std::set<std::string> files(result.dependencies.begin(), result.dependencies.end());
-    for (const char* file : {"m/test.graph.json", "m/wave.node.hlsl", "m/deep.subgraph.json", "shared/deep.subgraph.json"})
+    for (const char* file :
+         {"m/test.graph.json", "m/wave.node.hlsl", "m/deep.subgraph.json", "shared/deep.subgraph.json"})
         EXPECT_TRUE(files.contains(file)) << file;
 }
 
