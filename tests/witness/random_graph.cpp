@@ -352,6 +352,10 @@ public:
 
 private:
     static bool is_usable(const NodeInfo& node) {
+        static constexpr std::string_view kDrawn[] = {
+#include "witness/random_nodes.inc"
+        };
+        if (std::find(std::begin(kDrawn), std::end(kDrawn), node.name) == std::end(kDrawn)) return false;
         // A hash: its result has nothing to do with how near two inputs are.
         if (node.name == "Random" || node.name == "RandomRange" || node.name == "NoiseSineWave") return false;
         // A GPU's own approximation, far coarser than a float.
@@ -376,8 +380,12 @@ private:
         });
     }
 
-    bool choose_half() { return half_nodes_ && (half_graph_ || dice_.chance(30)); }
-    std::string precision(bool half) const { return half && !half_graph_ ? R"(, "precision": "half")" : ""; }
+    bool choose_half() {
+        return half_nodes_ && (half_graph_ || dice_.chance(30));
+    }
+    std::string precision(bool half) const {
+        return half && !half_graph_ ? R"(, "precision": "half")" : "";
+    }
     // Noise of a value in a node: a half's where the node computes in halves.
     Expressions over_values(bool half) {
         Expressions made(dice_, half);
@@ -519,7 +527,9 @@ private:
         }
     }
 
-    static std::string part_file(int level) { return "part" + std::to_string(level) + ".subgraph.json"; }
+    static std::string part_file(int level) {
+        return "part" + std::to_string(level) + ".subgraph.json";
+    }
 
     // Its nodes are written as those of a graph, over its own inputs, and always in floats.
     void part(int level) {
