@@ -134,7 +134,7 @@ private:
             const std::size_t begin = places[i].first, end = text.find('}', begin) + 1;
             made += text.substr(at, begin - at);
             made += bracketed(terms[i].text(), made, std::string_view(text).substr(end));
-            holds.nodes.insert(holds.nodes.end(), terms[i].nodes.begin(), terms[i].nodes.end());
+            holds.add_nodes(terms[i]);
             holds.is_color |= terms[i].is_color && width(terms[i].type) > 1;
             at = end;
         }
@@ -266,7 +266,7 @@ private:
                 term.base = filled(value, term);
                 term = with_parts(std::move(term));
             }
-            holds.nodes.insert(holds.nodes.end(), term.nodes.begin(), term.nodes.end());
+            holds.add_nodes(term);
             note_texture(term, made.node);
             if (!otherwise.empty() && term.text() == otherwise) continue;
             made.inputs.push_back({port, term.value()});

@@ -9,7 +9,7 @@ namespace patina::importers::shadergraph {
 namespace {
 
 void note_all(Term& into, const Term& from) {
-    into.nodes.insert(into.nodes.end(), from.nodes.begin(), from.nodes.end());
+    into.add_nodes(from);
 }
 
 Term joined(std::string text, Type type, std::initializer_list<const Term*> from) {

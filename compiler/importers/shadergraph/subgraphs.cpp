@@ -71,7 +71,7 @@ void make_subgraph_node(GraphMaker& maker, std::size_t index) {
         if (input.type == Type::Texture2D && input.is_normal_map) maker.sample_with(index, term, true, std::nullopt);
         if (is_value(input.type)) term = converted(term, input.type, true);
         if (term.text().size() > 80) term = maker.named(term);
-        holds.nodes.insert(holds.nodes.end(), term.nodes.begin(), term.nodes.end());
+        holds.add_nodes(term);
         made.inputs.push_back({input.name, term.value()});
     }
     const std::string id = maker.add_node(index, std::move(made));

@@ -703,6 +703,44 @@ TEST(ShaderGraphImport, WhatIsMissingIsSaid) {
     expect_compiles(made, "missing");
 }
 
+// Each level reads the one before it twice: what is noted of a value must not double with each.
+TEST(ShaderGraphImport, AChainThatReadsEachLinkTwiceIsShort) {
+    ShaderGraphText graph;
+    graph.nodes.push_back({.id = "uv", .kind = "UVNode", .slots = {{.id = 0, .kind = "Vector4", .is_input = false}}});
+    std::string last = "uv";
+    int slot = 0;
+    for (int i = 0; i < 60; ++i) {
+        const std::string split = fmt::format("split{}", i), combine = fmt::format("combine{}", i);
+        graph.nodes.push_back({.id = split,
+                               .kind = "SplitNode",
+                               .slots = {{.id = 0, .kind = "DynamicVector"},
+                                         {.id = 1, .kind = "Vector1", .is_input = false},
+                                         {.id = 2, .kind = "Vector1", .is_input = false}}});
+        graph.nodes.push_back({.id = combine,
+                               .kind = "CombineNode",
+                               .slots = {{.id = 0, .kind = "Vector1"},
+                                         {.id = 1, .kind = "Vector1"},
+                                         {.id = 6, .kind = "Vector2", .is_input = false}}});
+        graph.edges.push_back({last, slot, split, 0});
+        graph.edges.push_back({split, 1, combine, 0});
+        graph.edges.push_back({split, 2, combine, 1});
+        last = combine;
+        slot = 6;
+    }
+    graph.edges.push_back({last, slot, "BaseColor"});
+    const Imported made = import_graph(graph);
+    EXPECT_FALSE(made.has_refused) << remarks(made, Remark::Kind::LeftOut);
+    EXPECT_LT(made.graphs[0].text.size(), 20000u);
+}
+
+TEST(ShaderGraphImport, AConditionWithoutEndIsRefused) {
+    for (const std::string& body :
+         {"#if " + std::string(400000, '!') + R"(A\nOut = A;\n#endif)", std::string(R"(#if 1\nOut = A;)")}) {
+        const Imported made = import_graph(one_node(custom(body), 2));
+        EXPECT_TRUE(made.has_refused) << body.substr(0, 20);
+    }
+}
+
 TEST(ShaderGraphImport, HugeNumbersAreNumbers) {
     ShaderGraphText graph = painted();
     graph.properties[2].value = "1e300";

@@ -205,7 +205,7 @@ void make_custom_function(GraphMaker& maker, std::size_t index) {
         if (!slot.is_input) continue;
         Term term = maker.input(index, slot.id, true);
         if (term.text().size() > 80) term = maker.named(term);
-        holds.nodes.insert(holds.nodes.end(), term.nodes.begin(), term.nodes.end());
+        holds.add_nodes(term);
         made.inputs.push_back({port_of(slot), term.value()});
     }
     const std::string id = maker.add_node(index, std::move(made), camel_case(own));

@@ -75,6 +75,12 @@ std::string preprocessed(std::string_view text, Macros& macros, std::string& err
     };
     std::vector<Branch> branches;
     std::string made;
+    const auto decided = [&](std::string_view asked) {
+        constexpr std::size_t kLongest = 1000;  // condition() calls itself
+        if (asked.size() <= kLongest) return condition(asked, macros);
+        error = "a condition of its preprocessor is too long";
+        return false;
+    };
     for (std::size_t at = 0; at < text.size();) {
         const std::size_t end = std::min(text.find('\n', at), text.size());
         const std::string_view line = trimmed(text.substr(at, end - at));
@@ -88,11 +94,11 @@ std::string preprocessed(std::string_view text, Macros& macros, std::string& err
         const std::size_t space = std::min(word.find_first_of(" \t("), word.size());
         const std::string_view name = word.substr(0, space), rest = trimmed(word.substr(space));
         if (name == "if" || name == "ifdef" || name == "ifndef") {
-            const bool holds = name == "if" ? condition(rest, macros) : macros.contains(rest) == (name == "ifdef");
+            const bool holds = name == "if" ? decided(rest) : macros.contains(rest) == (name == "ifdef");
             branches.push_back({.is_open = holds, .was_open = holds});
         } else if ((name == "else" || name == "elif") && !branches.empty()) {
             Branch& last = branches.back();
-            last.is_open = !last.was_open && (name == "else" || condition(rest, macros));
+            last.is_open = !last.was_open && (name == "else" || decided(rest));
             last.was_open |= last.is_open;
         } else if (name == "endif" && !branches.empty()) {
             branches.pop_back();
@@ -106,6 +112,7 @@ std::string preprocessed(std::string_view text, Macros& macros, std::string& err
         }
         // Includes bring words of the engine; whether one is missed, the compiler says. Pragmas say nothing here.
     }
+    if (!branches.empty() && error.empty()) error = "it has an '#if' without its '#endif'";
     return made;
 }
 

@@ -71,6 +71,11 @@ Term wrapped(const Term& term, Type type, std::string text, std::vector<Term::Pa
 
 }  // namespace
 
+void Term::add_nodes(const Term& part) {
+    for (const std::size_t node : part.nodes)
+        if (std::ranges::find(nodes, node) == nodes.end()) nodes.push_back(node);
+}
+
 std::string digits(double number) {
     return shortest(static_cast<float>(number));
 }

@@ -43,11 +43,12 @@ struct Term {
     std::vector<Part> parts{};           // if `base` is float4(a, b, c): its arguments
     std::string from_top{};              // of texture coordinates: the same with v counted from the top
     bool is_color = false;               // its components are called r, g, b, a
-    std::vector<std::size_t> nodes{};    // of the source, that are written in it
+    std::vector<std::size_t> nodes{};    // of the source, that are written in it; each once
     std::optional<std::size_t> owner{};  // the node whose output it is, after which it can be named
     std::shared_ptr<const Gradient> gradient{};
     std::optional<SamplerState> sampler{};
 
+    void add_nodes(const Term& part);  // those of what is a part of it
     bool is_constant() const { return !numbers.empty(); }
     std::string text() const;  // as a part of an expression: "float3(1, 0, 0)", "mask.x", "a + b"
     bool is_link() const;      // a name with or without a port and a swizzle
