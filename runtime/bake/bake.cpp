@@ -101,7 +101,8 @@ private:
                           {request_.render.mesh, fmt::format("{:.1f}", 100 * layout.overlap)})});
     }
 
-    // Names the node at the first texel. `world`, `path`, `targets`: what was drawn. `where`: what holds 0 instead.
+    // Warns of the texels, and names the node that is the cause of the first one. The textures in `where` hold 0 there.
+    // `world`, `path` and `targets` are what was drawn.
     void report_not_finite(const NotFinite& found, const World& world, const char* path,
                            const std::vector<std::string>& targets, std::string_view where) {
         if (found.count == 0) return;

@@ -1,5 +1,5 @@
-// Makes a graph of Patina from a shader graph: evaluates its nodes in order, from what has no inputs to what the target
-// or the sub-graph's output reads. The parts of this work lie in files of their own:
+// Makes a graph of Patina from a shader graph. It evaluates one node after the other; a node comes after those that it
+// reads. The parts of this work lie in files of their own:
 //
 //   graph_maker.cpp      the order; what an input is; which value gets a name
 //   node_rules.cpp       nodes of the table
