@@ -19,10 +19,13 @@ using nodelang::Expr;
 
 namespace {
 
-// Outside a graph there is no mesh and no camera, so a port that would read them needs an argument.
+// Outside a graph there is no mesh and no camera, so a port that would read them needs an argument, and an expression
+// a name with a value.
 class NoGraph : public emit::Environment {
 public:
-    NoGraph(Diagnostics& diagnostics, std::span<const NamedValue> names) : diagnostics_(diagnostics), names_(names) {}
+    enum class Asked { Node, Expression };
+    NoGraph(Diagnostics& diagnostics, std::span<const NamedValue> names, Asked asked)
+        : diagnostics_(diagnostics), names_(names), asked_(asked) {}
     Typed name(const Expr& expr, emit::Scope& scope) override {
         for (const NamedValue& named : names_) {
             if (named.name != expr.text || named.values.empty() || named.values.size() > 4) continue;
@@ -31,20 +34,23 @@ public:
             const ir::Type type = ir::Type::vector(ir::Scalar::Float, static_cast<unsigned>(parts.size()));
             return {.value = parts.size() == 1 ? parts[0] : scope.builder->construct(type, parts), .type = type};
         }
-        diagnostics_.report(Code::UnknownName, expr.span, "value", expr.text);
+        DiagnosticRecord& record = diagnostics_.report(Code::UnknownName, expr.span, "value", expr.text);
+        if (asked_ == Asked::Expression) record.note(fmt::format("give it a value: {}=0.5", expr.text));
         return {};
     }
     Typed property(const Expr& expr, emit::Scope&) override {
-        diagnostics_.report(Code::UnknownProperty, expr.span, expr.text);
+        DiagnosticRecord& record = diagnostics_.report(Code::UnknownProperty, expr.span, expr.text);
+        if (asked_ == Asked::Expression) record.note(kNameInstead);
         return {};
     }
     Typed semantic(std::string_view name, Span span, emit::Scope&) override {
-        diagnostics_.report(Code::SemanticNotHere, span, name, "an evaluation of one node")
-            .note("give a value to every port whose default reads the mesh, the camera or a light");
+        not_here(span, name).note(asked_ == Asked::Expression
+                                      ? kNameInstead
+                                      : "give a value to every port whose default reads the mesh, the camera or a light");
         return {};
     }
     Typed file(const Expr& expr, emit::Scope&) override {
-        diagnostics_.report(Code::SemanticNotHere, expr.span, expr.text, "an evaluation of one node");
+        not_here(expr.span, expr.text);
         return {};
     }
 
@@ -53,8 +59,17 @@ public:
     }
 
 private:
+    static constexpr const char* kNameInstead = "write a plain name for it, and give the name a value: x=0.5";
+
+    DiagnosticRecord& not_here(Span span, std::string_view name) {
+        return diagnostics_.report(
+            Code::SemanticNotHere, span, name,
+            asked_ == Asked::Expression ? "an expression outside of a graph" : "an evaluation of one node");
+    }
+
     Diagnostics& diagnostics_;
     std::span<const NamedValue> names_;
+    Asked asked_;
 };
 
 struct Bench {
@@ -65,10 +80,10 @@ struct Bench {
     NoGraph environment;
     emit::Scope scope;
 
-    Bench(const EvaluationContext& context, Diagnostics& diagnostics)
+    Bench(const EvaluationContext& context, Diagnostics& diagnostics, NoGraph::Asked asked)
         : emitter{.module = module, .diagnostics = diagnostics, .options = {.fold = false}},
           builder(module, function, {.fold = false}),
-          environment(diagnostics, context.names) {
+          environment(diagnostics, context.names, asked) {
         graph::declare_engine(*context.library.engine({}), context.library.paths, context.library.declarations,
                               emitter);
         function.name = "evaluate";
@@ -154,7 +169,7 @@ Evaluation evaluated(Bench& bench, const Typed& value, Precision precision, Diag
 
 std::optional<std::vector<double>> constant(const EvaluationContext& context, const Expr& expr,
                                             std::optional<ir::Type> type, Diagnostics& diagnostics) {
-    Bench bench(context, diagnostics);
+    Bench bench(context, diagnostics, NoGraph::Asked::Node);
     Typed value =
         emit::primary(bench.emitter, emit::expression(bench.emitter, expr, bench.scope), bench.scope, expr.span);
     if (type) value = emit::convert(bench.emitter, value, *type, bench.scope, expr.span, "the value");
@@ -171,7 +186,7 @@ std::optional<NodeTest::Argument> read_argument(const EvaluationContext& context
         argument.enumerator = expr.text;
         return argument;
     }
-    Bench bench(context, diagnostics);
+    Bench bench(context, diagnostics, NoGraph::Asked::Node);
     const Typed value =
         emit::primary(bench.emitter, emit::expression(bench.emitter, expr, bench.scope), bench.scope, expr.span);
     if (!value.ok()) return {};
@@ -261,7 +276,7 @@ std::optional<NodeTest> read_test(const EvaluationContext& context, const nodela
 Evaluation evaluate_call(const EvaluationContext& context, const nodelang::FunctionDecl& function,
                          std::span<const Expr* const> arguments, Precision precision, Diagnostics& diagnostics,
                          Span span) {
-    Bench bench(context, diagnostics);
+    Bench bench(context, diagnostics, NoGraph::Asked::Node);
     return evaluated(bench,
                      emit::call(bench.emitter, function, context.declarations, arguments, bench.scope, span, false),
                      precision, diagnostics);
@@ -269,7 +284,7 @@ Evaluation evaluate_call(const EvaluationContext& context, const nodelang::Funct
 
 Evaluation evaluate_expression(const EvaluationContext& context, const Expr& expr, Precision precision,
                                Diagnostics& diagnostics) {
-    Bench bench(context, diagnostics);
+    Bench bench(context, diagnostics, NoGraph::Asked::Expression);
     const Typed value = emit::expression(bench.emitter, expr, bench.scope);
     return evaluated(bench, emit::primary(bench.emitter, value, bench.scope, expr.span), precision, diagnostics);
 }

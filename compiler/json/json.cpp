@@ -11,6 +11,7 @@
 
 #include "compiler/base/text.h"
 #include "compiler/json/json_errors.h"
+#include "compiler/json/other_file.h"
 
 namespace patina::graph {
 namespace {
@@ -355,24 +356,6 @@ bool Builder::close() {
     return true;
 }
 
-// What a file that is no text is, by its first bytes, and what reads it; empty: unknown.
-std::string_view binary_kind(std::string_view bytes) {
-    using namespace std::string_view_literals;
-    constexpr std::pair<std::string_view, std::string_view> kKinds[] = {
-        {"glTF"sv, "it is a glTF model: 'patina import' makes graphs of it, and --mesh draws a graph on it"sv},
-        {"\x89PNG"sv, "it is a picture (PNG), not a graph: a graph names it at the port of a texture"sv},
-        {"\xff\xd8\xff"sv, "it is a picture (JPEG), not a graph: a graph names it at the port of a texture"sv},
-        {"v/1\x01"sv, "it is a picture (EXR), not a graph: a graph names it at the port of a texture"sv},
-        {"\x03\x02\x23\x07"sv, "it is SPIR-V, not a graph"sv},
-        {"\xff\xfe"sv, "it is UTF-16: save it as UTF-8"sv},
-        {"\xfe\xff"sv, "it is UTF-16: save it as UTF-8"sv},
-    };
-    for (const auto& [start, kind] : kKinds) {
-        if (bytes.starts_with(start)) return kind;
-    }
-    return {};
-}
-
 // Checks the text before parsing. Returns the offset of the first byte to parse, or nothing after an error.
 std::optional<std::size_t> check_text(std::string_view text, std::uint32_t base, Diagnostics& diagnostics) {
     const Span start{base, base};
@@ -401,24 +384,11 @@ std::optional<std::size_t> check_text(std::string_view text, std::uint32_t base,
     return text.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0;
 }
 
-// A file in the node language, whose first word would be the first mistake of broken JSON.
-bool is_node_language(std::string_view file, std::uint32_t base, Diagnostics& diagnostics) {
-    if (!file.ends_with(".hlsl")) return false;
-    const bool has_passes = file.ends_with(".pass.hlsl");
-    const std::string own = fmt::format("{}{}", file.starts_with('/') || file.starts_with('.') ? "" : "./", file);
-    diagnostics
-        .report(Code::WrongJsonType, {base, base}, fmt::format("'{}'", file), "a graph or a scene, which are JSON",
-                has_passes ? "a file of passes" : "a file of nodes")
-        .note(has_passes ? fmt::format("it draws a graph with the option --path {}", own)
-                         : fmt::format("a graph uses it as a node: \"node\": \"{}\"", own))
-        .note("'patina check' checks it");
-    return true;
-}
-
 }  // namespace
 
-std::unique_ptr<Json> parse_json(const SourceMap& sources, std::uint32_t base, Diagnostics& diagnostics) {
-    if (is_node_language(sources.file(base), base, diagnostics)) return nullptr;
+std::unique_ptr<Json> parse_json(const SourceMap& sources, std::uint32_t base, Diagnostics& diagnostics,
+                                 JsonOf whose) {
+    if (whose == JsonOf::Patina && report_other_file(sources.file(base), base, diagnostics)) return nullptr;
     const std::string_view text = sources.file_text(base);
     const std::optional<std::size_t> start = check_text(text, base, diagnostics);
     if (!start) return nullptr;

@@ -57,7 +57,9 @@ inline constexpr std::size_t kMaxJsonItems = 1'000'000;  // values and comments
 
 // Reads the file whose text starts at `base` in the map. Reports what it cannot read, and then returns null. A
 // duplicate key is reported too, but the tree is returned with the first of the two, so that one run finds several
-// errors.
-std::unique_ptr<Json> parse_json(const SourceMap& sources, std::uint32_t base, Diagnostics& diagnostics);
+// errors. A file of Patina whose ending says that it is something else, such as a shader, is an error at once.
+enum class JsonOf { Patina, OtherProgram };
+std::unique_ptr<Json> parse_json(const SourceMap& sources, std::uint32_t base, Diagnostics& diagnostics,
+                                 JsonOf whose = JsonOf::Patina);
 
 }  // namespace patina::graph

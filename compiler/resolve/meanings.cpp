@@ -513,6 +513,10 @@ private:
         if (names.empty() && from.space != to.space && session_.paths->semantic(same))
             record.note(fmt::format("the mesh's own {} in this space is '@{}'",
                                     to.kind == Kind::Position ? "position" : "normal", same));
+        if (from.kind == Kind::Position && to.kind == Kind::Direction)
+            record.note("the direction from one position to another is their difference: normalize(b - a)");
+        if (from.kind == Kind::Direction && to.kind == Kind::Position)
+            record.note("a direction is an offset from a position: add it to one");
     }
 
     Session& session_;

@@ -24,7 +24,9 @@ constexpr const char *kUnlit = "KHR_materials_unlit", *kStrength = "KHR_material
 double short_number(double value) {
     char text[32];
     const std::to_chars_result end = std::to_chars(text, text + sizeof text, float(value));
-    return std::strtod(std::string(text, end.ptr).c_str(), nullptr);
+    double made = value;  // what has no decimals, such as infinity, stays
+    std::from_chars(text, end.ptr, made);
+    return made;
 }
 
 template <int N>

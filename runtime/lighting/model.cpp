@@ -44,6 +44,28 @@ std::string as_members(const Words& words) {
     return text;
 }
 
+constexpr std::string_view kMaterial = "--model";
+
+// Who asks knows nothing of the material that is made for the question: what is wrong in it is wrong in a value.
+void place_in_value(Diagnostic& diagnostic, const Words& values) {
+    for (Diagnostic& note : diagnostic.notes) place_in_value(note, values);
+    if (diagnostic.file != kMaterial) return;
+    for (const auto& [name, word] : values) {
+        const std::string before = "    " + as_json(name) + ": \"";
+        const int begin = static_cast<int>(before.size());
+        if (!diagnostic.source_line.starts_with(before + word + "\"") || diagnostic.column <= begin) continue;
+        diagnostic.file = name;
+        diagnostic.source_line = word;
+        diagnostic.line = diagnostic.end_line = 1;
+        diagnostic.column -= begin;
+        diagnostic.end_column -= begin;
+        return;
+    }
+    diagnostic.file.clear();
+    diagnostic.source_line.clear();
+    diagnostic.line = diagnostic.column = diagnostic.end_line = diagnostic.end_column = 0;
+}
+
 // The smallest material that asks the question.
 Result compile(const Compiler& compiler, const ModelChoice& choice, const Words& surface, const Words& properties) {
     const std::string material = "{\n  \"patina\": 1,\n  \"workflow\": " + as_json(choice.workflow) +
@@ -53,7 +75,9 @@ Result compile(const Compiler& compiler, const ModelChoice& choice, const Words&
     options.targets = {};
     options.request = CompileOptions::Passes{.only = {"forward"}};
     options.keep_programs = true;
-    return compiler.compile_text("--model", material, options);
+    Result result = compiler.compile_text(std::string(kMaterial), material, options);
+    for (Diagnostic& diagnostic : result.diagnostics) place_in_value(diagnostic, choice.values);
+    return result;
 }
 
 // A name that the surface lacks may be a property of the lighting graph. If the lighting graph lacks it too, the

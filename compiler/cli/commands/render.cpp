@@ -202,7 +202,9 @@ Exit render_graph(Outputs& outputs, const Console& console, const Arguments& arg
     std::vector<Diagnostic> news;
     for (const Diagnostic& each : outcome.diagnostics) {
         const bool is_counted = each.code == code_of(Complaint::PixelsNotFinite);  // with other numbers each time
-        if (said.insert({each.code, each.file, is_counted ? "" : to_text(each)}).second) news.push_back(each);
+        if (!said.insert({each.code, each.file, is_counted ? "" : to_text(each)}).second) continue;
+        news.push_back(each);
+        if (each.file == "preview") news.back().file = arguments.aov.empty() ? "--node" : "--aov";
     }
     report(console, news);
     if (!outcome.error.empty()) complain(console, Complaint::CannotRender, {outcome.error});

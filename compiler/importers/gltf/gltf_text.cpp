@@ -129,7 +129,7 @@ GltfText read_gltf_text(const std::string& path) {
     made.looks_like_json = !made.is_binary && first_letter != json.npos && json[first_letter] == '{';
     const std::uint32_t begin = made.sources.add(path, std::move(json));
     Diagnostics diagnostics;
-    made.root = graph::parse_json(made.sources, begin, diagnostics);
+    made.root = graph::parse_json(made.sources, begin, diagnostics, graph::JsonOf::OtherProgram);
     if (made.root && !diagnostics.has_errors()) return made;
     made.root = nullptr;
     if (!diagnostics.records().empty()) {

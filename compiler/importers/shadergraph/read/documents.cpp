@@ -39,7 +39,7 @@ const Json* Documents::parse(std::string_view text, Piece piece, std::string& wr
     piece.size = static_cast<std::uint32_t>(text.size());
     pieces_[begin] = std::move(piece);
     Diagnostics diagnostics;
-    std::unique_ptr<Json> tree = graph::parse_json(*sources_, begin, diagnostics);
+    std::unique_ptr<Json> tree = graph::parse_json(*sources_, begin, diagnostics, graph::JsonOf::OtherProgram);
     if (diagnostics.has_errors()) {
         const DiagnosticRecord& first = diagnostics.records().front();
         const Place at = resolve(first.span.begin);

@@ -1,0 +1,1 @@
+Shader "Lit" { }
