@@ -33,11 +33,11 @@ glm::vec3 box_light(const SoftBox& box, glm::vec3 direction) {
 
 glm::vec3 studio_radiance(glm::vec3 direction) {
     static const SoftBox kBoxes[] = {
-        soft_box({-0.75f, 0.75f, 0.7f}, 0.42f, 0.42f, {1.6f, 1.54f, 1.45f}),
-        soft_box({1, 0.15f, 0.35f}, 0.16f, 0.55f, {0.53f, 0.62f, 0.77f}),
-        soft_box({0.5f, 0.55f, -0.9f}, 0.6f, 0.14f, {1.17f, 1.17f, 1.17f}),
+        soft_box({-0.75f, 0.75f, 0.7f}, 0.42f, 0.42f, {1.12f, 1.08f, 1.02f}),
+        soft_box({1, 0.15f, 0.35f}, 0.16f, 0.55f, {0.37f, 0.43f, 0.54f}),
+        soft_box({0.5f, 0.55f, -0.9f}, 0.6f, 0.14f, {0.82f, 0.82f, 0.82f}),
     };
-    const glm::vec3 sky(0.16f, 0.18f, 0.21f), horizon(0.068f, 0.068f, 0.071f), ground(0.031f, 0.028f, 0.026f);
+    const glm::vec3 sky(0.112f, 0.126f, 0.147f), horizon(0.048f, 0.048f, 0.05f), ground(0.022f, 0.02f, 0.018f);
     float up = direction.y;
     glm::vec3 sum = up > 0 ? glm::mix(horizon, sky, std::sqrt(up)) : glm::mix(horizon, ground, std::sqrt(-up));
     for (const SoftBox& box : kBoxes) sum += box_light(box, direction);

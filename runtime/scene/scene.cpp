@@ -8,9 +8,9 @@
 namespace patina::runtime {
 std::vector<Light> default_lights() {
     return {
-        {.direction = {-0.6f, 0.8f, 0.8f}, .color = glm::vec3(0.58f, 0.56f, 0.535f)},
-        {.direction = {0.9f, 0.1f, 0.5f}, .color = glm::vec3(0.06f, 0.075f, 0.1f)},
-        {.direction = {0.5f, 0.5f, -0.8f}, .color = glm::vec3(0.22f)},
+        {.direction = {-0.6f, 0.8f, 0.8f}, .color = glm::vec3(0.41f, 0.395f, 0.375f)},
+        {.direction = {0.9f, 0.1f, 0.5f}, .color = glm::vec3(0.042f, 0.053f, 0.07f)},
+        {.direction = {0.5f, 0.5f, -0.8f}, .color = glm::vec3(0.155f)},
     };
 }
 
@@ -51,7 +51,7 @@ Scene fullscreen_scene(int width, int height) {
 }
 
 double exposure_for(const Scene& scene) {
-    constexpr double kBrightest = 0.96;  // as in the studio
+    constexpr double kBrightest = 0.68;  // as in the studio
     const float intensity = scene.picture_intensity.value_or(0);
     if (intensity <= 0 || !scene.lights.empty()) return 0;
     if (scene.ambient.coefficients != scene.environment->ambient().coefficients) return 0;

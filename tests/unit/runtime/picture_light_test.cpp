@@ -87,7 +87,7 @@ TEST_F(PictureLight, AScenesOwnLightsStay) {
     const std::string light = R"(, "lights": [{ "type": "directional", "direction": [0, 0, 1], "intensity": 0.5 }])";
     request.graph = scene("");
     EXPECT_NEAR(middle(), kWhite * 0.25, 1e-3);
-    EXPECT_NEAR(drawn().exposure, std::log2(0.96 / 0.25), 0.01);
+    EXPECT_NEAR(drawn().exposure, std::log2(0.68 / 0.25), 0.01);
     request.graph = scene(light);
     EXPECT_NEAR(middle(), kWhite * 0.75, 2e-3);
     EXPECT_EQ(drawn().exposure, 0);
@@ -104,13 +104,13 @@ TEST_F(PictureLight, AScenesOwnLightsStay) {
 
 TEST_F(PictureLight, ChoosesAnExposureFromThePicture) {
     request.environment = even(8);
-    EXPECT_NEAR(drawn().exposure, std::log2(0.96 / 8), 0.01);
-    EXPECT_LE(drawn().exposure, std::log2(0.96 / 8));
+    EXPECT_NEAR(drawn().exposure, std::log2(0.68 / 8), 0.01);
+    EXPECT_LE(drawn().exposure, std::log2(0.68 / 8));
     // A factor that is asked for stays one.
     request.environment += " intensity=2";
-    EXPECT_NEAR(drawn().exposure, std::log2(0.96 / 8), 0.01);
+    EXPECT_NEAR(drawn().exposure, std::log2(0.68 / 8), 0.01);
     request.environment = even(0.01f);
-    EXPECT_NEAR(drawn().exposure, std::log2(96), 0.01);
+    EXPECT_NEAR(drawn().exposure, std::log2(68), 0.01);
     for (const std::string& text :
          {even(0, "black.exr"), even(8) + " intensity=0", std::string("studio"), std::string("none")}) {
         request.environment = text;
