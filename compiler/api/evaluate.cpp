@@ -44,9 +44,10 @@ public:
         return {};
     }
     Typed semantic(std::string_view name, Span span, emit::Scope&) override {
-        not_here(span, name).note(asked_ == Asked::Expression
-                                      ? kNameInstead
-                                      : "give a value to every port whose default reads the mesh, the camera or a light");
+        not_here(span, name)
+            .note(asked_ == Asked::Expression
+                      ? kNameInstead
+                      : "give a value to every port whose default reads the mesh, the camera or a light");
         return {};
     }
     Typed file(const Expr& expr, emit::Scope&) override {

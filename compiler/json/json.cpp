@@ -386,8 +386,7 @@ std::optional<std::size_t> check_text(std::string_view text, std::uint32_t base,
 
 }  // namespace
 
-std::unique_ptr<Json> parse_json(const SourceMap& sources, std::uint32_t base, Diagnostics& diagnostics,
-                                 JsonOf whose) {
+std::unique_ptr<Json> parse_json(const SourceMap& sources, std::uint32_t base, Diagnostics& diagnostics, JsonOf whose) {
     if (whose == JsonOf::Patina && report_other_file(sources.file(base), base, diagnostics)) return nullptr;
     const std::string_view text = sources.file_text(base);
     const std::optional<std::size_t> start = check_text(text, base, diagnostics);

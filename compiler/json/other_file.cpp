@@ -17,14 +17,10 @@ struct OtherFile {
 constexpr std::string_view kWritten = "'patina compile' makes shaders of graphs; it reads none";
 constexpr std::string_view kImported = "'patina import' makes a graph of it";
 constexpr OtherFile kOthers[] = {
-    {".pass.hlsl",
-     "a file of passes",
-     {"it draws a graph with the option --path {}", "'patina check' checks it"}},
+    {".pass.hlsl", "a file of passes", {"it draws a graph with the option --path {}", "'patina check' checks it"}},
     {".frag.hlsl", "a shader", {kWritten}},
     {".vert.hlsl", "a shader", {kWritten}},
-    {".hlsl",
-     "a file of nodes",
-     {"a graph uses it as a node: \"node\": \"{}\"", "'patina check' checks it"}},
+    {".hlsl", "a file of nodes", {"a graph uses it as a node: \"node\": \"{}\"", "'patina check' checks it"}},
     {".glsl", "a shader", {kWritten}},
     {".shader", "a shader", {kWritten}},
     {".mat", "a material of Unity", {kImported}},
@@ -40,9 +36,8 @@ bool report_other_file(std::string_view file, std::uint32_t base, Diagnostics& d
     for (const OtherFile& other : kOthers) {
         if (!file.ends_with(other.ending)) continue;
         const std::string own = fmt::format("{}{}", file.starts_with('/') || file.starts_with('.') ? "" : "./", file);
-        DiagnosticRecord& record =
-            diagnostics.report(Code::WrongJsonType, {base, base}, fmt::format("'{}'", file),
-                               "a graph or a scene, which are JSON", other.what);
+        DiagnosticRecord& record = diagnostics.report(Code::WrongJsonType, {base, base}, fmt::format("'{}'", file),
+                                                      "a graph or a scene, which are JSON", other.what);
         for (const std::string_view note : other.notes) {
             if (!note.empty()) record.note(fmt::format(fmt::runtime(note), own));
         }

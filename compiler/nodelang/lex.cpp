@@ -269,7 +269,8 @@ void Lexer::bad_character(Token& token) {
     DiagnosticRecord& record = diagnostics_.report(Code::BadCharacter, span(begin, here_), what);
     if (is_color)
         record.note(
-            "an expression cannot contain a colour: read one by its name, of a property or of a value of `patina eval`");
+            "an expression cannot contain a colour: read one by its name, of a property or of a value of `patina "
+            "eval`");
     else if (c == '#' && place_ == Place::File)
         record.note("there is no preprocessor: write a constant as 'const float NAME = 1;'");
     if (c == '$' || c == '@') record.note(fmt::format("'{}' begins a name: put the name directly after it", c));

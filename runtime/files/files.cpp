@@ -36,7 +36,8 @@ std::string cannot_make(const std::string& path, const std::string& why) {
     std::error_code failure;
     while (!fs::exists(there, failure) && there.has_relative_path()) there = there.parent_path();
     const bool is_file = fs::exists(there, failure) && !fs::is_directory(there, failure);
-    return "cannot make the folder '" + folder.string() + "': " + (is_file ? "'" + there.string() + "' is a file" : why);
+    return "cannot make the folder '" + folder.string() +
+           "': " + (is_file ? "'" + there.string() + "' is a file" : why);
 }
 
 // "/proc/self/fd/1" is 1, which is -1 for what is not a descriptor of this process.

@@ -134,7 +134,8 @@ std::string not_for_engine(const CompileArguments& arguments, const Compiler& co
 std::string settle(CompileArguments& arguments, const Compiler& compiler) {
     const std::string& list = arguments.output_list;
     if (arguments.depfile && !list.empty() && (is_stream(list) || is_standard_output(list)))
-        return fmt::format("--depfile: '{}' is no file that one for all could lie next to: give --list-outputs a file", list);
+        return fmt::format("--depfile: '{}' is no file that one for all could lie next to: give --list-outputs a file",
+                           list);
     read_targets(arguments, compiler);
     arguments.kind = arguments.variants.kind = kind_of(arguments, compiler);
     return not_for_engine(arguments, compiler);
