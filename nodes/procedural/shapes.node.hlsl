@@ -107,7 +107,7 @@ float Polygon(
     return InsideOne(measure);
 }
 
-/// A regular polygon with round corners in the middle of the texture; one of its corners looks up.
+/// A regular polygon with round corners in the middle of the texture; one of its sides lies at the bottom.
 ///
 /// Each corner is replaced by an arc that touches both sides. The edge of the arc is found by the law of cosines in the triangle of
 /// the polygon's centre, the arc's centre and the edge, in which the angle at the arc's centre is taken as proportional to that at
@@ -116,7 +116,8 @@ float Polygon(
 /// formula: measure = |p| cos a on a side, |p| / sqrt(c^2 + r^2 + 2 c r cos g) on an arc: c: distance of its centre, r: its radius
 /// source: the law of cosines; Unity Shader Graph, node Rounded Polygon (proportional angles)
 /// test: RoundedPolygon(float2(0.5, 0.5), 1, 1, 5, 0.3).measure == 0
-/// test: RoundedPolygon(float2(0.5, 0), 1, 1, 4, 0.000001).measure == 1 within 1e-3
+/// test: RoundedPolygon(float2(0.5, 0), 1, 1, 4, 0.000001).measure == 1.4142135623730951 within 1e-3
+/// test: RoundedPolygon(float2(1, 1), 1, 1, 4, 0.000001).measure == 1.4142135623730951 within 1e-3
 /// test: RoundedPolygon(float2(1, 0.5), 0.5, 0.5, 6, 1).measure == 2.3094010767585034
 /// test: RoundedPolygon(float2(0.5, 0), 1, 1, 4, 1).measure == 1.4142135623730951
 /// test: RoundedPolygon(float2(0.62, 0.11), 1, 0.9, 5, 0.4).measure == 1.0410368733879531
@@ -134,9 +135,9 @@ float RoundedPolygon(
     // Scaled so that the middle of each side is 1 from the centre.
     float2 p = (uv * 2 - 1) / (float2(width, height) * cos(halfSector));
     float radius = length(p);
-    // The angle from the middle of the nearest side; a corner looks along -y.
-    float angle = radius > 0 ? atan2(p.x, -p.y) : 0;
-    float turned = (angle + halfSector) / (2 * halfSector);
+    // The angle from the middle of the nearest side, of which one looks along +y.
+    float angle = radius > 0 ? atan2(p.x, p.y) : 0;
+    float turned = angle / (2 * halfSector);
     float fromMiddle = abs(turned - floor(turned + 0.5)) * 2 * halfSector;
     // The arc takes a share of the angle at each corner; its centre is on the corner's axis.
     float arc = clamp(roundness, 1e-6, 1) * halfSector;

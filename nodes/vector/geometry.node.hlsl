@@ -98,7 +98,7 @@ enum RefractMode {
 ///
 /// formula: eta i - (eta (n.i) + sqrt(max(k, 0))) n, eta = source / medium, k = 1 - eta^2 (1 - (n.i)^2)
 /// formula: intensity: into the denser medium (1 - f0) (1 - (1 + n.i)^5), f0 = ((medium - source) / (medium + source))^2;
-/// formula: into the thinner one 1 - Fresnel's reflectance, 0 if k < 0
+/// formula: into the thinner one Fresnel's reflectance, as Unity's node computes it; if k < 0, 1 for Safe and 0 for CriticalAngle
 /// source: Snell's law; Schlick, "An Inexpensive BRDF Model for Physically-Based Rendering", 1994; Unity's Refract
 /// test: RefractUnity(float3(0, 0, 1), float3(0, 0, -1)) == float3(0, 0, 1)
 /// test: RefractUnity(float3(0, 0, 1), float3(0, 0, -1)).intensity == 0.96
@@ -107,7 +107,8 @@ enum RefractMode {
 /// test: RefractUnity(float3(0.8, 0, -0.6), float3(0, 0, 1), 1.5, 0.5, Safe) == float3(1.2, 0, 0)
 /// test: RefractUnity(float3(0.8, 0, -0.6), float3(0, 0, 1), 1.5, 1, CriticalAngle) == float3(0.8, 0, 0.6)
 /// test: RefractUnity(float3(0.8, 0, -0.6), float3(0, 0, 1), 1.5, 1, CriticalAngle).intensity == 0
-/// test: RefractUnity(float3(0, 0, -1), float3(0, 0, 1), 1.5, 1, Safe).intensity == 0.96
+/// test: RefractUnity(float3(0.8, 0, -0.6), float3(0, 0, 1), 1.5, 1, Safe).intensity == 1
+/// test: RefractUnity(float3(0, 0, -1), float3(0, 0, 1), 1.5, 1, Safe).intensity == 0.04
 [node("Vector/Refract Unity")]
 float3 RefractUnity(
     float3 incident = float3(0, 0, 1),       ///< unit vector towards the surface
@@ -115,7 +116,7 @@ float3 RefractUnity(
     [range(1, 3)] float iorSource = 1,       ///< index of refraction before the surface
     [range(1, 3)] float iorMedium = 1.5,     ///< index of refraction behind it
     const RefractMode mode = Safe,           ///< the result of total reflection
-    [range(0, 1)] out float intensity        ///< the share of light that crosses the border
+    [range(0, 1)] out float intensity        ///< the share of light that crosses the border into a denser medium; see the formula for a thinner one
 ) {
     float before = max(iorSource, 1);
     float behind = max(iorMedium, 1);
@@ -124,7 +125,8 @@ float3 RefractUnity(
     float k = 1 - eta * eta * (1 - cosine * cosine);
     float f0 = (behind - before) / (behind + before);
     float grazing = SchlickWeight(saturate(-cosine));
-    float exact = k >= 0 ? 1 - FresnelDielectric(saturate(-cosine), behind / before) : 0;
+    float total = mode == Safe ? 1 : 0;
+    float exact = k >= 0 ? FresnelDielectric(saturate(-cosine), behind / before) : total;
     intensity = before <= behind ? (1 - f0 * f0) * (1 - grazing) : exact;
     float3 bent = eta * incident - (eta * cosine + sqrt(max(k, 0))) * normal;
     if (mode == Safe) { return bent; }
