@@ -46,8 +46,11 @@ Exit turn_into(Home home, char** argv);
 // A row of commands.def, or null.
 const CommandInfo* find_command(std::string_view name);
 
-// How scenes are checked; false: something is wrong with one, and it has been reported.
-using SceneCheck = bool (*)(const Console&, const Compiler&, const std::string& scene, const CompileOptions&);
+// How scenes are checked; false: something is wrong with one, and it has been reported. Each of its materials, as it is
+// compiled for the scene, is given to the other check, which answers in the same way.
+using MaterialCheck = std::function<bool(const std::string& graph, const Result&)>;
+using SceneCheck = bool (*)(const Console&, const Compiler&, const std::string& scene, const CompileOptions&,
+                            const MaterialCheck&);
 
 // How pictures of two versions of a graph are compared (diff/report.h).
 struct Version;

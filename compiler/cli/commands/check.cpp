@@ -62,6 +62,14 @@ void check_budgets(const Arguments& arguments, const std::string& graph, const R
     checked.diagnostics.insert(checked.diagnostics.end(), found.begin(), found.end());
 }
 
+// The same for a material of a scene; it reports what is over.
+bool is_in_budget(const Console& console, const Arguments& arguments, const std::string& graph, const Result& result) {
+    Checked checked{.ok = result.ok};
+    check_budgets(arguments, graph, result, checked);
+    report(console, checked.diagnostics);
+    return checked.ok;
+}
+
 CompileOptions options_of(const Arguments& arguments) {
     CompileOptions options;
     options.include_dirs = arguments.include_dirs;
@@ -167,7 +175,10 @@ void add_check(Program& program) {
             [&](const Input& input, Checked& checked) {
                 report(console, checked.diagnostics);
                 if (is_scene(input.path))  // which prints what it finds
-                    checked.ok = check_scene(console, compiler, input.path, options_of(*arguments));
+                    checked.ok = check_scene(console, compiler, input.path, options_of(*arguments),
+                                             [&](const std::string& graph, const Result& result) {
+                                                 return is_in_budget(console, *arguments, graph, result);
+                                             });
                 if (checked.ok) say(console, input.path + ": ok");
                 return checked.ok ? Exit::Ok : Exit::Wrong;
             });

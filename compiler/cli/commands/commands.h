@@ -20,6 +20,6 @@ namespace patina::cli {
 
 // What patina-render makes Program::check_scene. The check of a scene draws nothing, but it loads meshes and pictures.
 bool check_scene(const Console& console, const Compiler& compiler, const std::string& scene,
-                 const CompileOptions& options);
+                 const CompileOptions& options, const MaterialCheck& check_material);
 
 }  // namespace patina::cli
