@@ -5,3 +5,7 @@ target_compile_definitions(fuzz_pass_files_test PRIVATE PATINA_PASSES="${CMAKE_S
 add_test(NAME fuzz_pass_files_quick COMMAND fuzz_pass_files_test --gtest_filter=*.Quick)
 add_test(NAME fuzz_pass_files COMMAND fuzz_pass_files_test --gtest_filter=-*.Quick)
 set_tests_properties(fuzz_pass_files PROPERTIES LABELS slow)
+
+# Takes a folder of shader graphs, which are not in this project.
+add_executable(fuzz_shader_graphs EXCLUDE_FROM_ALL fuzz/shader_graphs.cpp)
+target_link_libraries(fuzz_shader_graphs PRIVATE patina_options patina patina_importers)

@@ -102,6 +102,20 @@ Declaration declaration_of(const Property& property) {
         const std::vector<double> value = vector_of(property.json, "m_Value", count);
         return {.type = fmt::format("float{}", count), .value = list(std::vector<float>(value.begin(), value.end()))};
     }
+    const Type type = type_of_property(kind);
+    if (type == Type::Gradient)
+        return {.type = "gradient", .value = gradient_value(gradient_of(member(property.json, "m_Value")))};
+    if (is_matrix(type)) {
+        std::string all;
+        for (std::size_t row = 0; row < width(type); ++row) {
+            std::vector<float> numbers;
+            for (std::size_t column = 0; column < width(type); ++column)
+                numbers.push_back(
+                    static_cast<float>(number_of(property.json, fmt::format("m_Value.e{}{}", row, column))));
+            all += (row > 0 ? ", " : "") + list(numbers).json;
+        }
+        return {.type = std::string(word(type)), .value = {"[" + all + "]"}};
+    }
     return {};
 }
 
@@ -136,6 +150,7 @@ void GraphMaker::read_blackboard() {
                    property.place);
         properties_[property.id] = name;
         SubgraphPorts::Input port{.name = name, .guid = property.guid, .reference = property.reference, .type = type};
+        port.is_perceptual = type == Type::Gradient && gradient_of(member(property.json, "m_Value")).is_perceptual();
         Declaration made = declaration_of(property);
         const std::string what =
             is_input ? fmt::format("the input '{}'", name) : fmt::format("the property '{}'", name);
@@ -167,10 +182,9 @@ void GraphMaker::read_blackboard() {
             made.type = "int";
             made.value = number(static_cast<double>(chosen));
         } else if (made.type.empty()) {
-            // Gradients, matrices and samplers are constants where they are used.
             const bool is_sampler = property.kind == "SamplerState";
             remark(is_sampler ? Remark::Kind::Taken : Remark::Kind::Changed, part,
-                   is_sampler ? "the sampler of the textures that use it" : "a constant: it cannot be set from outside",
+                   is_sampler ? "the sampler of the textures that use it" : "a graph has no such property",
                    property.place);
             if (is_input) ports_.inputs.push_back(port);
             continue;
@@ -205,9 +219,9 @@ Term GraphMaker::property_term(std::size_t index) {
     const Type type = type_of_property(found->kind);
     const std::string name = "$" + property_name(*found);
     if (type == Type::Gradient) {
-        Term made{.type = type};
+        Term made = link(name, type);
         made.gradient = std::make_shared<const Gradient>(gradient_of(member(found->json, "m_Value")));
-        taken(index, "a constant");
+        made.nodes = {index};
         return made;
     }
     if (type == Type::Sampler) {
@@ -216,13 +230,6 @@ Term GraphMaker::property_term(std::size_t index) {
                                     .wrap = whole_of(found->json, "m_Value.m_wrap"),
                                     .anisotropy = whole_of(found->json, "m_Value.m_anisotropic")};
         taken(index, "the sampler of the texture");
-        return made;
-    }
-    if (is_matrix(type)) {
-        Term made{.type = type};
-        const std::size_t rows = width(type);
-        for (std::size_t i = 0; i < rows * rows; ++i)
-            made.numbers.push_back(number_of(found->json, fmt::format("m_Value.e{}{}", i / rows, i % rows)));
         return made;
     }
     Term made = link(name, type);

@@ -1,4 +1,4 @@
-// Gradients: constants, because a graph has no gradient as a value. A node that samples one becomes a ramp.
+// Gradients: properties, or constants at the port that reads them.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,21 +8,39 @@
 namespace patina::importers::shadergraph {
 namespace {
 
-GraphNode ramp(std::string_view kind, std::string_view value, const std::vector<Gradient::Key>& keys, int mode,
-               const Term& at) {
-    GraphNode made{.id = {}, .node = std::string(kind), .inputs = {{"position", at.value()}}};
-    const std::size_t count = std::min<std::size_t>(keys.size(), 8);
-    made.inputs.push_back({"keys", number_term(static_cast<double>(count)).value()});
-    for (std::size_t i = 0; i < count; ++i) {
-        made.inputs.push_back({fmt::format("{}{}", value, i), constant(keys[i].value).value()});
-        made.inputs.push_back({fmt::format("at{}", i), number_term(keys[i].time).value()});
+constexpr std::size_t kMostKeys = 8;
+
+// Keys in the order of their times, as a graph writes them.
+Value keys_value(std::vector<Gradient::Key> keys, bool is_fixed) {
+    std::ranges::stable_sort(keys, {}, &Gradient::Key::time);
+    keys.resize(std::min(keys.size(), kMostKeys));
+    std::string all;
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+        double time = std::clamp(keys[i].time, 0.0, 1.0);
+        // In the engine, each value begins at the key before its own and one per cent of the way.
+        if (is_fixed && i + 1 < keys.size()) time += (std::clamp(keys[i + 1].time, 0.0, 1.0) - time) / 100;
+        const std::vector<float> numbers(keys[i].value.begin(), keys[i].value.end());
+        const Value value = numbers.size() == 1 ? number(numbers[0]) : list(numbers);
+        all += (all.empty() ? "" : ", ") + list({number(static_cast<float>(time)), value}).json;
     }
-    static constexpr std::string_view kModes[] = {"Blended", "FixedUnity", "Perceptual"};
-    made.inputs.push_back({"mode", patina::importers::text(kModes[std::clamp(mode, 0, 2)])});
-    return made;
+    return {"[" + all + "]"};
 }
 
 }  // namespace
+
+Value gradient_value(const Gradient& gradient) {
+    const bool is_fixed = gradient.mode == 1;
+    std::vector<Gradient::Key> colors = gradient.colors;
+    if (gradient.is_perceptual())
+        for (Gradient::Key& key : colors)
+            for (double& each : key.value) each = linear(each);
+    std::vector<Member> made = {{"colors", keys_value(colors, is_fixed)}};
+    if (std::ranges::any_of(gradient.alphas, [](const Gradient::Key& key) { return key.value[0] != 1; }))
+        made.push_back({"alphas", keys_value(gradient.alphas, is_fixed)});
+    if (gradient.mode == 1 || gradient.is_perceptual())
+        made.push_back({"blend", patina::importers::text(is_fixed ? "fixed" : "perceptual")});
+    return object(made);
+}
 
 Gradient gradient_of(const Json* json) {
     Gradient made;
@@ -48,6 +66,9 @@ void make_gradient(GraphMaker& maker, std::size_t node) {
         const std::vector<double> value = vector_of(&key, "", 2);
         made->alphas.push_back({.time = value[1], .value = {value[0]}});
     }
+    // What a new node has: from black to white, opaque.
+    if (made->colors.empty()) made->colors = {{.time = 0, .value = {0, 0, 0}}, {.time = 1, .value = {1, 1, 1}}};
+    if (made->alphas.empty()) made->alphas = {{.time = 0, .value = {1}}};
     made->mode = whole_of(json, "m_SerializableMode");
     Term term{.type = Type::Gradient};
     term.gradient = std::move(made);
@@ -56,33 +77,23 @@ void make_gradient(GraphMaker& maker, std::size_t node) {
 }
 
 void make_sample_gradient(GraphMaker& maker, std::size_t node) {
-    Term from = maker.input(node, 0);
-    if (const auto linked = maker.linked_term(node, 0)) from = *linked;
-    std::shared_ptr<const Gradient> colors = from.gradient;
-    if (!colors || colors->colors.empty() || colors->alphas.empty()) {
-        maker.refuse(node, "its gradient is not a constant of this graph: a graph has no gradients as values");
-        return;
+    const Term gradient = maker.input(node, 0);
+    std::vector<Term> time = {maker.input(node, 1)};
+    maker.shorten(node, time, 0);
+    GraphNode made{.id = {}, .node = "SampleGradient", .inputs = {{"gradient", gradient.value()}}};
+    if (!time[0].is_constant() || time[0].numbers[0] != 0) made.inputs.push_back({"time", time[0].value()});
+    const std::string id = maker.add_node(node, std::move(made));
+    for (const Term& each : {gradient, time[0]}) maker.written(each, fmt::format("the node '{}'", id));
+    Term whole = link(id, Type::Float4);
+    whole.is_color = true;
+    // The engine blends the colours as a picker shows them, and makes the result linear; but in OkLab, of linear
+    // colours.
+    if (!gradient.gradient || !gradient.gradient->is_perceptual()) {
+        Term color = expression(fmt::format("SrgbToLinear({}.rgb)", id), Type::Float3);
+        const Term parts[] = {color, swizzled(whole, "w")};
+        whole = vector_term(Type::Float4, parts);
     }
-    const Term time = maker.named(maker.input(node, 1));
-    // The engine blends the colours as a picker shows them, and makes the result linear.
-    const bool is_perceptual = colors->mode == 2;  // in OkLab, of linear colours
-    std::vector<Gradient::Key> keys = colors->colors;
-    if (is_perceptual)
-        for (Gradient::Key& key : keys)
-            for (double& each : key.value) each = linear(each);
-    const std::string color = maker.add_node(node, ramp("ColorRamp", "color", keys, colors->mode, time));
-    maker.written(time, fmt::format("the node '{}'", color));
-    maker.written(from, fmt::format("the node '{}'", color));
-    const bool is_opaque =
-        std::ranges::all_of(colors->alphas, [](const Gradient::Key& key) { return key.value[0] == 1; });
-    const std::string alpha =
-        is_opaque
-            ? "1"
-            : maker.add_node(node, ramp("ValueRamp", "value", colors->alphas, colors->mode, time), color + "Alpha");
-    const std::string rgb = is_perceptual ? color : fmt::format("SrgbToLinear({})", color);
-    Term made = expression(fmt::format("float4({}, {})", rgb, alpha), Type::Float4);
-    made.parts = {{rgb, 3}, {alpha, 1}};
-    maker.set(node, 2, made);
+    maker.set(node, 2, whole);
 }
 
 }  // namespace patina::importers::shadergraph

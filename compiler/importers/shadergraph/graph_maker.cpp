@@ -30,6 +30,12 @@ Term magenta(Type type) {
             for (std::size_t i = 0; i < rows * rows; ++i) made.numbers.push_back(i % (rows + 1) == 0 ? 1 : 0);
             return made;
         }
+        case Type::Gradient: {
+            Term made{.type = type};
+            made.gradient = std::make_shared<const Gradient>(
+                Gradient{.colors = {{.time = 0, .value = {1, 0, 1}}}, .alphas = {{.time = 0, .value = {1}}}});
+            return made;
+        }
         case Type::None:
         case Type::Float:
         case Type::Texture2D:
@@ -37,7 +43,6 @@ Term magenta(Type type) {
         case Type::Texture3D:
         case Type::Cubemap:
         case Type::Sampler:
-        case Type::Gradient:
         case Type::Connection:
         case Type::VirtualTexture: break;
     }
@@ -72,6 +77,7 @@ void GraphMaker::make() {
     else
         make_surface();
     finish_textures();
+    drop_unread();
     make_layout();
     report_nodes();
 }
@@ -111,6 +117,10 @@ void GraphMaker::find_order() {
         if (states[to.first] == 2) ++uses_[from];
 }
 
+bool GraphMaker::is_half(std::size_t index) const {
+    return whole_of(node(index).json, "m_Precision") == 2;
+}
+
 std::size_t GraphMaker::uses(std::size_t index, int slot) const {
     const auto found = uses_.find({index, slot});
     return found == uses_.end() ? 0 : found->second;
@@ -128,7 +138,7 @@ void GraphMaker::evaluate(std::size_t index) {
     dynamic_types_[index] = {.vector = dynamic_vector(connected), .matrix = dynamic_matrix(connected)};
     if (is_output || apply_special(*this, index) || apply_rule(*this, index)) return;
     refuse(index, is_in_table(at.kind)
-                      ? "it has a setting that this importer does not know"
+                      ? "it has a setting with a value that this importer does not know"
                       : fmt::format("'{}' is no node of Shader Graph that this importer knows", at.kind));
 }
 
@@ -158,9 +168,9 @@ Term GraphMaker::input(std::size_t index, int slot_id, bool may_stay_number) {
             term = named(*term);
         Term made = converted(*term, type, may_stay_number);
         if (made.type != Type::None || type == Type::None) return made;
-        approximate(index, fmt::format("the input '{}' takes {} and is connected to {}: it has 0", slot->name,
+        approximate(index, fmt::format("the input '{}' takes {} and is connected to {}: it has a constant", slot->name,
                                        word(type), word(term->type)));
-        return magenta(type);
+        return is_texture(type) ? texture_constant(index, type, nullptr, "", 0) : magenta(type);
     }
     const Json* json = slot->json;
     Term made;
@@ -201,10 +211,12 @@ Term GraphMaker::input(std::size_t index, int slot_id, bool may_stay_number) {
     return made;
 }
 
-void GraphMaker::set(std::size_t index, int slot, Term term) {
-    term.owner = index;
+void GraphMaker::set(std::size_t index, int slot, Term term, bool is_handed_on) {
+    if (!is_handed_on || !term.owner) term.owner = index;
     if (std::ranges::find(term.nodes, index) == term.nodes.end()) term.nodes.push_back(index);
-    if (uses(index, slot) > 1 && !is_short(term) && is_value(term.type)) term = named(term);
+    // Only a node of its own can be computed in half.
+    const bool wants_name = is_half(index) ? !is_handed_on : uses(index, slot) > 1 && !is_short(term);
+    if (wants_name && is_value(term.type)) term = named(term);
     terms_[{index, slot}] = std::move(term);
 }
 
@@ -236,10 +248,7 @@ std::string GraphMaker::add_node(std::size_t index, GraphNode made, std::string_
     const std::string name = wanted.empty() ? camel_case(from.name) : std::string(wanted);
     made.id = ids_.unique(name, camel_case(kind));
     owners_[made.id] = index;
-    if (whole_of(from.json, "m_Precision") == 2) {
-        made.more.push_back({"precision", text("half")});
-        has_precision_.insert(index);
-    }
+    if (is_half(index)) made.more.push_back({"precision", text("half")});
     taken(index, fmt::format("the node '{}'", made.id));
     std::string id = made.id;
     file_.nodes.push_back(std::move(made));
@@ -273,10 +282,10 @@ void GraphMaker::refuse(std::size_t index, std::string reason) {
             const std::string id = add_node(
                 index, {.id = {}, .expression = value.text(), .more = {{"note", text("not imported: " + reason)}}});
             value = link(id, type);
-        } else if (type >= Type::Texture2D && type <= Type::Cubemap) {
+        } else if (is_texture(type)) {
             value = texture_constant(index, type, nullptr, "", 0);
         } else {
-            value = Term{.type = type};
+            if (type != Type::Gradient) value = Term{.type = type};
         }
         set(index, slot.id, value);
     }

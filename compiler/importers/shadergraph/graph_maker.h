@@ -24,6 +24,9 @@
 
 namespace patina::importers::shadergraph {
 
+// What the texels of a texture are.
+enum class TextureMeaning { Color, Data, Normal };
+
 class GraphMaker {
 public:
     GraphMaker(Project& project, const ShaderGraph& graph, std::string name);
@@ -45,9 +48,12 @@ public:
     Term input(std::size_t node, int slot, bool may_stay_number = false);
     // The same as it comes, in whatever type; nothing if the input is not connected.
     std::optional<Term> linked_term(std::size_t node, int slot) const;
-    void set(std::size_t node, int slot, Term term);
+    // `is_handed_on`: it is the value of an input, and keeps the name that it would have there.
+    void set(std::size_t node, int slot, Term term, bool is_handed_on = false);
     // A link to the term, which becomes a node of its own unless it is a link already.
     Term named(const Term& term);
+    // Names for the longest of them, if a line of the node with all of them and `length` more characters gets too long.
+    void shorten(std::size_t node, std::vector<Term>& terms, std::size_t length);
     // Adds a node that stands for this one, and returns its id.
     std::string add_node(std::size_t node, GraphNode made, std::string_view wanted = {});
     // Notes where the nodes that the term holds have gone.
@@ -63,7 +69,8 @@ public:
     Term bound(std::size_t node, const Slot& slot, const Term& otherwise);
     // The texture that a slot or an asset holds, as a property of its own.
     Term texture_constant(std::size_t node, Type type, const Json* holder, std::string_view key, int default_type);
-    void sample_with(std::size_t node, const Term& texture, bool as_normal, const std::optional<SamplerState>& sampler);
+    void sample_with(std::size_t node, const Term& texture, TextureMeaning meaning,
+                     const std::optional<SamplerState>& sampler);
     Term property_term(std::size_t node);
     const Property* property(std::string_view id) const;
     std::string property_name(const Property& property) const;
@@ -80,7 +87,8 @@ private:
         std::string where{}, text{};
     };
     struct TextureUse {
-        bool is_normal = false, is_color = false;
+        bool is_normal = false, is_color = false, is_data = false;
+        bool is_linear = false;  // its default says so
         std::optional<SamplerState> sampler{};
         std::set<std::size_t> other_samplers{};  // nodes that sample it in another way
     };
@@ -92,8 +100,10 @@ private:
     void make_surface();
     void add_pinned(std::string id, const Block& block);
     void make_outputs();
+    void drop_unread();
     void make_layout();
     void report_nodes();
+    bool is_half(std::size_t node) const;
     std::string part_of(std::size_t node) const;
 
     Project& project_;
@@ -114,8 +124,8 @@ private:
     std::vector<DynamicTypes> dynamic_types_{};         // of each node that was evaluated
     std::map<std::string, Term, std::less<>> named_{};  // by text
     std::vector<Outcome> outcomes_{};
-    std::set<std::size_t> has_precision_{};               // nodes that are computed in half
     std::map<std::string, std::size_t> owners_{};         // id -> node, for the layout
+    bool has_uv_ = false, has_uv1_ = false;               // something reads these nodes
     std::map<std::string, std::string> properties_{};     // id of the property -> name
     std::map<std::string, TextureUse> textures_{};        // by name of the property
     std::map<std::string, std::string> texture_names_{};  // GUID -> property

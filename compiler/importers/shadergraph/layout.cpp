@@ -14,24 +14,19 @@ bool is_word(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
 }
 
-// The word stands in the text by itself, not as "@uv" or "a.uv".
-bool has_word(std::string_view text, std::string_view word) {
-    for (std::size_t at = 0; (at = text.find(word, at)) != text.npos; ++at) {
-        const char before = at > 0 ? text[at - 1] : ' ',
-                   after = at + word.size() < text.size() ? text[at + word.size()] : ' ';
-        if (!is_word(before) && before != '@' && before != '$' && before != '.' && !is_word(after) && after != '(')
-            return true;
+// The words of a text that can be ids of nodes: not "@uv", "$_Tint", "a.uv", "uv(" or a key.
+std::set<std::string_view> words_of(std::string_view text) {
+    std::set<std::string_view> made;
+    for (std::size_t at = 0; at < text.size();) {
+        std::size_t end = at;
+        while (end < text.size() && is_word(text[end])) ++end;
+        const char before = at > 0 ? text[at - 1] : ' ', after = end < text.size() ? text[end] : ' ';
+        const bool is_key = text.substr(end).starts_with("\":");
+        if (end > at && !is_key && before != '@' && before != '$' && before != '.' && after != '(')
+            made.insert(text.substr(at, end - at));
+        at = std::max(end, at + 1);
     }
-    return false;
-}
-
-bool reads(const GraphFile& file, std::string_view word) {
-    const auto in = [&](const std::vector<Member>& members) {
-        return std::ranges::any_of(members, [&](const Member& each) { return has_word(each.value.json, word); });
-    };
-    return in(file.surface) || in(file.more) || std::ranges::any_of(file.nodes, [&](const GraphNode& each) {
-               return has_word(each.expression, word) || in(each.inputs);
-           });
+    return made;
 }
 
 Value place(double x, double y) {
@@ -40,12 +35,45 @@ Value place(double x, double y) {
 
 }  // namespace
 
+// What only refused nodes would read is no part of the graph.
+void GraphMaker::drop_unread() {
+    std::map<std::string, const GraphNode*, std::less<>> unread;
+    for (const GraphNode& each : file_.nodes) unread[each.id] = &each;
+    std::vector<std::string_view> texts;
+    const auto add = [&](const std::vector<Member>& members) {
+        for (const Member& each : members)
+            if (each.key != "inputs") texts.push_back(each.value.json);
+    };
+    add(file_.surface);
+    add(file_.more);
+    for (const GraphNode& each : file_.nodes)
+        if (!each.more.empty() && each.more.front().key == "stage") texts.push_back(each.id);
+    while (!texts.empty()) {
+        const std::set<std::string_view> words = words_of(texts.back());
+        texts.pop_back();
+        for (const std::string_view word : words) {
+            has_uv_ |= word == "uv";
+            has_uv1_ |= word == "uv1";
+            const auto found = unread.find(word);
+            if (found == unread.end()) continue;
+            texts.push_back(found->second->expression);
+            add(found->second->inputs);
+            unread.erase(found);
+        }
+    }
+    for (const auto& [id, each] : unread) {
+        Outcome& outcome = outcomes_[owners_[id]];
+        if (outcome.kind != Remark::Kind::LeftOut) outcome.where = "only what is not imported reads it";
+    }
+    std::erase_if(file_.nodes, [&](const GraphNode& each) { return unread.contains(each.id); });
+}
+
 void GraphMaker::make_layout() {
-    for (const std::string_view each : {"uv1", "uv"})
-        if (reads(file_, each))
+    for (const bool is_second : {true, false})
+        if (is_second ? has_uv1_ : has_uv_)
             file_.nodes.insert(file_.nodes.begin(),
-                               {.id = std::string(each),
-                                .expression = fmt::format("float2(@{0}.x, 1 - @{0}.y)", each == "uv" ? "uv0" : "uv1"),
+                               {.id = is_second ? "uv1" : "uv",
+                                .expression = fmt::format("float2(@{0}.x, 1 - @{0}.y)", is_second ? "uv1" : "uv0"),
                                 .more = {{"note", text("v counts from the bottom, as in the shader graph")}}});
     // Nodes of a group stay together, in the order in which the groups begin.
     std::vector<std::string> order;
@@ -111,11 +139,6 @@ void GraphMaker::report_nodes() {
         std::string what = !is_read[i] ? "nothing reads it" : outcome.where.empty() ? "its value" : outcome.where;
         if (!outcome.text.empty())
             what = outcome.kind == Remark::Kind::LeftOut ? outcome.text : what + ": " + outcome.text;
-        if (is_read[i] && whole_of(node(i).json, "m_Precision") == 2 && outcome.kind == Remark::Kind::Taken &&
-            !has_precision_.contains(i)) {
-            remark(Remark::Kind::Changed, part_of(i), what + ": computed in float, not in half", node(i).place);
-            continue;
-        }
         remark(outcome.kind, part_of(i), std::move(what), node(i).place);
     }
 }

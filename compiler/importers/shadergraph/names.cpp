@@ -54,7 +54,8 @@ std::string identifier(std::string_view name) {
 }
 
 std::string Names::unique(std::string_view wanted, std::string_view otherwise) {
-    std::string base(wanted.empty() ? otherwise : wanted);
+    constexpr std::size_t kLongest = 100;  // also a name of a file
+    std::string base((wanted.empty() ? otherwise : wanted).substr(0, kLongest));
     if (std::ranges::find(kReserved, base) != std::end(kReserved)) base += "Value";
     std::string made = base;
     for (int i = 2; taken_.contains(made); ++i) made = base + (is_digit(base.back()) ? "_" : "") + std::to_string(i);

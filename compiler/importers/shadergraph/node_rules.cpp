@@ -10,30 +10,86 @@
 namespace patina::importers::shadergraph {
 namespace {
 
-constexpr std::size_t kLongest = 80;  // of an expression, before its parts get names
+constexpr std::string_view kComponents = "xyzw";
 
 // "{1.x}": which input, and in which form.
 struct Placeholder {
     int slot = 0;
-    std::string components{};  // "xy"
+    std::string_view components{};  // "xy"
+    std::string_view use{};         // of a texture: "data"
     bool is_exact = false, from_top = false, symmetric = false;
 };
 
+// The text between the brackets, if it is "NAME(...)" and nothing more.
+std::optional<std::string_view> inside_call(std::string_view text) {
+    const std::size_t open = text.find('(');
+    int depth = 0;
+    for (std::size_t i = open; i < text.size(); ++i) {
+        if (text[i] == '(') ++depth;
+        if (text[i] == ')' && --depth == 0)
+            return i + 1 == text.size() ? std::optional(text.substr(open + 1, i - open - 1)) : std::nullopt;
+    }
+    return {};
+}
+
+// In brackets, if an operator beside it binds more strongly.
+std::string bracketed(const std::string& text, std::string_view before, std::string_view after) {
+    while (before.ends_with(' ')) before.remove_suffix(1);
+    while (after.starts_with(' ')) after.remove_prefix(1);
+    const auto strength = [](char c) {
+        if (c == '+' || c == '-') return kSum;
+        if (c == '*' || c == '/' || c == '%') return kProduct;
+        if (c == '!') return kUnary;
+        if (c == '=' || c == '<' || c == '>') return kCompare;
+        if (c == '&') return kAnd;
+        if (c == '|') return kOr;
+        if (c == '.' || c == '[') return kPrimary;
+        return kChoice;
+    };
+    const char left = before.empty() ? ' ' : before.back(), right = after.empty() ? ' ' : after.front();
+    int needed = std::max<int>(strength(right), strength(left));
+    if (std::string_view("-/%*=<>").find(left) != std::string_view::npos) ++needed;
+    if (left == '?' || right == '?' || (left == ':' && precedence_of(text) == kChoice))
+        needed = std::max<int>(needed, kOr);
+    if (needed > kChoice && text.starts_with("-") && strength(left) > kChoice) return "(" + text + ")";
+    return at_least(text, static_cast<Precedence>(std::min<int>(needed, kPrimary)));
+}
+
+bool is_constant_of(const Term& term, double value) {
+    return term.is_constant() && std::ranges::all_of(term.numbers, [&](double each) { return each == value; });
+}
+
+// The port has this value if nothing is written at it.
+bool is_default(const PortInfo& port, const Term& term) {
+    if (port.default_value.empty()) return false;
+    const auto number = read_number(port.default_value);
+    return term.text() == port.default_value || (number && is_constant_of(term, *number));
+}
+
+// The type of a port of the library; None: it follows from other ports.
+Type type_of_port(std::string_view type) {
+    for (const Type each : {Type::Bool, Type::Float, Type::Float2, Type::Float3, Type::Float4})
+        if (word(each) == type) return each;
+    return Type::None;
+}
+
 class Rule {
 public:
-    Rule(GraphMaker& maker, std::size_t node, const NodeRule& rule) : maker_(maker), node_(node), rule_(rule) {}
+    Rule(GraphMaker& maker, std::size_t node, const NodeRule& rule, const NodeFacts& facts)
+        : maker_(maker), node_(node), rule_(rule), facts_(facts) {}
 
-    // False: a setting has a value that the table does not know.
-    bool apply() {
+    void apply() {
         std::vector<Statement> statements;
         for (Statement each : rule_.statements) {
-            if (each.output >= 0 && !maker_.is_used(node_, each.output)) continue;
-            if (!fill_settings(each.text, maker_.node(node_), [&](int slot) { return components(slot); })) return false;
+            if (each.output >= 0 && !facts_.is_used(each.output)) continue;
+            if (std::string wrong = fill_settings(each.text, maker_.node(node_), facts_); !wrong.empty())
+                return maker_.refuse(node_, std::move(wrong));
             statements.push_back(std::move(each));
         }
+        if (std::ranges::all_of(statements, [](const Statement& each) { return each.output < 0; })) return;
         for (const Statement& each : statements) count_uses(each);
         for (const Statement& each : statements) {
-            if (each.output < 0 && statements.size() == 1) continue;  // nothing reads it
+            is_step_ = &each != &statements.back() && each.output < 0 && (&each + 1)->output < 0;
             Term made = value_of(each.text);
             if (each.output < 0) {
                 self_ = made;
@@ -42,20 +98,18 @@ public:
             const Slot* slot = maker_.node(node_).slot(each.output);
             if (!slot) continue;
             if (made.type == Type::None) made.type = maker_.type_of(node_, *slot);
-            maker_.set(node_, each.output, std::move(made));
+            maker_.set(node_, each.output, std::move(made), is_handed_on_);
         }
         if (rule_.remark.starts_with("~")) maker_.approximate(node_, std::string(rule_.remark.substr(1)));
-        return true;
     }
 
 private:
-    std::size_t components(int slot) const {
-        const Slot* found = maker_.node(node_).slot(slot);
-        return found ? width(maker_.type_of(node_, *found)) : 1;
-    }
-
     Placeholder placeholder(std::string_view text) const {
         Placeholder made;
+        if (const std::size_t equals = text.find('='); equals != text.npos) {
+            made.use = text.substr(equals + 1);
+            text = text.substr(0, equals);
+        }
         while (!text.empty() && std::string_view("!^~").find(text.back()) != text.npos) {
             made.is_exact |= text.back() == '!';
             made.from_top |= text.back() == '^';
@@ -74,16 +128,20 @@ private:
         }
         return made;
     }
+    // The text is "{...}" and nothing more.
+    std::optional<Placeholder> only_placeholder(std::string_view text) const {
+        if (!text.starts_with('{') || text.find('}') + 1 != text.size()) return {};
+        return placeholder(text.substr(1, text.size() - 2));
+    }
 
     // How often each input is written, so that one that is written twice gets a name.
     void count_uses(const Statement& statement) {
         // A component is written again by each reader; anything longer that is read twice gets a name itself.
-        const bool is_component =
-            statement.text.starts_with("{") && statement.text.find('}') + 1 == statement.text.size();
-        const std::size_t times = is_component ? std::max<std::size_t>(maker_.uses(node_, statement.output), 1) : 1;
-        for (std::size_t at = 0; (at = statement.text.find('{', at)) != statement.text.npos; ++at) {
-            const std::size_t end = statement.text.find('}', at);
-            const Placeholder each = placeholder(std::string_view(statement.text).substr(at + 1, end - at - 1));
+        const std::string_view text = statement.text;
+        const std::size_t times =
+            only_placeholder(text) ? std::max<std::size_t>(maker_.uses(node_, statement.output), 1) : 1;
+        for (std::size_t at = 0; (at = text.find('{', at)) != text.npos; ++at) {
+            const Placeholder each = placeholder(text.substr(at + 1, text.find('}', at) - at - 1));
             counts_[each.slot] += times * (each.from_top ? 2 : 1);
         }
     }
@@ -96,225 +154,212 @@ private:
         if (each.components.empty()) return made;
         // A component that the value does not have is 0.
         const std::size_t has = std::max<std::size_t>(width(made.type), 1);
-        const std::string_view xyzw = "xyzw";
-        if (each.components.size() == 1 && xyzw.find(each.components[0]) >= has &&
-            xyzw.find(each.components[0]) != xyzw.npos)
+        if (each.components.size() == 1 && kComponents.find(each.components) >= has &&
+            kComponents.find(each.components) != kComponents.npos)
             return number_term(0);
         if (has < each.components.size()) return converted(made, vector_type(each.components.size()));
         return swizzled(made, each.components);
     }
 
-    // The text with its placeholders and "$" filled in; `parts`: the widths of what is filled in, in order.
-    std::string filled(const std::string& text, Term& holds) {
-        std::vector<std::pair<std::size_t, Placeholder>> places;
-        std::vector<Term> terms;
-        for (std::size_t at = 0; (at = text.find('{', at)) != text.npos; ++at) {
-            const Placeholder each = placeholder(std::string_view(text).substr(at + 1, text.find('}', at) - at - 1));
-            places.push_back({at, each});
-            terms.push_back(term_of(each, true));
-            note_texture(terms.back(), call_);
-        }
-        // A line that would get too long gets names for its longest parts.
-        for (;;) {
-            std::size_t length = text.size(), longest = terms.size();
-            for (std::size_t i = 0; i < terms.size(); ++i) {
-                length += terms[i].text().size();
-                if (terms[i].is_constant() || terms[i].is_link() || !terms[i].owner || *terms[i].owner == node_)
-                    continue;
-                if (longest == terms.size() || terms[i].text().size() > terms[longest].text().size()) longest = i;
-            }
-            if (length <= kLongest || longest == terms.size()) break;
-            const Term name = maker_.named(terms[longest]);
-            if (name.text() == terms[longest].text()) break;
-            terms[longest] = name;
-        }
-        std::string made;
-        std::size_t at = 0;
-        for (std::size_t i = 0; i < places.size(); ++i) {
-            const std::size_t begin = places[i].first, end = text.find('}', begin) + 1;
-            made += text.substr(at, begin - at);
-            made += bracketed(terms[i].text(), made, std::string_view(text).substr(end));
-            holds.add_nodes(terms[i]);
-            holds.is_color |= terms[i].is_color && width(terms[i].type) > 1;
-            at = end;
-        }
-        made += text.substr(at);
-        for (std::size_t place = 0; (place = made.find('$', place)) != made.npos; ++place) {
-            // "$_Tint" is a property.
-            const char next = place + 1 < made.size() ? made[place + 1] : ' ';
-            if (next == '_' || (next >= 'a' && next <= 'z') || (next >= 'A' && next <= 'Z')) continue;
-            made.replace(place, 1, self_.text());
-            place += self_.text().size();
-        }
-        return made;
-    }
-
-    // In brackets, if an operator beside it binds more strongly.
-    static std::string bracketed(const std::string& text, std::string_view before, std::string_view after) {
-        while (before.ends_with(' ')) before.remove_suffix(1);
-        while (after.starts_with(' ')) after.remove_prefix(1);
-        const auto strength = [](char c) {
-            if (c == '+' || c == '-') return kSum;
-            if (c == '*' || c == '/' || c == '%') return kProduct;
-            if (c == '!') return kUnary;
-            if (c == '=' || c == '<' || c == '>') return kCompare;
-            if (c == '&') return kAnd;
-            if (c == '|') return kOr;
-            if (c == '.' || c == '[') return kPrimary;
-            return kChoice;
-        };
-        const char left = before.empty() ? ' ' : before.back(), right = after.empty() ? ' ' : after.front();
-        int needed = std::max<int>(strength(right), strength(left));
-        if (left == '-' || left == '/' || left == '%' || left == '*' || left == '=' || left == '<' || left == '>')
-            ++needed;
-        if (left == '?' || right == '?' || (left == ':' && precedence_of(text) == kChoice))
-            needed = std::max<int>(needed, kOr);
-        const bool has_operator = needed > kChoice;
-        if (has_operator && text.starts_with("-") && strength(left) > kChoice) return "(" + text + ")";
-        return at_least(text, static_cast<Precedence>(std::min<int>(needed, kPrimary)));
-    }
-
-    Term value_of(const std::string& text) {
+    Term value_of(std::string_view text, bool may_stay_number = false) {
         if (text.starts_with("^")) {
             const Term own = value_of(text.substr(1));
-            Term made = flipped(own.type == Type::None ? link(own.text(), Type::Float2) : own);
+            Term made = flipped(own);
             made.type = Type::Float2;
             made.from_top = own.text();
             return made;
         }
-        if (text.starts_with("@") && text.find('(') != text.npos && text[1] >= 'A' && text[1] <= 'Z') return call(text);
-        if (text.starts_with("{") && text.find('}') == text.size() - 1) {
-            const Placeholder each = placeholder(std::string_view(text).substr(1, text.size() - 2));
+        if (text.starts_with("@") && text[1] >= 'A' && text[1] <= 'Z') return call(text.substr(1));
+        if (const auto only = only_placeholder(text)) {
+            is_handed_on_ = !may_stay_number && !only->is_exact && only->components.empty();
             // A node that only hands on keeps what its value is.
-            if (!each.is_exact && each.components.empty())
-                if (const auto term = maker_.linked_term(node_, each.slot); term && !is_vector(term->type))
+            if (is_handed_on_)
+                if (const auto term = maker_.linked_term(node_, only->slot); term && !is_vector(term->type))
                     return *term;
-            return term_of(each, false);
+            return term_of(*only, may_stay_number);
         }
-        Term made;
-        if (text == "$") {
-            made = self_;
-            made.type = Type::None;
+        if (text.starts_with("$") && text.find_first_of(" (") == text.npos) {
+            Term made = self_;
+            if (text == "$") return made;
+            made.base += text.substr(1);
+            made.type = type_of_member(text.substr(2));
+            made.is_color = false;
             return made;
         }
-        if (text.starts_with("$.") && text.find(' ') == text.npos && text.find('(') == text.npos) {
-            made = self_;
-            made.type = Type::None;
-            const std::string_view rest = std::string_view(text).substr(2);
-            made.base += "." + std::string(rest);
-            return made;
-        }
-        made.base = filled(text, made);
-        return with_parts(std::move(made));
+        if (text.starts_with("float") && text.size() > 6 && text[6] == '(')
+            if (const auto list = inside_call(text)) return vector(text[5], *list);
+        if (const auto number = read_number(text)) return number_term(*number);
+        if (text == "true" || text == "false") return flag_term(text == "true");
+        if (const auto other = with_neutral(text)) return *other;
+        return filled(text);
     }
 
-    // A number, a constant vector or a vector of parts is known as such.
-    static Term with_parts(Term made) {
-        if (made.base == "true" || made.base == "false") return flag_term(made.base == "true");
-        if (const auto value = read_number(made.base)) {
-            Term constant = number_term(*value);
-            constant.nodes = made.nodes;
-            return constant;
-        }
-        if (!made.base.starts_with("float") || made.base.size() < 8 || made.base[6] != '(' || !made.base.ends_with(')'))
+    // Of the node that was called last: an output, or components of one.
+    Type type_of_member(std::string_view member) const {
+        const auto port = std::ranges::find_if(
+            call_->ports, [&](const PortInfo& each) { return each.is_output && each.name == member; });
+        if (port != call_->ports.end()) return type_of_port(port->type);
+        const std::string_view components = member.substr(member.rfind('.') + 1);
+        const bool is_swizzle = components.find_first_not_of("xyzwrgba") == components.npos;
+        return is_swizzle ? vector_type(components.size()) : Type::None;
+    }
+
+    Term vector(char components, std::string_view list) {
+        const Type type = vector_type(static_cast<std::size_t>(components - '0'));
+        std::vector<Term> arguments;
+        for (const std::string& each : arguments_of(list)) arguments.push_back(value_of(each));
+        is_handed_on_ = false;
+        maker_.shorten(node_, arguments, 0);
+        return vector_term(type, arguments);
+    }
+
+    // "{0} + {1}" with a 0, "{0} * {1}" with a 1: the other one.
+    std::optional<Term> with_neutral(std::string_view text) {
+        const std::size_t end = text.find('}') + 1;
+        if (end == 0 || text.size() < end + 4 || text[end] != ' ' || text[end + 2] != ' ') return {};
+        const auto left = only_placeholder(text.substr(0, end)), right = only_placeholder(text.substr(end + 3));
+        const char sign = text[end + 1];
+        if (!left || !right || std::string_view("+-*/").find(sign) == std::string_view::npos) return {};
+        const double neutral = sign == '+' || sign == '-' ? 0 : 1;
+        const bool is_either = sign == '+' || sign == '*';
+        for (const bool from_left : {true, false}) {
+            if (!from_left && !is_either) continue;
+            const Term dropped = maker_.input(node_, from_left ? right->slot : left->slot, true);
+            if (!is_constant_of(dropped, neutral)) continue;
+            is_handed_on_ = true;
+            Term made = term_of(from_left ? *left : *right, false);
+            made.add_nodes(dropped);
             return made;
-        const std::string_view inner = std::string_view(made.base).substr(7, made.base.size() - 8);
-        const std::vector<std::string> arguments = arguments_of(inner);
-        std::string joined;
-        for (const std::string& each : arguments) joined += (joined.empty() ? "" : ", ") + each;
-        if (joined != inner) return made;
-        const std::size_t count = static_cast<std::size_t>(made.base[5] - '0');
-        if (arguments.size() > count || arguments.size() < 2) return made;
-        made.type = vector_type(count);
-        std::vector<double> numbers;
-        for (std::size_t i = 0; i < arguments.size(); ++i) {
-            // Only the first can be a vector: float4(rgb, 1).
-            made.parts.push_back({arguments[i], i == 0 ? count - arguments.size() + 1 : 1});
-            if (const auto value = read_number(arguments[i])) numbers.push_back(*value);
         }
-        if (numbers.size() == count) {
-            Term all = constant(numbers);
-            all.nodes = made.nodes;
-            return all;
+        return {};
+    }
+
+    // An expression with its placeholders and "$" filled in.
+    Term filled(std::string_view text) {
+        std::vector<Term> terms;
+        for (std::size_t at = 0; (at = text.find('{', at)) != text.npos; ++at)
+            terms.push_back(term_of(placeholder(text.substr(at + 1, text.find('}', at) - at - 1)), true));
+        is_handed_on_ = false;
+        maker_.shorten(node_, terms, text.size());
+        Term made;
+        auto next = terms.begin();
+        for (std::size_t at = 0; at < text.size(); ++at) {
+            if (text[at] == '{') {
+                const std::size_t end = text.find('}', at);
+                made.base += bracketed(next->text(), made.base, text.substr(end + 1));
+                made.add_nodes(*next);
+                made.is_color |= next->is_color && width(next->type) > 1;
+                ++next;
+                at = end;
+            } else if (text[at] == '$') {
+                made.base += self_.text();
+            } else {
+                made.base += text[at];
+            }
         }
         return made;
     }
 
-    // "@Lerp(from={0}, to=1).second": a node of the library.
-    Term call(const std::string& text) {
+    // "Lerp(from={0}, to=1).second": a node of the library.
+    Term call(std::string_view text) {
         const std::size_t open = text.find('('), close = text.rfind(')');
-        GraphNode made{.id = {}, .node = text.substr(1, open - 1)};
-        call_ = made.node;
+        GraphNode made{.id = {}, .node = std::string(text.substr(0, open))};
+        call_ = library().node(made.node);
         Term holds;
-        for (const std::string& argument : arguments_of(std::string_view(text).substr(open + 1, close - open - 1))) {
+        std::string wanted;
+        bool has_texel = false;
+        for (const std::string& argument : arguments_of(text.substr(open + 1, close - open - 1))) {
             const std::size_t equals = argument.find('=');
-            const std::string port = argument.substr(0, equals);
-            std::string value = argument.substr(equals + 1), otherwise;
-            if (const std::size_t question = value.rfind("?@"); question != value.npos) {
-                otherwise = value.substr(question + 1);
-                value.resize(question);
-            }
-            const bool is_word = value.find_first_of("{(<$@-0123456789") != 0 && value.find('(') == value.npos;
+            const std::string port = argument.substr(0, equals), value = argument.substr(equals + 1);
+            const auto info = std::ranges::find_if(
+                call_->ports, [&](const PortInfo& each) { return !each.is_output && each.name == port; });
+            const bool is_word = value[0] >= 'A' && value[0] <= 'Z' && value.find('(') == value.npos;
             if (is_word) {
-                made.inputs.push_back({port, patina::importers::text(value)});
+                if (info == call_->ports.end() || info->default_value != value)
+                    made.inputs.push_back({port, patina::importers::text(value)});
                 continue;
             }
-            Term term;
-            if (value.starts_with("{") && value.find('}') == value.size() - 1) {
-                term = term_of(placeholder(std::string_view(value).substr(1, value.size() - 2)), true);
-            } else {
-                term.base = filled(value, term);
-                term = with_parts(std::move(term));
+            const Term term = value_of(value, true);
+            if (const auto only = only_placeholder(value); only && is_texture(term.type)) {
+                if (only->use != "size") wanted = camel_case(std::string_view(term.text()).substr(1));
+                has_texel |= only->use != "normal";
+                note_texture(term, only->use);
             }
             holds.add_nodes(term);
-            note_texture(term, made.node);
-            if (!otherwise.empty() && term.text() == otherwise) continue;
-            made.inputs.push_back({port, term.value()});
+            if (info == call_->ports.end() || !is_default(*info, term)) made.inputs.push_back({port, term.value()});
         }
-        const bool is_texel = made.node.starts_with("SampleTexture") || made.node.starts_with("Triplanar") ||
-                              made.node.starts_with("SampleReflected");
-        std::string wanted = wanted_;
+        is_handed_on_ = false;
+        if (is_step_ && !wanted.empty()) wanted += "Texel";
+        if (is_step_) last_wanted_ = wanted.substr(0, wanted.size() - std::min<std::size_t>(wanted.size(), 5));
+        if (!is_step_ && wanted.empty()) wanted = last_wanted_;
         const std::string id = maker_.add_node(node_, std::move(made), wanted);
         maker_.written(holds, fmt::format("the node '{}'", id));
-        Term term = link(id + text.substr(close + 1), Type::None);
-        term.is_color = is_texel;
+        const bool is_first = close + 1 == text.size();
+        Term term =
+            link(id + std::string(text.substr(close + 1)), type_of_member(is_first ? "out" : text.substr(close + 2)));
+        term.is_color = has_texel && term.type == Type::Float4;
         return term;
     }
 
-    // A node that samples a texture is called after it, and says how the texture is used.
-    void note_texture(const Term& term, const std::string& sampling_node) {
-        if (term.type < Type::Texture2D || term.type > Type::Cubemap) return;
-        if (sampling_node.starts_with("Sample")) wanted_ = camel_case(std::string_view(term.text()).substr(1));
+    // A node that samples a texture says how the texture is used.
+    void note_texture(const Term& term, std::string_view use) {
+        if (use == "size") return;
         std::optional<SamplerState> sampler;
         for (const Slot& slot : maker_.node(node_).slots)
             if (slot.is_input && type_of_slot(slot.kind).type == Type::Sampler)
                 if (const auto linked = maker_.linked_term(node_, slot.id)) sampler = linked->sampler;
-        const bool as_normal =
-            sampling_node == "SampleNormalMap" || sampling_node == "TriplanarNormal" || sampling_node == "UnpackNormal";
-        maker_.sample_with(node_, term, as_normal, sampler);
+        const TextureMeaning meaning = use == "normal" ? TextureMeaning::Normal
+                                       : use == "data" ? TextureMeaning::Data
+                                                       : TextureMeaning::Color;
+        maker_.sample_with(node_, term, meaning, sampler);
     }
 
     GraphMaker& maker_;
     const std::size_t node_;
     const NodeRule& rule_;
+    const NodeFacts& facts_;
     std::map<int, std::size_t> counts_{};
-    Term self_{};           // "$"
-    std::string wanted_{};  // name of the node
-    std::string call_{};    // the node of the library that is being made
+    Term self_{};                     // "$"
+    const NodeInfo* call_ = nullptr;  // the node of the library that was called last
+    bool is_step_ = false;            // a further "$" reads this one
+    std::string last_wanted_{};       // the name for what such a step leads to
+    bool is_handed_on_ = false;       // the value is that of an input
 };
 
 }  // namespace
 
+void GraphMaker::shorten(std::size_t index, std::vector<Term>& terms, std::size_t length) {
+    constexpr std::size_t kLongest = 80;
+    for (const Term& each : terms) length += each.text().size();
+    while (length > kLongest) {
+        Term* longest = nullptr;
+        for (Term& each : terms)
+            if (!each.is_constant() && !each.is_link() && each.owner && *each.owner != index &&
+                (!longest || each.text().size() > longest->text().size()))
+                longest = &each;
+        if (!longest) return;
+        const Term name = named(*longest);
+        if (name.text() == longest->text()) return;
+        length -= longest->text().size() - name.text().size();
+        *longest = name;
+    }
+}
+
 bool apply_rule(GraphMaker& maker, std::size_t node) {
     const NodeFacts facts{.is_linked = [&](int slot) { return maker.is_linked(node, slot); },
-                          .is_used = [&](int slot) { return maker.is_used(node, slot); }};
+                          .is_used = [&](int slot) { return maker.is_used(node, slot); },
+                          .components =
+                              [&](int slot) {
+                                  const Slot* found = maker.node(node).slot(slot);
+                                  return found ? width(maker.type_of(node, *found)) : 1;
+                              }};
     const NodeRule* rule = rule_of(maker.node(node), facts);
     if (!rule) return false;
-    if (rule->remark.starts_with("!")) {
+    if (rule->remark.starts_with("!"))
         maker.refuse(node, std::string(rule->remark.substr(1)));
-        return true;
-    }
-    return Rule(maker, node, *rule).apply();
+    else
+        Rule(maker, node, *rule, facts).apply();
+    return true;
 }
 
 }  // namespace patina::importers::shadergraph

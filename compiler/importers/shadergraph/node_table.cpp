@@ -1,5 +1,7 @@
 #include "compiler/importers/shadergraph/node_table.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
 #include <map>
@@ -57,31 +59,47 @@ const Table& table() {
     return made;
 }
 
+// "m_Mode=1,2*": one of the values; the one with a star is that of a file without the setting.
+bool is_set(std::string_view name, std::string_view values, const Node& node) {
+    const bool is_there = member(node.json, name);
+    const int set = whole_of(node.json, name);
+    for (std::string_view each : split(values, ",")) {
+        const bool is_default = each.ends_with('*');
+        if (is_default) each.remove_suffix(1);
+        if (is_there ? number_in(each) == set : is_default) return true;
+    }
+    return false;
+}
+
 bool holds(std::string_view condition, const Node& node, const NodeFacts& facts) {
     for (const std::string_view word : split(condition, " ")) {
-        if (word.starts_with("linked:")) {
-            if (!facts.is_linked(number_in(word.substr(7)))) return false;
-        } else if (word.starts_with("uses:")) {
-            if (!facts.is_used(number_in(word.substr(5)))) return false;
-        } else if (word.starts_with("version<")) {
-            if (node.version >= number_in(word.substr(8))) return false;
-        } else {
-            const std::size_t equals = word.find('=');
-            // A setting that the file does not have is not that of a row, so the last row has the default.
-            if (!member(node.json, word.substr(0, equals))) return false;
-            if (whole_of(node.json, word.substr(0, equals)) != number_in(word.substr(equals + 1))) return false;
-        }
+        const std::size_t mark = word.find_first_of(":<=");
+        const std::string_view what = word.substr(0, mark), value = word.substr(mark + 1);
+        const bool is_true = word[mark] == '='   ? is_set(what, value, node)
+                             : word[mark] == '<' ? node.version < number_in(value)
+                             : what == "linked"  ? facts.is_linked(number_in(value))
+                             : what == "number"  ? facts.components(number_in(value)) == 1
+                                                 : facts.is_used(number_in(value));
+        if (!is_true) return false;
     }
     return true;
 }
 
 // What stands between "<" and ">".
-std::string setting(std::string_view text, const Node& node, const std::function<std::size_t(int)>& components) {
-    if (text.size() > 2 && text[0] >= '2' && text[0] <= '4' && text[1] == ' ')
-        return constant(vector_of(node.json, text.substr(2), static_cast<std::size_t>(text[0] - '0'))).text();
+std::string setting(std::string_view text, const Node& node, const NodeFacts& facts) {
+    const std::size_t equals = text.find('=');
+    const std::string_view otherwise = equals == text.npos ? std::string_view() : text.substr(equals + 1);
+    text = text.substr(0, equals);
+    if (text.size() > 2 && text[0] >= '2' && text[0] <= '4' && text[1] == ' ') {
+        if (member(node.json, text.substr(2)))
+            return constant(vector_of(node.json, text.substr(2), static_cast<std::size_t>(text[0] - '0'))).text();
+        std::vector<double> numbers;
+        for (const std::string_view each : split(otherwise, ",")) numbers.push_back(read_number(each).value_or(0));
+        return constant(numbers).text();
+    }
     const std::size_t colon = text.find(':');
-    if (colon == text.npos) return digits(number_of(node.json, text));
-    const std::size_t count = std::clamp<std::size_t>(components(number_in(text.substr(colon + 1))), 1, 4);
+    if (colon == text.npos) return digits(number_of(node.json, text, read_number(otherwise).value_or(0)));
+    const std::size_t count = std::clamp<std::size_t>(facts.components(number_in(text.substr(colon + 1))), 1, 4);
     std::vector<double> flags;
     if (text[0] == '&') {
         const int bits = whole_of(node.json, text.substr(1, colon - 1), -1);
@@ -114,20 +132,25 @@ std::vector<std::string_view> classes_in_table() {
     return made;
 }
 
-bool fill_settings(std::string& text, const Node& node, const std::function<std::size_t(int)>& components) {
+std::string fill_settings(std::string& text, const Node& node, const NodeFacts& facts) {
     for (std::size_t begin; (begin = text.find('[')) != text.npos;) {
         const std::size_t end = text.find(']', begin);
-        if (end == text.npos) break;
-        const std::string inner = text.substr(begin + 1, end - begin - 1);
-        std::vector<std::string> words;
-        for (std::size_t at = 0; at <= inner.size();) {
-            const std::size_t bar = std::min(inner.find('|', at), inner.size());
-            words.push_back(inner.substr(at, bar - at));
-            at = bar + 1;
-        }
-        const int choice = whole_of(node.json, words[0]);
-        if (choice < 0 || choice + 1 >= static_cast<int>(words.size())) return false;
-        text.replace(begin, end - begin + 1, words[static_cast<std::size_t>(choice) + 1]);
+        std::string_view rest = std::string_view(text).substr(begin + 1, end - begin - 1);
+        const auto next = [&] {
+            const std::size_t bar = std::min(rest.find('|'), rest.size());
+            const std::string_view word = rest.substr(0, bar);
+            rest.remove_prefix(std::min(bar + 1, rest.size()));
+            return word;
+        };
+        std::string_view name = next();
+        const std::size_t equals = name.find('=');
+        const int otherwise = equals == name.npos ? 0 : number_in(name.substr(equals + 1));
+        name = name.substr(0, equals);
+        const int chosen = whole_of(node.json, name, otherwise);
+        for (int skipped = 0; skipped < chosen && !rest.empty(); ++skipped) next();
+        if (chosen < 0 || rest.empty())
+            return fmt::format("its setting '{}' is {}, which this importer does not know", name, chosen);
+        text = text.substr(0, begin) + std::string(next()) + text.substr(end + 1);
     }
     for (std::size_t begin = 0; (begin = text.find('<', begin)) != text.npos; ++begin) {
         const char next = begin + 1 < text.size() ? text[begin + 1] : ' ';
@@ -135,9 +158,9 @@ bool fill_settings(std::string& text, const Node& node, const std::function<std:
         const bool is_setting = next == '&' || (next >= '2' && next <= '4') || (next >= 'a' && next <= 'z');
         if (!is_setting || end == text.npos) continue;
         text.replace(begin, end - begin + 1,
-                     setting(std::string_view(text).substr(begin + 1, end - begin - 1), node, components));
+                     setting(std::string_view(text).substr(begin + 1, end - begin - 1), node, facts));
     }
-    return true;
+    return {};
 }
 
 std::vector<std::string> arguments_of(std::string_view list) {

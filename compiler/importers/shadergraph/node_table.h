@@ -23,16 +23,17 @@ struct NodeRule {
 };
 // What a condition asks of a node.
 struct NodeFacts {
-    std::function<bool(int)> is_linked, is_used;  // an input, an output
+    std::function<bool(int)> is_linked, is_used;   // an input, an output
+    std::function<std::size_t(int)> components{};  // of an input's type
 };
 // Null: the class is not in the table, or no row fits.
 const NodeRule* rule_of(const Node& node, const NodeFacts& facts);
 bool is_in_table(std::string_view kind);
 std::vector<std::string_view> classes_in_table();  // each once, in order
 
-// Choices "[s|a|b]" and settings "<s>" replaced by what the node says; false: a choice has no such value.
-// `components`: of the input with that slot, for "<...:0>".
-bool fill_settings(std::string& text, const Node& node, const std::function<std::size_t(int)>& components);
+// Choices "[s|a|b]" and settings "<s>" replaced by what the node says. A choice may have no such value: what is wrong
+// then, else empty.
+std::string fill_settings(std::string& text, const Node& node, const NodeFacts& facts);
 
 // The arguments of a call at the outer level: "a, f(b, c)" -> "a", "f(b, c)".
 std::vector<std::string> arguments_of(std::string_view list);

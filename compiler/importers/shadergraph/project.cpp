@@ -28,6 +28,11 @@ std::string file_word(std::string_view name) {
 
 }  // namespace
 
+const Compiler& library() {
+    static const Compiler made;
+    return made;
+}
+
 std::string Project::add_graph(const std::string& path, const std::string& name) {
     const SubgraphPorts made = read_graph(path, name);
     return made.error;

@@ -11,6 +11,7 @@
 #include "compiler/importers/shadergraph/read/assets.h"
 #include "compiler/importers/shadergraph/read/shader_graph.h"
 #include "compiler/importers/shadergraph/values/types.h"
+#include "patina/patina.h"
 
 namespace patina::importers::shadergraph {
 
@@ -23,6 +24,7 @@ struct SubgraphPorts {
         std::string name{}, guid{}, reference{};
         Type type = Type::None;
         bool is_dropdown = false;
+        bool is_perceptual = false;          // a gradient whose colours are blended in OkLab
         bool is_normal_map = false;          // it is sampled as one
         std::vector<std::string> entries{};  // of a dropdown
         std::string connected{};  // the further input that says whether this one is connected; empty: nothing asks
@@ -35,6 +37,9 @@ struct SubgraphPorts {
     std::vector<Input> inputs{};
     std::vector<Output> outputs{};
 };
+
+// The library, of which graphs name nodes.
+const Compiler& library();
 
 class Project {
 public:

@@ -74,10 +74,10 @@ public:
         if (made_.is_lit && is_universal) made_.lighting = "unity-brdf2";
         const std::string difference(is_known ? material->difference
                                               : "this importer does not know it: it is drawn without light");
-        add(difference.empty() ? Remark::Kind::Taken : Remark::Kind::Changed, "Material",
-            fmt::format("the workflow '{}'{}", made_.is_lit ? "metallic" : "unlit",
-                        difference.empty() ? "" : ": " + difference));
         workflow();
+        add(difference.empty() ? Remark::Kind::Taken : Remark::Kind::Changed, "Material",
+            fmt::format("the workflow '{}'{}", made_.workflow(), difference.empty() ? "" : ": " + difference));
+        made_.has_many_blocks = target_.kind.starts_with("HD");
         surface();
         faces_and_depth();
         rest();
@@ -104,8 +104,7 @@ private:
     void workflow() {
         if (!made_.is_lit) return;
         made_.is_specular = whole(holder("m_WorkflowMode") ? "m_WorkflowMode" : "m_Model", 1) == 0;
-        add(Remark::Kind::Taken, "Workflow Mode",
-            made_.is_specular ? "'specular-glossiness'" : "'metallic-smoothness'");
+        add(Remark::Kind::Taken, "Workflow Mode", fmt::format("'{}'", made_.workflow()));
         made_.has_coat = whole("m_ClearCoat", 0) != 0;
         if (made_.has_coat) add(Remark::Kind::Changed, "Clear Coat", "the surface has no coat");
     }
@@ -195,6 +194,11 @@ bool is_clipped_by_slot(const ShaderGraph& graph) {
 
 }  // namespace
 
+std::string_view Settings::workflow() const {
+    if (!is_lit) return "unlit";
+    return is_specular ? "specular-glossiness" : "metallic-smoothness";
+}
+
 bool Settings::uses(std::string_view block) const {
     if (block == "Metallic") return is_lit && !is_specular;
     if (block == "Specular") return is_lit && is_specular;
@@ -205,6 +209,7 @@ bool Settings::uses(std::string_view block) const {
 
 bool Settings::wants(std::string_view block) const {
     if (block.starts_with("Coat")) return has_coat;
+    if (has_many_blocks && uses(block)) return true;
     return block == "SpriteMask" || block.starts_with("Fullscreen") || block == "NormalAlpha" || block == "MAOSAlpha";
 }
 

@@ -19,9 +19,11 @@ struct Settings {
     bool is_clipped_blend = false;  // both, which no kind of surface is
     bool is_tinted = false;         // multiplied by the colour of the vertices, as sprites are
     bool has_coat = false;
+    bool has_many_blocks = false;  // the target has blocks for many kinds of surfaces
     std::vector<Member> render{};
     std::vector<SettingRemark> remarks{};
 
+    std::string_view workflow() const;         // its name in the library
     bool uses(std::string_view block) const;   // the target has this block with these settings
     bool wants(std::string_view block) const;  // it has the block, and a workflow may not
 };

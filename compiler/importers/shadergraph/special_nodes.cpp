@@ -74,22 +74,8 @@ void texture_asset(GraphMaker& maker, std::size_t node) {
 void multiply(GraphMaker& maker, std::size_t node) {
     const auto first = maker.linked_term(node, 0), second = maker.linked_term(node, 1);
     const bool is_first = first && is_matrix(first->type), is_second = second && is_matrix(second->type);
-    Term a, b;
     if (!is_first && !is_second) {
-        a = maker.input(node, 0, true);
-        b = maker.input(node, 1, true);
-        constexpr std::size_t kLongest = 80;
-        for (Term* each : {&a, &b})
-            if (a.text().size() + b.text().size() > kLongest && each->text().size() > kLongest / 3)
-                *each = maker.named(*each);
-        const auto factor = [](const Term& term) {
-            std::string text = at_least(term.text(), kProduct);
-            return text.starts_with("-") ? "(" + text + ")" : text;
-        };
-        const std::string right = precedence_of(b.text()) == kProduct ? "(" + b.text() + ")" : factor(b);
-        Term made = joined(fmt::format("{} * {}", factor(a), right), a.type == Type::Float ? b.type : a.type, {&a, &b});
-        made.is_color = a.is_color || b.is_color;
-        maker.set(node, 2, made);
+        apply_rule(maker, node);
         return;
     }
     std::size_t rows = 4;
@@ -103,8 +89,7 @@ void multiply(GraphMaker& maker, std::size_t node) {
             row.push_back(number_of(maker.node(node).slot(slot)->json, fmt::format("m_Value.e0{}", i)));
         return constant(row);
     };
-    a = operand(first, 0);
-    b = operand(second, 1);
+    const Term a = operand(first, 0), b = operand(second, 1);
     const Type type = is_first && is_second ? matrix_type(rows) : vector_type(rows);
     maker.set(node, 2, joined(fmt::format("mul({}, {})", a.text(), b.text()), type, {&a, &b}));
 }
@@ -136,10 +121,8 @@ void append(GraphMaker& maker, std::size_t node) {
         return width(value.type) > most ? converted(value, vector_type(most)) : value;
     };
     const Term a = part(0, 3), b = part(1, 4 - width(a.type));
-    Term made = joined("", vector_type(width(a.type) + width(b.type)), {&a, &b});
-    made.base = fmt::format("{}({}, {})", word(made.type), a.text(), b.text());
-    made.parts = {{a.text(), width(a.type)}, {b.text(), width(b.type)}};
-    maker.set(node, 2, made);
+    const Term parts[] = {a, b};
+    maker.set(node, 2, vector_term(vector_type(width(a.type) + width(b.type)), parts));
 }
 
 void swizzle(GraphMaker& maker, std::size_t node) {

@@ -53,26 +53,29 @@ void make_subgraph_node(GraphMaker& maker, std::size_t index) {
         const Slot* slot = slot_of(at, input);
         const bool is_linked = slot && maker.is_linked(index, slot->id);
         if (!input.connected.empty() && is_linked) made.inputs.push_back({input.connected, flag_term(true).value()});
-        if (!is_value(input.type) || is_matrix(input.type)) {
-            if (input.type < Type::Texture2D || input.type > Type::Cubemap) {
-                if (is_linked && input.type != Type::Sampler)
-                    maker.approximate(
-                        index, fmt::format("the input '{}' keeps its default, because a sub-graph cannot take {}",
-                                           input.name, word(input.type)));
-                continue;
-            }
+        const bool is_gradient = input.type == Type::Gradient;
+        if (!is_value(input.type) && !is_gradient && !is_texture(input.type)) {
+            if (is_linked && input.type != Type::Sampler)
+                maker.approximate(index,
+                                  fmt::format("the input '{}' keeps its default, because a sub-graph cannot take {}",
+                                              input.name, word(input.type)));
+            continue;
         }
         if (!slot) {
-            if (is_value(input.type)) continue;  // its default
+            if (!is_texture(input.type)) continue;  // its default
             made.inputs.push_back({input.name, maker.texture_constant(index, input.type, nullptr, "", 0).value()});
             continue;
         }
-        Term term = maker.input(index, slot->id, true);
-        if (input.type == Type::Texture2D && input.is_normal_map) maker.sample_with(index, term, true, std::nullopt);
-        if (is_value(input.type)) term = converted(term, input.type, true);
-        if (term.text().size() > 80) term = maker.named(term);
-        holds.add_nodes(term);
-        made.inputs.push_back({input.name, term.value()});
+        std::vector<Term> term = {maker.input(index, slot->id, true)};
+        if (input.type == Type::Texture2D && input.is_normal_map)
+            maker.sample_with(index, term[0], TextureMeaning::Normal, std::nullopt);
+        if (is_gradient && term[0].gradient && term[0].gradient->is_perceptual() != input.is_perceptual)
+            maker.approximate(index, fmt::format("the sub-graph blends the gradient '{}' {}", input.name,
+                                                 input.is_perceptual ? "in OkLab" : "as a picker shows its colours"));
+        if (is_value(input.type)) term[0] = converted(term[0], input.type, true);
+        maker.shorten(index, term, 0);
+        holds.add_nodes(term[0]);
+        made.inputs.push_back({input.name, term[0].value()});
     }
     const std::string id = maker.add_node(index, std::move(made));
     maker.written(holds, fmt::format("the node '{}'", id));

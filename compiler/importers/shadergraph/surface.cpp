@@ -62,7 +62,7 @@ void GraphMaker::add_pinned(std::string id, const Block& block) {
 void GraphMaker::make_surface() {
     const Settings settings = read_settings(graph_);
     for (const SettingRemark& each : settings.remarks) remark(each.kind, each.part, each.text, each.place);
-    file_.workflow = settings.is_lit ? settings.is_specular ? "specular-glossiness" : "metallic-smoothness" : "unlit";
+    file_.workflow = settings.workflow();
     file_.lighting = settings.lighting;
     std::vector<Member> vertex;
     Term alpha, clip = number_term(0.5);

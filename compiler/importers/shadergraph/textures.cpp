@@ -70,30 +70,34 @@ Term GraphMaker::texture_constant(std::size_t index, Type type, const Json* hold
         name = property_names_.unique("_" + wanted, "_texture");
         GraphProperty made{.name = name, .type = std::string(type_word(type))};
         made.value = text(picture.file.empty() ? default_word(default_type) : std::string_view(picture.file));
-        if (default_type == 4) made.more.push_back({"usage", text("data")});
         if (!picture.missing.empty()) {
             made.comment = fmt::format("The picture with the GUID {} was not found.", picture.missing);
             approximate(index, fmt::format("its picture has the GUID {}, which no file in {} has: the texture is {}",
                                            picture.missing, project_.assets.folders(), default_word(default_type)));
         }
         file_.properties.push_back(std::move(made));
-        if (type == Type::Texture2D) textures_[name].is_normal = default_type == 3;
+        if (type == Type::Texture2D) {
+            textures_[name].is_normal = default_type == 3;
+            textures_[name].is_linear = default_type == 4;
+        }
     }
     return link("$" + name, type);
 }
 
-void GraphMaker::sample_with(std::size_t index, const Term& texture, bool as_normal,
+void GraphMaker::sample_with(std::size_t index, const Term& texture, TextureMeaning meaning,
                              const std::optional<SamplerState>& sampler) {
     const auto found = textures_.find(texture.base.substr(1));
     if (found == textures_.end()) {
         for (SubgraphPorts::Input& input : ports_.inputs)
-            if (as_normal && "$" + input.name == texture.base) input.is_normal_map = true;
+            if (meaning == TextureMeaning::Normal && "$" + input.name == texture.base) input.is_normal_map = true;
         if (sampler && *sampler != SamplerState{})
             approximate(index, "the texture has the sampler of the material that uses this sub-graph");
         return;
     }
     TextureUse& use = found->second;
-    (as_normal ? use.is_normal : use.is_color) = true;
+    use.is_normal |= meaning == TextureMeaning::Normal;
+    use.is_color |= meaning == TextureMeaning::Color;
+    use.is_data |= meaning == TextureMeaning::Data;
     const SamplerState wanted = sampler.value_or(SamplerState{});
     if (!use.sampler) use.sampler = wanted;
     if (*use.sampler != wanted) use.other_samplers.insert(index);
@@ -120,14 +124,16 @@ void GraphMaker::finish_textures() {
                                          project_.assets.folders());
             }
             if (type == Type::Texture2D) use.is_normal |= default_type == 3;
-            if (default_type == 4 && !use.is_normal) made->more.push_back({"usage", text("data")});
+            use.is_linear |= default_type == 4;
             if (default_type == 5) difference = "it is white without a picture, not red";
             if (flag_of(source->json, "useTilingAndOffset"))
                 made->more.push_back({"tiling", patina::importers::flag(true)});
             if (source->name != name && !source->name.empty()) made->more.push_back({"label", text(source->name)});
             if (!source->group.empty()) made->more.push_back({"group", text(source->group)});
         }
-        if (use.is_normal && made->type == "texture2d") made->more.push_back({"usage", text("normal")});
+        const bool is_data = use.is_linear || (use.is_data && !use.is_color);
+        if (made->type == "texture2d" && (use.is_normal || is_data))
+            made->more.push_back({"usage", text(use.is_normal ? "normal" : "data")});
         if (use.sampler)
             if (const Value sampler = sampler_value(*use.sampler); !sampler.json.empty())
                 made->more.push_back({"sampler", sampler});

@@ -10,7 +10,6 @@
 #include "compiler/base/text.h"
 #include "compiler/importers/shadergraph/code/hlsl_text.h"
 #include "compiler/importers/shadergraph/graph_maker.h"
-#include "patina/patina.h"
 
 namespace patina::importers::shadergraph {
 namespace {
@@ -21,7 +20,8 @@ std::string port_of(const Slot& slot) {
 }
 
 struct Code {
-    std::string text{};  // of the node file
+    std::string text{};                // of the node file
+    std::vector<std::string> ports{};  // of the node's inputs, then of its outputs
     std::string error{};
     bool has_engine_words = false;  // it reads values of the engine, for which the library's stand
     bool is_missing = false;        // its file is not there
@@ -68,13 +68,20 @@ bool apply_known(GraphMaker& maker, std::size_t index, std::string_view function
     return true;
 }
 
+// Inputs, then outputs: the order of the function's parameters.
+std::vector<const Slot*> ordered(const Node& node) {
+    std::vector<const Slot*> made;
+    for (const bool is_input : {true, false})
+        for (const Slot& slot : node.slots)
+            if (slot.is_input == is_input) made.push_back(&slot);
+    return made;
+}
+
 std::string signature(GraphMaker& maker, std::size_t index) {
     std::string made;
-    for (const bool is_input : {true, false})
-        for (const Slot& slot : maker.node(index).slots)
-            if (slot.is_input == is_input)
-                made += fmt::format("{}{}{} {}", made.empty() ? "" : ", ", is_input ? "" : "out ",
-                                    word(maker.type_of(index, slot)), port_of(slot));
+    for (const Slot* slot : ordered(maker.node(index)))
+        made += fmt::format("{}{}{} {}", made.empty() ? "" : ", ", slot->is_input ? "" : "out ",
+                            word(maker.type_of(index, *slot)), port_of(*slot));
     return made;
 }
 
@@ -108,11 +115,35 @@ std::string node_function(std::string_view name, std::string_view signature, std
                        signature.empty() || more.empty() ? "" : ", ", more, indented(body));
 }
 
+// The names of parameters: "float3 Normal : NORMAL, out float Out" -> "Normal", "Out".
+std::vector<std::string> names_in(std::string_view parameters) {
+    std::vector<std::string> made;
+    for (const std::string& each : arguments_of(parameters)) {
+        const std::string_view head = std::string_view(each).substr(0, each.find_first_of(":=["));
+        const std::size_t last = head.find_last_not_of(' ');
+        const std::size_t begin = last == head.npos ? last : head.find_last_of(" \t", last);
+        made.emplace_back(begin == head.npos ? "" : head.substr(begin + 1, last - begin));
+    }
+    return made;
+}
+
+// The first output that the code leaves as it is.
+std::string unassigned(const Node& node, const Code& code, std::string_view body) {
+    const std::vector<const Slot*> slots = ordered(node);
+    for (std::size_t i = 0; i < slots.size(); ++i)
+        if (!slots[i]->is_input && !assigns(body, code.ports[i]))
+            return fmt::format("its code never assigns its output '{}'", code.ports[i]);
+    return {};
+}
+
 Code from_string(GraphMaker& maker, std::size_t index, std::string_view name) {
     const HlslText body = in_node_language(text_of(maker.node(index).json, "m_FunctionBody"));
     if (!body.error.empty()) return {.error = body.error};
-    return {.text = node_function(name, signature(maker, index), body.parameters, body.code),
-            .has_engine_words = !body.parameters.empty()};
+    Code made{.text = node_function(name, signature(maker, index), body.parameters, body.code),
+              .has_engine_words = !body.parameters.empty()};
+    for (const Slot* slot : ordered(maker.node(index))) made.ports.push_back(port_of(*slot));
+    made.error = unassigned(maker.node(index), made, body.code);
+    return made;
 }
 
 // The function of the node, and those of the file that it calls.
@@ -142,16 +173,16 @@ Code from_file(GraphMaker& maker, std::size_t index, std::string_view name, std:
                 needed.push_back(&each);
     if (needed.size() > 1 && !code.parameters.empty())
         return {.error = "functions that it calls read values of the engine"};
-    Code made{.has_engine_words = !code.parameters.empty()};
+    Code made{.ports = names_in(main->parameters), .has_engine_words = !code.parameters.empty()};
+    const std::size_t slots = maker.node(index).slots.size();
+    if (made.ports.size() != slots)
+        return {.error = fmt::format("its function '{}' has {} parameters, and the node has {} inputs and outputs", own,
+                                     made.ports.size(), slots)};
+    made.error = unassigned(maker.node(index), made, main->body);
     for (std::size_t i = needed.size(); i-- > 1;)
         made.text += fmt::format("{} {}({}) {{\n{}}}\n\n", needed[i]->result, needed[i]->name, needed[i]->parameters,
                                  indented(needed[i]->body));
     made.text += node_function(name, main->parameters, code.parameters, main->body);
-    return made;
-}
-
-const Compiler& compiler() {
-    static const Compiler made;
     return made;
 }
 
@@ -162,9 +193,12 @@ std::string mistake(const std::string& file, const std::string& text) {
         if (path == file) return text;
         return std::nullopt;
     };
-    const NodeFileResult result = compiler().check_node_file(file, options);
+    const NodeFileResult result = library().check_node_file(file, options);
     for (const Diagnostic& each : result.diagnostics)
-        if (each.severity == Severity::Error) return each.message;
+        if (each.severity == Severity::Error) {
+            const std::size_t begin = std::min(each.source_line.find_first_not_of(' '), each.source_line.size());
+            return fmt::format("{}, in '{}'", each.message, each.source_line.substr(begin, 80));
+        }
     return result.ok ? "" : "it is not valid";
 }
 
@@ -179,7 +213,7 @@ void make_custom_function(GraphMaker& maker, std::size_t index) {
     }
     std::string name = own;
     name[0] = name[0] >= 'a' && name[0] <= 'z' ? static_cast<char>(name[0] - 32) : name[0];
-    if (compiler().node(name)) name += "Custom";
+    if (library().node(name)) name += "Custom";
     const bool is_file = whole_of(at.json, "m_SourceType") == 0;
     const Code code = is_file ? from_file(maker, index, name, own) : from_string(maker, index, name);
     if (code.is_missing && apply_known(maker, index, own)) {
@@ -201,18 +235,19 @@ void make_custom_function(GraphMaker& maker, std::size_t index) {
         maker.approximate(index, "for the engine's values stand those of the library: its main light is '@light'");
     GraphNode made{.id = {}, .node = "./" + file};
     Term holds;
-    for (const Slot& slot : at.slots) {
-        if (!slot.is_input) continue;
-        Term term = maker.input(index, slot.id, true);
-        if (term.text().size() > 80) term = maker.named(term);
-        holds.add_nodes(term);
-        made.inputs.push_back({port_of(slot), term.value()});
+    const std::vector<const Slot*> slots = ordered(at);
+    for (std::size_t i = 0; i < slots.size(); ++i) {
+        if (!slots[i]->is_input) continue;
+        std::vector<Term> term = {maker.input(index, slots[i]->id, true)};
+        maker.shorten(index, term, 0);
+        holds.add_nodes(term[0]);
+        made.inputs.push_back({code.ports[i], term[0].value()});
     }
     const std::string id = maker.add_node(index, std::move(made), camel_case(own));
     maker.written(holds, fmt::format("the node '{}'", id));
-    for (const Slot& slot : at.slots)
-        if (!slot.is_input && maker.is_used(index, slot.id))
-            maker.set(index, slot.id, link(id + "." + port_of(slot), maker.type_of(index, slot)));
+    for (std::size_t i = 0; i < slots.size(); ++i)
+        if (!slots[i]->is_input && maker.is_used(index, slots[i]->id))
+            maker.set(index, slots[i]->id, link(id + "." + code.ports[i], maker.type_of(index, *slots[i])));
 }
 
 }  // namespace patina::importers::shadergraph

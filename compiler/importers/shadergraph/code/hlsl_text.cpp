@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
 
 #include "compiler/base/text.h"
+#include "compiler/importers/shadergraph/code/condition.h"
 
 namespace patina::importers::shadergraph {
 namespace {
@@ -24,96 +24,126 @@ std::string_view trimmed(std::string_view text) {
     return text;
 }
 
-std::string without_comments(std::string_view text) {
+std::string at_line(std::size_t line, std::string_view text) {
+    return fmt::format("line {} of its code: {}", line, text);
+}
+
+// Lines keep their numbers.
+std::string without_comments(std::string_view text, std::string& error) {
     std::string made;
+    std::size_t line = 1;
     for (std::size_t i = 0; i < text.size(); ++i) {
         if (text.substr(i, 2) == "//") {
-            while (i < text.size() && text[i] != '\n') ++i;
-            if (i < text.size()) made += '\n';
+            i = std::min(text.find('\n', i), text.size());
         } else if (text.substr(i, 2) == "/*") {
             const std::size_t end = text.find("*/", i + 2);
+            if (end == text.npos) {
+                error = at_line(line, "a comment begins with '/*' and has no end");
+                return made;
+            }
             made += ' ';
-            i = end == text.npos ? text.size() : end + 1;
-        } else {
-            made += text[i];
+            for (; i < end + 1; ++i)
+                if (text[i] == '\n') made += '\n', ++line;
+            continue;
         }
+        if (i >= text.size()) break;
+        made += text[i];
+        if (text[i] == '\n') ++line;
     }
     return made;
 }
 
-using Macros = std::map<std::string, std::string, std::less<>>;
-
-// A condition of the preprocessor: "defined(A) && !B", "X", "0". Nothing is defined but what the text defines: the
-// engine's own words are for its previews and its pipelines.
-bool condition(std::string_view text, const Macros& macros) {
-    text = trimmed(text);
-    for (const std::string_view op : {"||", "&&"}) {
-        int depth = 0;
-        for (std::size_t i = 0; i + 1 < text.size(); ++i) {
-            if (text[i] == '(') ++depth;
-            if (text[i] == ')') --depth;
-            if (depth > 0 || text.substr(i, 2) != op) continue;
-            const bool left = condition(text.substr(0, i), macros), right = condition(text.substr(i + 2), macros);
-            return op == "||" ? left || right : left && right;
+// The lines that the preprocessor leaves; the others are empty.
+class Preprocessor {
+public:
+    std::string run(std::string_view text) {
+        std::string made;
+        for (std::size_t at = 0; at < text.size() && error.empty();) {
+            std::size_t end = std::min(text.find('\n', at), text.size());
+            std::string line(trimmed(text.substr(at, end - at)));
+            ++line_;
+            at = end + 1;
+            std::size_t more = 0;
+            for (; line.starts_with("#") && line.ends_with("\\") && at < text.size(); ++more) {
+                end = std::min(text.find('\n', at), text.size());
+                line.back() = ' ';
+                line += trimmed(text.substr(at, end - at));
+                at = end + 1;
+            }
+            if (line.starts_with("#"))
+                directive(trimmed(std::string_view(line).substr(1)));
+            else if (is_open())
+                made += line;
+            made += std::string(more + 1, '\n');
+            line_ += more;
         }
+        if (!branches_.empty() && error.empty())
+            error = at_line(branches_.back().line, "it has an '#if' without its '#endif'");
+        return made;
     }
-    if (text.starts_with("!")) return !condition(text.substr(1), macros);
-    if (text.starts_with("(") && text.ends_with(")")) return condition(text.substr(1, text.size() - 2), macros);
-    if (text.starts_with("defined")) {
-        std::string_view name = trimmed(text.substr(7));
-        if (name.starts_with("(") && name.ends_with(")")) name = trimmed(name.substr(1, name.size() - 2));
-        return macros.contains(name);
-    }
-    if (const auto found = macros.find(text); found != macros.end()) text = found->second;
-    return !text.empty() && is_digit(text[0]) && text.find_first_not_of("0.") != text.npos;
-}
 
-// The lines that the preprocessor leaves.
-std::string preprocessed(std::string_view text, Macros& macros, std::string& error) {
+    Macros macros{};
+    std::string error{};
+
+private:
     struct Branch {
         bool is_open = true, was_open = true;  // this part is taken; one of the parts was
+        std::size_t line = 0;
     };
-    std::vector<Branch> branches;
-    std::string made;
-    const auto decided = [&](std::string_view asked) {
-        constexpr std::size_t kLongest = 1000;  // condition() calls itself
-        if (asked.size() <= kLongest) return condition(asked, macros);
-        error = "a condition of its preprocessor is too long";
-        return false;
-    };
-    for (std::size_t at = 0; at < text.size();) {
-        const std::size_t end = std::min(text.find('\n', at), text.size());
-        const std::string_view line = trimmed(text.substr(at, end - at));
-        at = end + 1;
-        const bool is_open = std::ranges::all_of(branches, &Branch::is_open);
-        if (!line.starts_with("#")) {
-            if (is_open) made += std::string(line) + "\n";
-            continue;
-        }
-        const std::string_view word = trimmed(line.substr(1));
-        const std::size_t space = std::min(word.find_first_of(" \t("), word.size());
-        const std::string_view name = word.substr(0, space), rest = trimmed(word.substr(space));
+    bool is_open() const { return std::ranges::all_of(branches_, &Branch::is_open); }
+
+    bool holds(std::string_view condition) {
+        const Decision made = decided(condition, macros);
+        if (!made.error.empty()) error = at_line(line_, "its condition cannot be decided: " + made.error);
+        return made.holds;
+    }
+
+    void directive(std::string_view text) {
+        const std::size_t space = std::min(text.find_first_of(" \t(!"), text.size());
+        const std::string_view name = text.substr(0, space), rest = trimmed(text.substr(space));
         if (name == "if" || name == "ifdef" || name == "ifndef") {
-            const bool holds = name == "if" ? decided(rest) : macros.contains(rest) == (name == "ifdef");
-            branches.push_back({.is_open = holds, .was_open = holds});
-        } else if ((name == "else" || name == "elif") && !branches.empty()) {
-            Branch& last = branches.back();
-            last.is_open = !last.was_open && (name == "else" || decided(rest));
-            last.was_open |= last.is_open;
-        } else if (name == "endif" && !branches.empty()) {
-            branches.pop_back();
-        } else if (name == "define" && is_open) {
-            const std::size_t stop = std::min(rest.find_first_of(" \t("), rest.size());
-            if (stop < rest.size() && rest[stop] == '(') {
-                error = fmt::format("it has the macro '{}' with arguments", rest.substr(0, stop));
-                continue;
+            // Nobody asks for what lies in a part that is not taken.
+            const bool is_taken =
+                is_open() && (name == "if" ? holds(rest) : macros.contains(rest) == (name == "ifdef"));
+            branches_.push_back({.is_open = is_taken, .was_open = is_taken || !is_open(), .line = line_});
+        } else if (name == "else" || name == "elif" || name == "endif") {
+            if (branches_.empty()) {
+                error = at_line(line_, fmt::format("it has an '#{}' without its '#if'", name));
+                return;
             }
-            macros[std::string(rest.substr(0, stop))] = std::string(trimmed(rest.substr(stop)));
+            Branch& last = branches_.back();
+            last.is_open = !last.was_open && (name == "else" || (name == "elif" && holds(rest)));
+            last.was_open |= last.is_open;
+            if (name == "endif") branches_.pop_back();
+        } else if (name == "define" && is_open()) {
+            const std::size_t stop = std::min(rest.find_first_of(" \t("), rest.size());
+            if (stop < rest.size() && rest[stop] == '(')
+                error = at_line(line_, fmt::format("it has the macro '{}' with arguments", rest.substr(0, stop)));
+            else
+                macros[std::string(rest.substr(0, stop))] = trimmed(rest.substr(stop));
+        } else if (name == "undef" && is_open()) {
+            macros.erase(std::string(rest));
         }
         // Includes bring words of the engine; whether one is missed, the compiler says. Pragmas say nothing here.
     }
-    if (!branches.empty() && error.empty()) error = "it has an '#if' without its '#endif'";
-    return made;
+
+    std::vector<Branch> branches_{};
+    std::size_t line_ = 0;
+};
+
+// A bracket that closes nothing, or is not closed.
+std::string unbalanced(std::string_view code) {
+    std::vector<std::pair<char, std::size_t>> open;
+    std::size_t line = 1;
+    for (const char c : code) {
+        if (c == '\n') ++line;
+        const std::size_t kind = std::string_view("({[)}]").find(c);
+        if (kind < 3) open.push_back({")}]"[kind], line});
+        if (kind == std::string_view::npos || kind < 3) continue;
+        if (open.empty() || open.back().first != c) return at_line(line, fmt::format("a '{}' closes nothing", c));
+        open.pop_back();
+    }
+    return open.empty() ? "" : at_line(open.back().second, fmt::format("a '{}' is missing", open.back().first));
 }
 
 // Names of the engine for types of the language.
@@ -200,10 +230,14 @@ bool has_identifier(std::string_view code, std::string_view word) {
 
 HlslText in_node_language(std::string_view hlsl) {
     HlslText made;
-    Macros macros;
-    std::string text = without_comments(hlsl);
+    std::string text = without_comments(hlsl, made.error);
     for (std::size_t at = 0; (at = text.find("$precision", at)) != text.npos;) text.replace(at, 10, "float");
-    text = preprocessed(text, macros, made.error);
+    Preprocessor preprocessor;
+    text = preprocessor.run(text);
+    const Macros& macros = preprocessor.macros;
+    if (made.error.empty()) made.error = preprocessor.error;
+    if (made.error.empty()) made.error = unbalanced(text);
+    if (!made.error.empty()) return made;
     for (std::size_t i = 0; i < text.size();) {
         if (is_letter(text[i])) {
             std::size_t end = i;
@@ -237,6 +271,25 @@ HlslText in_node_language(std::string_view hlsl) {
     }
     use_engine_words(made);
     return made;
+}
+
+bool assigns(std::string_view code, std::string_view variable) {
+    for (std::size_t at = 0; (at = code.find(variable, at)) != code.npos; at += variable.size()) {
+        const std::size_t behind = at + variable.size();
+        if (!has_identifier(code.substr(at > 0 ? at - 1 : 0, variable.size() + (at > 0 ? 2 : 1)), variable)) continue;
+        // "Out.xy[0] +=", or an argument of a function.
+        std::size_t i = behind;
+        while (i < code.size() && (is_letter(code[i]) || is_digit(code[i]) ||
+                                   std::string_view(" .[]\n").find(code[i]) != std::string_view::npos))
+            ++i;
+        const std::string_view rest = code.substr(i, 2);
+        if (rest.starts_with(",") || rest.starts_with(")")) return true;
+        if (rest.starts_with("=") && rest != "==") return true;
+        if (rest.size() == 2 && (rest[1] == '=' || rest[1] == rest[0]) &&
+            std::string_view("+-*/").find(rest[0]) != std::string_view::npos)
+            return true;
+    }
+    return false;
 }
 
 std::vector<HlslFunction> functions_in(std::string_view code) {

@@ -14,7 +14,7 @@ namespace patina::importers::shadergraph {
 struct HlslText {
     std::string code{};
     std::string parameters{};  // that the code needs for values of the engine: "[hidden] float engineTime = time"
-    std::string error{};       // what cannot be said in the node language; empty: nothing of this kind
+    std::string error{};  // what cannot be said in the node language, and in which line; empty: nothing of this kind
 };
 HlslText in_node_language(std::string_view hlsl);
 
@@ -23,6 +23,9 @@ struct HlslFunction {
 };
 // The functions that a text defines, in order.
 std::vector<HlslFunction> functions_in(std::string_view code);
+
+// Something is assigned to the variable, or a function takes it.
+bool assigns(std::string_view code, std::string_view variable);
 
 // The word stands in the code by itself.
 bool has_identifier(std::string_view code, std::string_view word);

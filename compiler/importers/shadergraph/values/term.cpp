@@ -149,6 +149,7 @@ bool Term::is_link() const {
 }
 
 Value Term::value() const {
+    if (type == Type::Gradient && base.empty() && gradient) return gradient_value(*gradient);
     if (is_constant() && type == Type::Bool) return patina::importers::flag(numbers[0] != 0);
     if (is_constant() && is_vector(type)) {
         const bool is_same = std::ranges::all_of(numbers, [&](double each) { return each == numbers[0]; });
@@ -206,11 +207,54 @@ Term swizzled(const Term& term, std::string_view components) {
     }
     const std::string_view letters = term.is_color ? kChannels : kComponents;
     std::string before = term.swizzle;
-    if (before.empty()) before = letters.substr(0, count);
+    if (before.empty()) {
+        before = letters.substr(0, count);
+        made.base_width = count;
+    }
     made.swizzle.clear();
     for (const char each : components) made.swizzle += before[std::min(index_of(each), before.size() - 1)];
     if (made.swizzle == letters.substr(0, 4)) made.swizzle.clear();
     if (made.swizzle == letters.substr(0, count) && term.swizzle.empty()) made.swizzle.clear();
+    return made;
+}
+
+Term vector_term(Type type, std::span<const Term> arguments) {
+    Term made{.type = type};
+    std::vector<Term> joined;
+    for (const Term& each : arguments) {
+        made.add_nodes(each);
+        made.is_color |= each.is_color;
+        Term* last = joined.empty() ? nullptr : &joined.back();
+        const bool is_next = last && !each.swizzle.empty() && !last->swizzle.empty() && each.base == last->base;
+        if (!is_next) {
+            joined.push_back(each);
+            continue;
+        }
+        last->swizzle += each.swizzle;
+        last->type = vector_type(last->swizzle.size());
+        last->add_nodes(each);
+    }
+    // One of them may have a size that is not known.
+    std::size_t rest = width(type);
+    for (const Term& each : joined) rest -= std::min(rest, width(each.type));
+    for (Term& each : joined)
+        if (each.type == Type::None) each.type = vector_type(rest);
+    for (Term& each : joined)
+        if (each.swizzle.size() == each.base_width &&
+            std::string_view(each.is_color ? kChannels : kComponents).starts_with(each.swizzle))
+            each.swizzle.clear();
+    if (joined.size() == 1 && joined[0].type == type) return joined[0];
+    made.is_color &= type == Type::Float4;
+    if (std::ranges::all_of(joined, &Term::is_constant)) {
+        for (const Term& each : joined)
+            made.numbers.insert(made.numbers.end(), each.numbers.begin(), each.numbers.end());
+        return made;
+    }
+    for (const Term& each : joined) {
+        made.base += (made.base.empty() ? "" : ", ") + each.text();
+        made.parts.push_back({each.text(), width(each.type)});
+    }
+    made.base = fmt::format("{}({})", word(type), made.base);
     return made;
 }
 

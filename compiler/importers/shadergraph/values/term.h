@@ -7,6 +7,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,11 +20,14 @@ namespace patina::importers::shadergraph {
 struct Gradient {
     struct Key {
         double time = 0;
-        std::vector<double> value{};  // a colour, linear, or an alpha
+        std::vector<double> value{};  // a colour as a picker shows it, or an alpha
     };
     std::vector<Key> colors{}, alphas{};
     int mode = 0;  // 0 blend, 1 fixed, 2 perceptual
+    bool is_perceptual() const { return mode == 2; }
 };
+// At a port or as a default: the keys as a picker shows them, but linear if the gradient is perceptual.
+Value gradient_value(const Gradient& gradient);
 struct SamplerState {
     int filter = 0;      // 0 linear, 1 point, 2 trilinear
     int wrap = 0;        // 0 repeat, 1 clamp, 2 mirror, 3 mirror once
@@ -36,16 +40,17 @@ struct Term {
     std::vector<double> numbers{};  // of a constant, as many as its type has; else
     std::string base{};             // a link or an expression
     std::string swizzle{};          // behind it: "xyz"
+    std::size_t base_width = 0;     // components of `base`, if there is a swizzle; 0: not known
     struct Part {
         std::string text;
         std::size_t width = 1;
     };
-    std::vector<Part> parts{};           // if `base` is float4(a, b, c): its arguments
-    std::string from_top{};              // of texture coordinates: the same with v counted from the top
-    bool is_color = false;               // its components are called r, g, b, a
-    std::vector<std::size_t> nodes{};    // of the source, that are written in it; each once
-    std::optional<std::size_t> owner{};  // the node whose output it is, after which it can be named
-    std::shared_ptr<const Gradient> gradient{};
+    std::vector<Part> parts{};                   // if `base` is float4(a, b, c): its arguments
+    std::string from_top{};                      // of texture coordinates: the same with v counted from the top
+    bool is_color = false;                       // its components are called r, g, b, a
+    std::vector<std::size_t> nodes{};            // of the source, that are written in it; each once
+    std::optional<std::size_t> owner{};          // the node whose output it is, after which it can be named
+    std::shared_ptr<const Gradient> gradient{};  // of a property: its default
     std::optional<SamplerState> sampler{};
 
     void add_nodes(const Term& part);  // those of what is a part of it
@@ -66,6 +71,9 @@ Term expression(std::string text, Type type);
 Term converted(const Term& term, Type type, bool may_stay_number = false);
 // Components of a vector: "x", "zyx".
 Term swizzled(const Term& term, std::string_view components);
+// A vector of numbers and vectors, which are as many components as its type has: "float3(a, b.xy)". Constants, and
+// components of one vector that are together again, become shorter: "a.xyz".
+Term vector_term(Type type, std::span<const Term> arguments);
 // The same texture coordinates, with v counted from the other side.
 Term flipped(const Term& term);
 

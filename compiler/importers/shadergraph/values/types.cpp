@@ -70,6 +70,10 @@ bool is_matrix(Type type) {
     return type >= Type::Matrix2 && type <= Type::Matrix4;
 }
 
+bool is_texture(Type type) {
+    return type >= Type::Texture2D && type <= Type::Cubemap;
+}
+
 bool is_value(Type type) {
     return type >= Type::Bool && type <= Type::Matrix4;
 }

@@ -37,6 +37,7 @@ Type type_of_property(std::string_view kind);  // "Color", "Vector1"
 
 bool is_vector(Type type);  // also a number, not a bool
 bool is_matrix(Type type);
+bool is_texture(Type type);
 bool is_value(Type type);      // a bool, a number, a vector or a matrix
 std::size_t width(Type type);  // components of a vector, rows of a matrix; of a bool 1
 Type vector_type(std::size_t width);
