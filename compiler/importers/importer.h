@@ -1,8 +1,8 @@
 // The room `importers` turns materials of other programs into graph files. It needs no GPU and compiles nothing.
 //
-// The seam for importers: materials of other programs become graph files and their textures. This folder holds this
-// interface, the list of importers (importers.cpp) and graph_writer.h, which all of them write graphs with. To add one:
-// write a folder with a function that returns its row, and add the row to the list. No other file names a format.
+// The seam for importers. This folder holds this interface, the list of importers (importers.cpp), graph_writer.h,
+// which all of them write graphs with, and unity_assets.h, which those of Unity's formats share. To add one: write a
+// folder with a function that returns its row, and add the row to the list. No other file names a format.
 //
 // An importer reads the file that it is given and the files that this one names. It draws nothing and writes nothing:
 // `patina import` writes what it returns, all or nothing. Whatever it does not carry over is a remark; nothing is

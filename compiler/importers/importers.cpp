@@ -5,6 +5,7 @@
 #include "compiler/importers/importer.h"
 #include "compiler/importers/merl/merl_importer.h"
 #include "compiler/importers/shadergraph/shadergraph_importer.h"
+#include "compiler/importers/unitymaterial/unitymaterial_importer.h"
 
 namespace patina::importers {
 
@@ -13,6 +14,7 @@ std::span<const Importer> importers() {
         gltf_importer(),
         merl_importer(),
         shadergraph_importer(),
+        unitymaterial_importer(),
     };
     return kImporters;
 }

@@ -8,9 +8,9 @@
 
 #include "compiler/importers/importer.h"
 #include "compiler/importers/shadergraph/names.h"
-#include "compiler/importers/shadergraph/read/assets.h"
 #include "compiler/importers/shadergraph/read/shader_graph.h"
 #include "compiler/importers/shadergraph/values/types.h"
+#include "compiler/importers/unity_assets.h"
 #include "patina/patina.h"
 
 namespace patina::importers::shadergraph {

@@ -27,11 +27,8 @@ Picture picture_of(Project& project, const Json* holder) {
     if (guid.empty()) return {};
     const auto found = project.assets.find(guid, "", kPictures);
     if (!found) return {.missing = guid};
-    std::error_code wrong;
-    const fs::path folder = fs::absolute(project.folder.empty() ? "." : project.folder, wrong);
-    std::string file = fs::proximate(found->path, folder, wrong).generic_string();
-    if (wrong) return {.missing = guid};
-    return {.file = file.starts_with("../") ? file : "./" + file};
+    const std::string file = path_from(project.folder, found->path);
+    return {.file = file, .missing = file.empty() ? guid : std::string()};
 }
 
 std::string_view type_word(Type type) {

@@ -1,4 +1,4 @@
-#include "compiler/importers/shadergraph/read/assets.h"
+#include "compiler/importers/unity_assets.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -6,7 +6,7 @@
 
 #include "compiler/base/text.h"
 
-namespace patina::importers::shadergraph {
+namespace patina::importers {
 namespace {
 
 namespace fs = std::filesystem;
@@ -116,4 +116,12 @@ std::string guid_in(std::string_view json) {
     return guid_after(json);
 }
 
-}  // namespace patina::importers::shadergraph
+std::string path_from(const std::string& folder, const std::string& path) {
+    std::error_code wrong;
+    const fs::path from = fs::absolute(folder.empty() ? "." : folder, wrong);
+    const std::string file = fs::proximate(path, from, wrong).generic_string();
+    if (wrong) return {};
+    return file.starts_with("../") ? file : "./" + file;
+}
+
+}  // namespace patina::importers

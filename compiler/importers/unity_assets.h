@@ -1,4 +1,5 @@
-// Files of the project that a graph names by GUID. The GUID of a file lies in "FILE.meta" beside it.
+// Files of a project of Unity that another file names by GUID. The GUID of a file lies in "FILE.meta" beside it. The
+// importers of Unity's formats share it.
 //
 //   Assets assets("Assets/Shaders/x.shadergraph", {});
 //   if (const auto found = assets.find(guid, "Noise", kGraphs)) read(found->path);
@@ -11,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-namespace patina::importers::shadergraph {
+namespace patina::importers {
 
 inline constexpr std::string_view kGraphs[] = {".shadersubgraph", ".shadergraph"};
 inline constexpr std::string_view kIncludes[] = {".hlsl", ".cginc", ".cg", ".hlslinc"};
@@ -46,4 +47,7 @@ private:
 // "0f6a...", 32 hexadecimal digits, of JSON that names an asset: {"fileID":2800000,"guid":"...","type":3}
 std::string guid_in(std::string_view json);
 
-}  // namespace patina::importers::shadergraph
+// The path as a file in the folder names it: "./wood.png", "../Textures/wood.png"; empty: it has no such path.
+std::string path_from(const std::string& folder, const std::string& path);
+
+}  // namespace patina::importers

@@ -1,0 +1,218 @@
+#include "compiler/importers/unitymaterial/graph_instance.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <optional>
+
+#include "compiler/json/json.h"
+
+namespace patina::importers::unitymaterial {
+namespace {
+
+namespace fs = std::filesystem;
+using graph::Json;
+
+std::string_view word(const Json& object, std::string_view key) {
+    const Json* value = object.find(key);
+    return value ? std::string_view(value->string) : std::string_view();
+}
+
+// The value of a property as a scene sets it; no value: it is the graph's default.
+class Values {
+public:
+    explicit Values(MaterialMaker& maker) : maker_(maker) {}
+
+    std::vector<Member> members{};  // of "set"
+
+    void read(const Json& property) {
+        const std::string name(word(property, "name")), type(word(property, "type"));
+        const Json* otherwise = property.find("default");
+        if (type == "bool") flag_value(name, property, otherwise);
+        if (type == "enum") choice(name, property, otherwise);
+        if (type == "float" || type == "int") {
+            if (maker_.source().numbers.contains(name)) add(name, number_of(name), otherwise);
+        }
+        if (type == "color") color_value(name, property, otherwise);
+        if (type == "float2" || type == "float3" || type == "float4") {
+            if (!maker_.source().colors.contains(name)) return;
+            const std::array<double, 4> all = maker_.color(name, {});
+            std::vector<float> some(all.begin(), all.begin() + (type.back() - '0'));
+            add(name, list(some), otherwise);
+        }
+        if (type.starts_with("texture")) texture(name, property);
+    }
+
+private:
+    Value number_of(const std::string& name) const { return number(static_cast<float>(maker_.number(name, 0))); }
+
+    void add(const std::string& name, const Value& value, const Json* otherwise) {
+        if (is_same(value, otherwise)) {
+            maker_.taken(name, "the default of the graph");
+            return;
+        }
+        members.push_back({name, value});
+        maker_.taken(name, fmt::format("the value of '{}' in the scene", name));
+    }
+
+    static std::string json_of(const Json* value) {
+        if (!value) return {};
+        switch (value->kind) {
+            case Json::Kind::Null: return {};
+            case Json::Kind::Bool: return flag(value->boolean).json;
+            case Json::Kind::Number: return number(static_cast<float>(value->number)).json;
+            case Json::Kind::String: return text(value->string).json;
+            case Json::Kind::Array: {
+                std::vector<float> numbers;
+                for (const Json& each : value->elements) numbers.push_back(static_cast<float>(each.number));
+                return list(numbers).json;
+            }
+            case Json::Kind::Object: return {};
+        }
+        return {};
+    }
+    static bool is_same(const Value& value, const Json* otherwise) {
+        return otherwise && json_of(otherwise) == value.json;
+    }
+
+    bool is_on(const std::string& keyword) const {
+        const std::vector<SavedKeyword>& on = maker_.source().keywords;
+        return std::ranges::find(on, keyword, &SavedKeyword::name) != on.end();
+    }
+
+    void flag_value(const std::string& name, const Json& property, const Json* otherwise) {
+        const bool is_keyword = !word(property, "as").empty() || is_on(name);
+        if (!is_keyword && !maker_.source().numbers.contains(name)) return;
+        const bool value = is_keyword ? is_on(name) : maker_.number(name, 0) != 0;
+        add(name, flag(value), otherwise);
+        maker_.note_keyword(name, Remark::Kind::Taken, fmt::format("the value of '{}'", name));
+    }
+
+    // The keyword of an entry is the property's name with the entry's behind it, in capitals.
+    void choice(const std::string& name, const Json& property, const Json* otherwise) {
+        const Json* values = property.find("values");
+        if (!values || values->elements.empty()) return;
+        std::string chosen = values->elements.front().string;
+        for (const Json& each : values->elements) {
+            std::string keyword = name + "_" + each.string;
+            for (char& c : keyword)
+                if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 32);
+            for (const SavedKeyword& on : maker_.source().keywords) {
+                std::string other = on.name;
+                for (char& c : other)
+                    if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 32);
+                if (other != keyword) continue;
+                chosen = each.string;
+                maker_.note_keyword(on.name, Remark::Kind::Taken, fmt::format("the value of '{}'", name));
+            }
+        }
+        add(name, text(chosen), otherwise);
+    }
+
+    void color_value(const std::string& name, const Json& property, const Json* otherwise) {
+        if (!maker_.source().colors.contains(name)) return;
+        const Json* range = property.find("range");
+        const bool is_hdr = range && range->elements.size() == 2 && range->elements[1].number > 1;
+        add(name, shown_color(maker_.color(name, {}), is_hdr), otherwise);
+    }
+
+    void texture(const std::string& name, const Json& property) {
+        const auto saved = maker_.source().textures.find(name);
+        if (saved == maker_.source().textures.end()) return;
+        if (!maker_.has_picture(name)) {
+            maker_.taken(name, "none: the default of the graph");
+        } else {
+            const Picture& picture = maker_.picture(name);
+            std::string difference = picture.missing;
+            if (!picture.file.empty()) members.push_back({name, text(picture.file)});
+            for (const std::string& each : picture.differences) difference += (difference.empty() ? "" : "; ") + each;
+            if (!picture.more.empty())
+                difference += (difference.empty() ? "" : "; ") + std::string("the graph's sampler counts");
+            const std::string what =
+                picture.file.empty() ? "the default of the graph" : fmt::format("the value of '{}' in the scene", name);
+            maker_.note(name, difference.empty() ? Remark::Kind::Taken : Remark::Kind::Changed,
+                        difference.empty() ? what : what + ": " + difference);
+        }
+        const Json* tiling = property.find("tiling");
+        if (!saved->second.is_moved() || !tiling || !tiling->boolean) return;
+        const SavedTexture& moved = saved->second;
+        // Unity counts v from the bottom of the picture.
+        const double down = 1 - moved.scale[1] - moved.offset[1];
+        const std::vector<float> four = {static_cast<float>(moved.scale[0]), static_cast<float>(moved.scale[1]),
+                                         static_cast<float>(moved.offset[0]), static_cast<float>(down)};
+        members.push_back({name + "_ST", list(four)});
+    }
+
+    MaterialMaker& maker_;
+};
+
+std::string scene_of(const std::string& name, const std::string& graph, const std::vector<Member>& values) {
+    std::vector<Member> material = {{"name", text(name)}, {"graph", text(graph)}};
+    if (!values.empty()) material.push_back({"set", object(values)});
+    const std::vector<Member> ball = {{"id", text("ball")}, {"mesh", text("sphere")}, {"material", text(name)}};
+    const std::vector<Member> light = {{"type", text("directional")},
+                                       {"direction", list({number(-0.6), number(0.8), number(0.8)})},
+                                       {"color", number(0.6)}};
+    const std::vector<Member> camera = {{"position", list({number(0.0), number(0.0), number(5.0)})}};
+    return write_scene("", std::vector<Member>{{"name", text(name)},
+                                               {"camera", object(camera)},
+                                               {"lights", list({object(light)})},
+                                               {"materials", list({object(material)})},
+                                               {"objects", list({object(ball)})}});
+}
+
+// The text of the graph that the output folder has already.
+std::optional<std::string> text_in(const std::string& folder, const std::string& name) {
+    std::ifstream file(fs::path(folder.empty() ? "." : folder) / name, std::ios::binary);
+    if (!file) return std::nullopt;
+    return std::string{std::istreambuf_iterator<char>(file), {}};
+}
+
+}  // namespace
+
+Imported make_instance(MaterialMaker& maker, const std::string& name, const Options& options) {
+    const std::string& path = maker.shader().graph;
+    const Source source{.path = path, .start = {}};
+    const Importer* importer = importer_of(source);
+    if (!importer) return {.error = fmt::format("nothing reads '{}'", path)};
+    Imported made = importer->read(source, options);
+    if (!made.error.empty()) return made;
+    const std::string file = fs::path(path).filename().string();
+    for (Remark& each : made.remarks) {
+        each.part = fmt::format("{}: {}", file, each.part);
+        each.line = each.column = 0;
+    }
+    if (made.graphs.empty()) return {.error = fmt::format("{}: there is no graph in it", path)};
+    const std::string graph_name = made.graphs.back().name;
+    std::string graph_text = made.graphs.back().text;
+    if (const auto there = text_in(options.folder, graph_name)) {
+        graph_text = *there;
+        made = {};
+        made.remarks.push_back(
+            {.part = file, .text = fmt::format("'{}', which the output folder has already", graph_name)});
+    }
+    SourceMap sources;
+    Diagnostics diagnostics;
+    const std::uint32_t begin = sources.add(graph_name, graph_text);
+    const std::unique_ptr<Json> root = graph::parse_json(sources, begin, diagnostics);
+    if (!root) return {.error = fmt::format("'{}' in the output folder is not a graph", graph_name)};
+    Values values(maker);
+    if (const Json* properties = root->find("properties"))
+        for (const Json& each : properties->elements) values.read(each);
+    if (const Setting* queue = maker.source().setting("m_CustomRenderQueue")) {
+        static constexpr std::string_view kUsual[] = {"-1", "2000", "2450", "3000"};
+        const bool is_usual = std::ranges::find(kUsual, queue->text) != std::end(kUsual);
+        maker.note_setting(queue->key, is_usual ? Remark::Kind::Taken : Remark::Kind::Changed,
+                           "the queue is that of the graph");
+    }
+    std::string scene = scene_of(name, graph_name, values.members);
+    if (scene.empty()) return {.error = fmt::format("{}: a name in it is not UTF-8", maker.source().path)};
+    made.scene = name + ".scene.json";
+    made.graphs.push_back({.name = made.scene, .text = std::move(scene)});
+    return made;
+}
+
+}  // namespace patina::importers::unitymaterial

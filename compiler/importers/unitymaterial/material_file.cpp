@@ -1,0 +1,223 @@
+#include "compiler/importers/unitymaterial/material_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <set>
+#include <utility>
+
+namespace patina::importers::unitymaterial {
+namespace {
+
+// An entry of a list of properties, in whatever form.
+struct Entry {
+    std::string name{};
+    const Yaml* value = nullptr;
+    Place place{};
+};
+
+// "first: {name: _Color}, second: {...}", the old form.
+Entry old_entry(const Yaml& pair) {
+    const Yaml* first = pair.find("first");
+    const Yaml* second = pair.find("second");
+    if (!first || !second) return {};
+    return {.name = std::string(first->kind == Yaml::Kind::Text ? std::string_view(first->text) : first->word("name")),
+            .value = second,
+            .place = first->place};
+}
+
+std::vector<Entry> entries_of(const Yaml* list) {
+    std::vector<Entry> made;
+    if (!list) return made;
+    for (std::size_t i = 0; i < list->values.size(); ++i) {
+        const Yaml& each = list->values[i];
+        if (each.kind != Yaml::Kind::Map) continue;
+        if (each.find("first")) {
+            made.push_back(old_entry(each));
+        } else if (list->kind == Yaml::Kind::List) {
+            for (std::size_t k = 0; k < each.values.size(); ++k)
+                made.push_back({.name = each.keys[k], .value = &each.values[k], .place = each.key_places[k]});
+        }
+    }
+    // A map of names, which some tools write.
+    if (list->kind == Yaml::Kind::Map && made.empty())
+        for (std::size_t i = 0; i < list->values.size(); ++i)
+            made.push_back({.name = list->keys[i], .value = &list->values[i], .place = list->key_places[i]});
+    std::erase_if(made, [](const Entry& each) { return each.name.empty() || !each.value; });
+    return made;
+}
+
+std::string lower(std::string_view text) {
+    std::string made(text);
+    for (char& c : made)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c + 32);
+    return made;
+}
+
+AssetId asset_of(const Yaml* value) {
+    AssetId made;
+    if (!value || value->kind != Yaml::Kind::Map) return made;
+    const std::string_view file = value->word("fileID");
+    std::from_chars(file.data(), file.data() + file.size(), made.file);
+    made.guid = lower(value->word("guid"));
+    if (made.guid.find_first_not_of('0') == made.guid.npos) made.guid.clear();
+    return made;
+}
+
+class Reader {
+public:
+    Reader(const Yaml& material, MaterialFile& made) : material_(material), made_(made) {}
+
+    void read() {
+        made_.name = material_.word("m_Name");
+        for (std::size_t i = 0; i < material_.values.size(); ++i) {
+            const std::string& key = material_.keys[i];
+            const Yaml& value = material_.values[i];
+            if (key == "m_Name") continue;
+            if (key == "m_Shader" || key == "m_Parent") {
+                (key == "m_Shader" ? made_.shader : made_.parent) = asset_of(&value);
+                (key == "m_Shader" ? made_.shader_place : made_.parent_place) = material_.key_places[i];
+            } else if (key == "m_ShaderKeywords" || key == "m_ValidKeywords") {
+                keywords(value, made_.keywords);
+            } else if (key == "m_InvalidKeywords") {
+                keywords(value, made_.invalid_keywords);
+            } else if (key == "m_SavedProperties") {
+                properties(value);
+            } else {
+                setting(key, value, material_.key_places[i]);
+            }
+        }
+        if (!material_.find("m_SavedProperties"))
+            problem("setting 'm_SavedProperties'", "it is missing: the shader's defaults count", material_.place);
+    }
+
+private:
+    void problem(std::string part, std::string text, Place place) {
+        made_.problems.push_back({.part = std::move(part), .text = std::move(text), .place = place});
+    }
+
+    // A list of words, or one text with spaces between them.
+    static void keywords(const Yaml& value, std::vector<SavedKeyword>& into) {
+        const auto add = [&](std::string_view text, Place place) {
+            for (std::size_t begin = 0; begin < text.size();) {
+                const std::size_t end = std::min(text.find(' ', begin), text.size());
+                const std::string name(text.substr(begin, end - begin));
+                if (!name.empty() && std::ranges::find(into, name, &SavedKeyword::name) == into.end())
+                    into.push_back({.name = name, .place = place});
+                begin = end + 1;
+            }
+        };
+        add(value.text, value.place);
+        if (value.kind == Yaml::Kind::List)
+            for (const Yaml& each : value.values) add(each.text, each.place);
+    }
+
+    void setting(const std::string& key, const Yaml& value, Place place) {
+        Setting made{.key = key, .text = value.text, .place = place};
+        if (value.kind == Yaml::Kind::List)
+            for (const Yaml& each : value.values) made.words.push_back(each.text);
+        if (value.kind == Yaml::Kind::Map) {
+            for (const Entry& each : entries_of(&value)) made.words.push_back(each.name + "=" + each.value->text);
+        }
+        made_.settings.push_back(std::move(made));
+    }
+
+    // False: the property is there already. The first one counts.
+    bool is_new(const Entry& entry, std::string_view list) {
+        if (names_.emplace(list, entry.name).second) return true;
+        problem(fmt::format("property '{}'", entry.name), "it is there twice: the first one counts", entry.place);
+        return false;
+    }
+
+    bool number(const Entry& entry, const Yaml* value, double& into) {
+        if (value && read_finite(value->text, into)) return true;
+        problem(fmt::format("property '{}'", entry.name),
+                fmt::format("'{}' is not a finite number: the shader's default counts",
+                            value ? std::string_view(value->text) : "nothing"),
+                value ? value->place : entry.place);
+        return false;
+    }
+
+    void properties(const Yaml& saved) {
+        for (const std::string_view key : {"m_Floats", "m_Ints"})
+            for (const Entry& each : entries_of(saved.find(key))) {
+                SavedNumber made{.place = each.place};
+                if (is_new(each, "numbers") && number(each, each.value, made.value)) made_.numbers[each.name] = made;
+            }
+        for (const Entry& each : entries_of(saved.find("m_Colors"))) {
+            SavedColor made{.place = each.place};
+            bool is_good = is_new(each, "colors");
+            static constexpr std::string_view kChannels[] = {"r", "g", "b", "a"};
+            for (std::size_t i = 0; i < 4 && is_good; ++i)
+                is_good = number(each, each.value->find(kChannels[i]), made.value[i]);
+            if (is_good) made_.colors[each.name] = made;
+        }
+        for (const Entry& each : entries_of(saved.find("m_TexEnvs"))) {
+            SavedTexture made{.picture = asset_of(each.value->find("m_Texture")), .place = each.place};
+            bool is_good = is_new(each, "textures");
+            for (auto* pair : {&made.scale, &made.offset}) {
+                const Yaml* vector = each.value->find(pair == &made.scale ? "m_Scale" : "m_Offset");
+                if (!vector || !is_good) continue;
+                is_good = number(each, vector->find("x"), (*pair)[0]) && number(each, vector->find("y"), (*pair)[1]);
+            }
+            if (is_good) made_.textures[each.name] = made;
+        }
+    }
+
+    const Yaml& material_;
+    MaterialFile& made_;
+    std::set<std::pair<std::string_view, std::string>> names_{};  // list, name
+};
+
+}  // namespace
+
+bool read_finite(std::string_view text, double& number) {
+    float made = 0;
+    const auto [end, wrong] = std::from_chars(text.data(), text.data() + text.size(), made);
+    if (wrong != std::errc() || end != text.data() + text.size() || !std::isfinite(made)) return false;
+    number = static_cast<double>(made);
+    return true;
+}
+
+const Setting* MaterialFile::setting(std::string_view key) const {
+    const auto found = std::ranges::find(settings, key, &Setting::key);
+    return found == settings.end() ? nullptr : &*found;
+}
+
+bool MaterialFile::has(const std::string& property) const {
+    return numbers.contains(property) || colors.contains(property) || textures.contains(property);
+}
+
+MaterialFile read_material(const std::string& path) {
+    std::ifstream file(path, std::ios::binary);
+    if (!file) return {.error = fmt::format("cannot read '{}'", path)};
+    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    const YamlFile yaml = read_yaml(path, text);
+    if (!yaml.error.empty()) return {.error = yaml.error};
+    MaterialFile made{.path = path};
+    bool has_one = false;
+    for (const Yaml& document : yaml.documents) {
+        const Yaml* material = document.find("Material");
+        if (!material) continue;
+        if (material->kind != Yaml::Kind::Map) {
+            const Place place = document.key_places[static_cast<std::size_t>(material - document.values.data())];
+            return {.error = fmt::format("{}:{}:{}: the material has no values: the file is cut off", path, place.line,
+                                         place.column)};
+        }
+        if (has_one) {
+            made.problems.push_back(
+                {.part = "material", .text = "there are several: the first one counts", .place = material->place});
+            continue;
+        }
+        has_one = true;
+        Reader(*material, made).read();
+    }
+    if (!has_one) return {.error = fmt::format("{}: there is no material in it", path)};
+    return made;
+}
+
+}  // namespace patina::importers::unitymaterial

@@ -1,0 +1,95 @@
+#include "compiler/importers/unitymaterial/pictures.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <fstream>
+#include <iterator>
+
+namespace patina::importers::unitymaterial {
+namespace {
+
+constexpr std::string_view kBuiltInResources[] = {"0000000000000000f000000000000000",
+                                                  "0000000000000000e000000000000000"};
+
+int whole(const Yaml* holder, std::string_view key, int otherwise) {
+    const std::string_view text = holder ? holder->word(key) : std::string_view();
+    int made = otherwise;
+    std::from_chars(text.data(), text.data() + text.size(), made);
+    return made;
+}
+
+void read_sampler(const Yaml* settings, Picture& made) {
+    const int old_wrap = whole(settings, "wrapMode", 0);
+    const int u = std::max(whole(settings, "wrapU", old_wrap), 0);
+    const int v = std::max(whole(settings, "wrapV", old_wrap), 0);
+    made.repeats = u == 0 && v == 0;
+    std::vector<Member> sampler;
+    if (u > 0) sampler.push_back({"wrap", text(u == 1 ? "clamp" : "mirror")});
+    if (u != v) made.differences.push_back("a sampler has one wrap mode for both directions, here that of u");
+    if (u == 3) made.differences.push_back("it is mirrored again and again, not once");
+    if (whole(settings, "filterMode", 1) == 0) sampler.push_back({"filter", text("nearest")});
+    const int anisotropy = whole(settings, "aniso", 1);
+    int power = 1;
+    while (power * 2 <= std::min(anisotropy, 16)) power *= 2;
+    if (power > 1) sampler.push_back({"anisotropy", number(static_cast<double>(power))});
+    if (!sampler.empty()) made.more.push_back({"sampler", object(sampler)});
+}
+
+void read_settings(const std::string& path, Picture& made) {
+    std::ifstream file(path + ".meta", std::ios::binary);
+    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    const YamlFile meta = read_yaml(path + ".meta", text);
+    const Yaml* importer = meta.documents.empty() ? nullptr : meta.documents.front().find("TextureImporter");
+    if (!meta.error.empty()) made.differences.push_back("its import settings cannot be read: " + meta.error);
+    if (!importer) return;
+    made.has_settings = true;
+    const Yaml* mips = importer->find("mipmaps");
+    const Yaml* bumps = importer->find("bumpmap");
+    made.is_srgb = whole(mips, "sRGBTexture", 1) != 0 && whole(mips, "linearTexture", 0) == 0;
+    // Before 2016, a normal map had a flag of its own, too.
+    made.is_normal_map = whole(importer, "textureType", 0) == 1;
+    made.flips_green = whole(bumps, "flipGreenChannel", 0) != 0;
+    read_sampler(importer->find("textureSettings"), made);
+    if (whole(mips, "enableMipMap", 1) == 0) made.differences.push_back("it has mip levels");
+    const int alpha = whole(importer, "alphaUsage", 1);
+    if (!made.is_normal_map && alpha == 0) made.more.push_back({"swizzle", patina::importers::text("rgb1")});
+    if (!made.is_normal_map && alpha == 2) made.differences.push_back("its alpha is its own, and not its grey");
+    if (made.is_normal_map && whole(bumps, "convertToNormalMap", 0) != 0)
+        made.differences.push_back("Unity makes a normal map of this picture of heights: it is read as a normal map");
+}
+
+}  // namespace
+
+const Picture& Pictures::find(const AssetId& id) {
+    const auto [found, is_new] = known_.try_emplace(fmt::format("{} {}", id.guid, id.file));
+    if (is_new) found->second = read(id);
+    return found->second;
+}
+
+Picture Pictures::read(const AssetId& id) {
+    Picture made;
+    if (std::ranges::find(kBuiltInResources, id.guid) != std::end(kBuiltInResources)) {
+        made.missing = fmt::format("it is the picture {} of Unity itself", id.file);
+        return made;
+    }
+    const auto found = assets_.find(id.guid, "", kPictures);
+    if (!found) {
+        made.missing =
+            fmt::format("no picture in {} has the GUID {}", assets_.folders(), id.guid.empty() ? "(none)" : id.guid);
+        return made;
+    }
+    made.file = path_from(folder_, found->path);
+    if (made.file.empty()) {
+        made.missing = fmt::format("'{}' has no path from the output folder", found->path);
+        return made;
+    }
+    if (!found->other.empty())
+        made.differences.push_back(
+            fmt::format("'{}' has the same GUID as '{}', which is taken", found->other, found->path));
+    read_settings(found->path, made);
+    return made;
+}
+
+}  // namespace patina::importers::unitymaterial

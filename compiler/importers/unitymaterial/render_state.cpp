@@ -1,0 +1,183 @@
+// How the surface is drawn. What a shader of Unity obeys are its keywords and the numbers of its render state; the
+// numbers of its inspector (_Mode, _Surface, _Blend) only set these.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "compiler/importers/unitymaterial/material_maker.h"
+
+namespace patina::importers::unitymaterial {
+namespace {
+
+// Blend factors, by Unity's numbers.
+constexpr int kZero = 0, kOne = 1, kDstColor = 2, kSrcColor = 3, kSrcAlpha = 5, kOneMinusSrcAlpha = 10;
+
+struct Blend {
+    int source, destination;
+    std::string_view kind;
+    bool is_weighted = false;
+};
+constexpr Blend kBlends[] = {
+    {kOne, kZero, "opaque"},
+    {kSrcAlpha, kOneMinusSrcAlpha, "fade"},
+    {kOne, kOneMinusSrcAlpha, "transparent"},
+    {kSrcAlpha, kOne, "additive", true},
+    {kOne, kOne, "additive"},
+    {kDstColor, kZero, "multiply"},
+    {kZero, kSrcColor, "multiply"},
+};
+
+// Numbers of the inspector, which keywords and render states repeat.
+constexpr const char* kInspector[] = {"_Mode",
+                                      "_Surface",
+                                      "_Blend",
+                                      "_AlphaClip",
+                                      "_WorkflowMode",
+                                      "_SmoothnessTextureChannel",
+                                      "_SmoothnessSource",
+                                      "_SpecularHighlights",
+                                      "_GlossyReflections",
+                                      "_EnvironmentReflections",
+                                      "_ReceiveShadows",
+                                      "_QueueOffset",
+                                      "_BlendModePreserveSpecular",
+                                      "_ClearCoat"};
+
+int whole(const MaterialMaker& maker, const std::string& property, int otherwise) {
+    return static_cast<int>(std::clamp(std::round(maker.number(property, otherwise)), -1.0, 100.0));
+}
+
+class StateReader {
+public:
+    explicit StateReader(MaterialMaker& maker) : maker_(maker) {}
+
+    RenderState read() {
+        if (has_fixed_state_)
+            fixed();
+        else
+            blending();
+        if (state_.is_clipped && state_.kind == "opaque") state_.kind = "cutout";
+        if (state_.kind != "opaque") render_.push_back({"surface", text(state_.kind)});
+        faces();
+        depth();
+        queue();
+        inspector();
+        if (!render_.empty()) maker_.graph.more.push_back({"render", object(render_)});
+        return state_;
+    }
+
+private:
+    // The built-in Unlit shaders.
+    void fixed() {
+        const Family family = maker_.shader().family;
+        if (family == Family::UnlitTransparent) state_.kind = "fade";
+        state_.is_clipped = family == Family::UnlitCutout;
+    }
+
+    void blending() {
+        const int source = whole(maker_, "_SrcBlend", kOne), destination = whole(maker_, "_DstBlend", kZero);
+        const auto blend = std::ranges::find_if(
+            kBlends, [&](const Blend& each) { return each.source == source && each.destination == destination; });
+        std::string difference;
+        if (blend != std::end(kBlends)) {
+            state_.kind = blend->kind;
+            state_.is_weighted = blend->is_weighted;
+        } else {
+            state_.kind = destination == kZero ? "opaque" : destination == kOne ? "additive" : "fade";
+            difference =
+                fmt::format("the blend factors {} and {} of Unity are none that a graph has", source, destination);
+        }
+        guess();
+        const bool is_cut = maker_.keyword("_ALPHATEST_ON", "alpha is compared with '_Cutoff'");
+        state_.is_clipped = state_.is_clipped || is_cut;
+        const std::string text = fmt::format("the kind of the surface: '{}'", state_.kind);
+        const bool is_premultiplied = maker_.keyword("_ALPHAPREMULTIPLY_ON", text);
+        maker_.keyword("_ALPHABLEND_ON", text);
+        maker_.keyword("_SURFACE_TYPE_TRANSPARENT", text);
+        state_.is_alpha_modulated = maker_.keyword("_ALPHAMODULATE_ON", "alpha fades the colour to white");
+        if (state_.kind == "transparent" && !is_premultiplied && !maker_.shader().is_guessed)
+            difference = "the colour is multiplied by alpha, which Unity expects of the textures";
+        if (state_.kind == "additive" && is_premultiplied && source == kOne)
+            difference = "alpha does not weight the diffuse colour";
+        if (state_.kind == "additive" && state_.is_weighted && !is_unlit())
+            difference = "alpha weights its colour alone, and not its highlights and its emission";
+        for (const char* each : {"_SrcBlend", "_DstBlend"})
+            maker_.note(each, difference.empty() ? Remark::Kind::Taken : Remark::Kind::Changed,
+                        difference.empty() ? text : text + ": " + difference);
+        for (const char* each : {"_SrcBlendAlpha", "_DstBlendAlpha"})
+            maker_.taken(each, "it concerns the alpha of the picture alone");
+        maker_.taken("_AlphaToMask", "it concerns several samples a pixel alone");
+    }
+
+    // A shader that is not known may say it in its tags alone.
+    void guess() {
+        const Setting* tags = maker_.source().setting("stringTagMap");
+        if (!maker_.shader().is_guessed || state_.kind != "opaque" || !tags) return;
+        for (const std::string& word : tags->words) {
+            if (word == "RenderType=Transparent") state_.kind = "fade";
+            if (word == "RenderType=TransparentCutout") state_.is_clipped = true;
+        }
+    }
+
+    bool is_unlit() const { return maker_.shader().family == Family::Unlit; }
+
+    void faces() {
+        if (maker_.shader().family == Family::Standard && !maker_.shader().is_guessed) return;
+        static constexpr std::string_view kWords[] = {"off", "front", "back"};
+        const std::string_view cull = kWords[std::clamp(whole(maker_, "_Cull", 2), 0, 2)];
+        if (has_fixed_state_) return;
+        maker_.taken("_Cull", fmt::format("\"cull\": \"{}\"", cull));
+        if (cull != "back") render_.push_back({"cull", text(cull)});
+    }
+
+    void depth() {
+        const bool otherwise = !state_.is_blended();
+        if (has_fixed_state_) return;
+        const bool writes = maker_.number("_ZWrite", otherwise ? 1 : 0) != 0;
+        maker_.taken("_ZWrite", fmt::format("\"depthWrite\": {}", writes));
+        if (writes != otherwise) render_.push_back({"depthWrite", flag(writes)});
+    }
+
+    void queue() {
+        const Setting* saved = maker_.source().setting("m_CustomRenderQueue");
+        const int usual = state_.is_blended() ? 3000 : state_.is_clipped ? 2450 : 2000;
+        double queue = -1;
+        if (saved && !read_finite(saved->text, queue)) {
+            maker_.note_setting("m_CustomRenderQueue", Remark::Kind::Changed,
+                                "it is not a number: the queue of the kind of the surface");
+            return;
+        }
+        // Without a queue of its own, the material has that of the shader, which does not depend on the kind.
+        if (queue < 0) queue = has_fixed_state_ || maker_.shader().is_guessed ? usual : 2000;
+        const double inside = std::clamp(std::round(queue), 0.0, 5000.0);
+        maker_.note_setting("m_CustomRenderQueue", inside == queue ? Remark::Kind::Taken : Remark::Kind::Changed,
+                            inside == queue ? fmt::format("\"queue\": {}", inside)
+                                            : fmt::format("\"queue\": {}, the nearest one that exists", inside));
+        if (inside != usual) render_.push_back({"queue", number(inside)});
+    }
+
+    void inspector() {
+        for (const char* each : kInspector)
+            maker_.taken(each, "it concerns the inspector alone, which sets keywords and other numbers by it");
+        if (maker_.keyword("_RECEIVE_SHADOWS_OFF", {}))
+            maker_.change_keyword("_RECEIVE_SHADOWS_OFF", "it receives shadows");
+        if (maker_.keyword("_SPECULARHIGHLIGHTS_OFF", {}))
+            maker_.change_keyword("_SPECULARHIGHLIGHTS_OFF", "lights have highlights");
+        for (const char* each : {"_GLOSSYREFLECTIONS_OFF", "_ENVIRONMENTREFLECTIONS_OFF"})
+            if (maker_.keyword(each, {})) maker_.change_keyword(each, "the surface reflects its surroundings");
+    }
+
+    MaterialMaker& maker_;
+    bool has_fixed_state_ = maker_.shader().family >= Family::UnlitTexture && !maker_.shader().is_guessed;
+    RenderState state_{};
+    std::vector<Member> render_{};
+};
+
+}  // namespace
+
+RenderState make_render_state(MaterialMaker& maker) {
+    return StateReader(maker).read();
+}
+
+}  // namespace patina::importers::unitymaterial

@@ -1,0 +1,146 @@
+// Materials of Unity whose shader is a shader graph: the graph, and a scene with the values of the material.
+#include <gtest/gtest.h>
+
+#include "tests/unit/importers/shadergraph_writer.h"
+#include "tests/unit/importers/unitymaterial_check.h"
+
+namespace patina::importers {
+namespace {
+
+constexpr const char* kGraph = "2123456789abcdef0123456789abcdef";
+constexpr const char* kBrick = "0123456789abcdef0123456789abcdef";
+
+// A graph with a property of each kind, which it need not read.
+ShaderGraphText graph() {
+    return {.properties = {
+                {.id = "tint", .kind = "Color", .name = "Tint", .value = R"({"r":1.0,"g":0.5019608,"b":0.0,"a":1.0})"},
+                {.id = "glow",
+                 .kind = "Color",
+                 .name = "Glow",
+                 .value = R"({"r":1.0,"g":1.0,"b":1.0,"a":1.0})",
+                 .more = R"("m_ColorMode":1)"},
+                {.id = "main",
+                 .kind = "Texture2D",
+                 .name = "MainTex",
+                 .value = R"({"m_SerializedTexture":"","m_Guid":""})"},
+                {.id = "wear", .kind = "Vector1", .name = "Wear", .value = "0.25"},
+                {.id = "wind", .kind = "Vector2", .name = "Wind", .value = R"({"x":0.0,"y":0.0,"z":0.0,"w":0.0})"},
+                {.id = "old", .kind = "Boolean", .name = "Old", .value = "false"}}};
+}
+
+MaterialText material() {
+    return {.shader = fmt::format("{{fileID: -6465566751694194690, guid: {}, type: 3}}", kGraph),
+            .textures = {{"_MainTex", kBrick}},
+            .numbers = {{"_Wear", "0.75"}, {"_Old", "1"}, {"_QueueOffset", "0"}},
+            .colors = {{"_Tint", "{r: 0, g: 0.5019608, b: 1, a: 1}"},
+                       {"_Glow", "{r: 4, g: 2, b: 0.5, a: 1}"},
+                       {"_Wind", "{r: 1, g: 2, b: 0, a: 0}"}}};
+}
+
+constexpr std::string_view kScene = R"({
+  "patina": 1,
+  "kind": "scene",
+  "name": "x",
+  "camera": { "position": [0, 0, 5] },
+  "lights": [
+    { "type": "directional", "direction": [-0.6, 0.8, 0.8], "color": 0.6 }
+  ],
+  "materials": [
+    {
+      "name": "x",
+      "graph": "Rock.graph.json",
+      "set": {
+        "_Tint": "#0080ff",
+        "_Glow": [4, 2, 0.5],
+        "_MainTex": "./brick.png",
+        "_Wear": 0.75,
+        "_Wind": [1, 2],
+        "_Old": true
+      }
+    }
+  ],
+  "objects": [
+    { "id": "ball", "mesh": "sphere", "material": "x" }
+  ]
+}
+)";
+
+TEST(UnityMaterialOfAGraph, BecomesAScene) {
+    const MaterialFolder folder;
+    folder.save("Rock.shadergraph", graph().new_layout(), kGraph);
+    folder.save("brick.png", "", kBrick);
+    const Imported made = import_in(folder, material());
+    EXPECT_EQ(file_of(made, "x.scene.json"), kScene);
+    EXPECT_EQ(made.scene, "x.scene.json");
+    EXPECT_FALSE(made.has_refused) << remarks(made, Remark::Kind::LeftOut);
+    EXPECT_EQ(remarks(made, Remark::Kind::Changed), "");
+    const std::string taken = remarks(made, Remark::Kind::Taken);
+    EXPECT_NE(taken.find("shader 'Rock.shadergraph': 'x.scene.json', a scene"), std::string::npos) << taken;
+    EXPECT_NE(taken.find("property '_Wear': the value of '_Wear' in the scene"), std::string::npos) << taken;
+    EXPECT_NE(taken.find("properties _QueueOffset: not read by this shader"), std::string::npos) << taken;
+    EXPECT_NE(taken.find("Rock.shadergraph: property 'Wear': the property '_Wear'"), std::string::npos) << taken;
+    expect_compiles(made, "graph", "Rock.graph.json");
+}
+
+TEST(UnityMaterialOfAGraph, ValuesOfTheGraphAreNotRepeated) {
+    const MaterialFolder folder;
+    folder.save("Rock.shadergraph", graph().new_layout(), kGraph);
+    MaterialText same = material();
+    same.textures.clear();
+    same.numbers = {{"_Wear", "0.25"}, {"_Old", "0"}};
+    same.colors = {{"_Tint", "{r: 1, g: 0.5019608, b: 0, a: 1}"}};
+    const Imported made = import_in(folder, same);
+    EXPECT_EQ(file_of(made, "x.scene.json").find("\"set\""), std::string::npos) << file_of(made, "x.scene.json");
+}
+
+TEST(UnityMaterialOfAGraph, KeywordsAreVariants) {
+    const MaterialFolder folder;
+    ShaderGraphText text = graph();
+    text.keywords.push_back({.id = "mud",
+                             .kind = "",
+                             .name = "Mud",
+                             .value = "0",
+                             .more = R"("m_KeywordType":0,"m_KeywordDefinition":0,"m_IsEditable":true)",
+                             .reference = "_MUD"});
+    text.keywords.push_back({.id = "sky",
+                             .kind = "",
+                             .name = "Sky",
+                             .value = "0",
+                             .more = R"("m_KeywordType":1,"m_KeywordDefinition":0,"m_IsEditable":true,)"
+                                     R"("m_Entries":[{"id":1,"displayName":"Sun","referenceName":"SUN"},)"
+                                     R"({"id":2,"displayName":"Rain","referenceName":"RAIN"}])",
+                             .reference = "_SKY"});
+    folder.save("Rock.shadergraph", text.new_layout(), kGraph);
+    MaterialText on = material();
+    on.keywords = {"_MUD", "_SKY_RAIN"};
+    const std::string scene = file_of(import_in(folder, on), "x.scene.json");
+    EXPECT_NE(scene.find("\"_MUD\": true"), std::string::npos) << scene;
+    EXPECT_NE(scene.find("\"_SKY\": \"Rain\""), std::string::npos) << scene;
+    const std::string off = file_of(import_in(folder, material()), "x.scene.json");
+    EXPECT_EQ(off.find("_MUD"), std::string::npos) << off;
+}
+
+TEST(UnityMaterialOfAGraph, AGraphThatIsThereIsUsed) {
+    const MaterialFolder folder;
+    folder.save("Rock.shadergraph", graph().new_layout(), kGraph);
+    folder.save("Rock.graph.json",
+                R"({ "patina": 1, "workflow": "unlit", "properties": [ { "name": "_Wear", "type": "float" } ] })");
+    const Imported made = import_in(folder, material());
+    ASSERT_EQ(made.graphs.size(), 1u) << made.error;
+    EXPECT_NE(file_of(made, "x.scene.json").find("\"_Wear\": 0.75"), std::string::npos);
+    EXPECT_EQ(file_of(made, "x.scene.json").find("_Tint"), std::string::npos);
+    folder.save("Rock.graph.json", "{");
+    EXPECT_NE(import_in(folder, material()).error.find("'Rock.graph.json' in the output folder is not a graph"),
+              std::string::npos);
+}
+
+TEST(UnityMaterialOfAGraph, ABrokenGraphIsAnError) {
+    const MaterialFolder folder;
+    folder.save("Rock.shadergraph", "{", kGraph);
+    const Imported made = import_in(folder, material());
+    EXPECT_NE(made.error.find("Rock.shadergraph:1:"), std::string::npos) << made.error;
+    EXPECT_TRUE(made.graphs.empty());
+}
+
+}  // namespace
+}  // namespace patina::importers
