@@ -4,6 +4,7 @@
 #include "compiler/importers/gltf/gltf_importer.h"
 #include "compiler/importers/importer.h"
 #include "compiler/importers/merl/merl_importer.h"
+#include "compiler/importers/mtlx/mtlx_importer.h"
 #include "compiler/importers/shadergraph/shadergraph_importer.h"
 #include "compiler/importers/unitymaterial/unitymaterial_importer.h"
 
@@ -13,6 +14,7 @@ std::span<const Importer> importers() {
     static const Importer kImporters[] = {
         gltf_importer(),
         merl_importer(),
+        mtlx_importer(),
         shadergraph_importer(),
         unitymaterial_importer(),
     };

@@ -1,0 +1,353 @@
+// Which value an input has: what the document writes there, what an interface hands in, what another node computes, or
+// the default of a definition.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "compiler/base/text.h"
+#include "compiler/importers/mtlx/colors.h"
+#include "compiler/importers/mtlx/graph_maker.h"
+
+namespace patina::importers::mtlx {
+namespace {
+
+constexpr std::size_t kDeepest = 250;
+
+// Version 1.36 says "parameter" for inputs that cannot vary, and "bindinput" at materials.
+bool is_input(const Element& element) {
+    return element.category == "input" || element.category == "parameter" || element.category == "bindinput" ||
+           element.category == "bindparam";
+}
+
+const Element* input_of(const Element& node, std::string_view name) {
+    const auto found =
+        std::ranges::find_if(node.children, [&](const Element& each) { return is_input(each) && each.name() == name; });
+    return found == node.children.end() ? nullptr : &*found;
+}
+
+// Lengths in metres, and angles in degrees.
+double unit_scale(std::string_view unit) {
+    static constexpr std::pair<std::string_view, double> kUnits[] = {
+        {"nanometer", 1e-9},  {"micron", 1e-6},
+        {"millimeter", 1e-3}, {"centimeter", 1e-2},
+        {"inch", 0.0254},     {"foot", 0.3048},
+        {"yard", 0.9144},     {"kilometer", 1e3},
+        {"mile", 1609.344},   {"radian", 57.29577951308232}};
+    for (const auto& [name, scale] : kUnits)
+        if (name == unit) return scale;
+    return 1;
+}
+
+std::string_view interface_of(const Element& input) {
+    return input.attribute("interfacename");
+}
+
+}  // namespace
+
+void count_uses(const Element& element, std::map<std::string, std::size_t, std::less<>>& uses) {
+    for (const Element& each : element.children) {
+        if (each.category == "nodegraph") continue;
+        if (each.has("nodename")) ++uses[std::string(each.attribute("nodename"))];
+        if (each.has("nodegraph")) ++uses[fmt::format("{}/{}", each.attribute("nodegraph"), each.attribute("output"))];
+        if (each.has("interfacename")) ++uses["$" + std::string(each.attribute("interfacename"))];
+        count_uses(each, uses);
+    }
+}
+
+Type type_of_word(std::string_view type) {
+    if (type == "boolean") return Type::Bool;
+    if (type == "float" || type == "integer") return Type::Float;
+    if (type == "vector2") return Type::Float2;
+    if (type == "vector3" || type == "color3") return Type::Float3;
+    if (type == "vector4" || type == "color4") return Type::Float4;
+    if (type == "matrix33") return Type::Matrix3;
+    if (type == "matrix44") return Type::Matrix4;
+    return Type::None;
+}
+
+bool is_color(std::string_view type) {
+    return type == "color3" || type == "color4";
+}
+
+Scope& GraphMaker::scope_of(const Element& graph, Scope& around, const Element* definition, const Element* instance,
+                            Scope* caller) {
+    for (const auto& each : scopes_)
+        if (each->element == &graph && each->instance == instance && each->caller == caller) return *each;
+    scopes_.push_back(std::make_unique<Scope>(Scope{.element = &graph,
+                                                    .around = &around,
+                                                    .definition = definition,
+                                                    .instance = instance,
+                                                    .caller = caller,
+                                                    .number = scopes_.size()}));
+    Scope& made = *scopes_.back();
+    if (!made.definition && graph.has("nodedef"))
+        made.definition = import_.document.root.child("nodedef", graph.attribute("nodedef"));
+    count_uses(graph, made.uses);
+    return made;
+}
+
+std::size_t GraphMaker::uses(const Scope& scope, const Element& node) const {
+    const auto found = scope.uses.find(node.name());
+    return found == scope.uses.end() ? 0 : found->second;
+}
+
+const Element* GraphMaker::find(Scope& scope, std::string_view name) const {
+    for (const Scope* each = &scope; each; each = each->around)
+        if (const Element* found = each->element->child("", name)) return found;
+    return nullptr;
+}
+
+Source GraphMaker::source_of(Scope& scope, const Element& node, std::string_view name) {
+    const Element* input = input_of(node, name);
+    Scope* at = &scope;
+    // Each step leaves a node graph, so there is an end.
+    for (std::size_t steps = 0; input && steps < 1000; ++steps) {
+        const std::string_view wanted = interface_of(*input);
+        if (wanted.empty()) return {.input = input, .scope = at};
+        const Element* const own = input_of(*at->element, wanted);
+        const Element* const defined = at->definition ? input_of(*at->definition, wanted) : nullptr;
+        if (at->instance) {
+            if (const Element* given = input_of(*at->instance, wanted)) {
+                input = given;
+                at = at->caller;
+                continue;
+            }
+            return {.input = defined ? defined : own, .scope = at};
+        }
+        const Element* const interface = own ? own : defined;
+        if (!interface) return {};
+        if (interface == own && at->around &&
+            (own->has("nodename") || own->has("nodegraph") || own->has("interfacename"))) {
+            input = own;
+            at = at->around;
+            continue;
+        }
+        return {.input = interface, .scope = at, .is_interface = true};
+    }
+    return {};
+}
+
+bool GraphMaker::is_set(Scope& scope, const Element& node, std::string_view name) {
+    const Source source = source_of(scope, node, name);
+    return source.input && (source.input->has("value") || source.input->has("nodename") ||
+                            source.input->has("nodegraph") || source.input->has("output"));
+}
+
+std::string GraphMaker::type_of(Scope& scope, const Element& node, std::string_view name) {
+    if (!is_set(scope, node, name)) return {};
+    const Element* const own = input_of(node, name);
+    return std::string(own->type().empty() ? source_of(scope, node, name).input->type() : own->type());
+}
+
+std::string GraphMaker::word_of(Scope& scope, const Element& node, std::string_view name) {
+    const Source source = source_of(scope, node, name);
+    if (!source.input || source.input->has("nodename") || source.input->has("nodegraph")) return {};
+    return std::string(source.input->attribute("value"));
+}
+
+// "1, 0.5, 0" in any type; colours become linear.
+Term GraphMaker::literal(const Element& input, std::string_view type, std::string_view text) {
+    const Type wanted = type_of_word(type);
+    if (wanted == Type::Bool) return terms::flag_term(text == "true" || text == "1");
+    std::vector<double> numbers;
+    constexpr std::string_view kBetween = ", \t\r\n";
+    for (std::size_t begin = 0; (begin = text.find_first_not_of(kBetween, begin)) < text.size();) {
+        const std::size_t end = std::min(text.find_first_of(kBetween, begin), text.size());
+        const std::string_view word = text.substr(begin, end - begin);
+        const auto value = read_number(word);
+        const bool is_number = value && std::isfinite(static_cast<float>(*value));
+        if (!is_number)
+            remark(Remark::Kind::LeftOut, fmt::format("input '{}'", input.name()),
+                   fmt::format("'{}' is no number: 0 stands for it", word.substr(0, 40)), input);
+        numbers.push_back(is_number ? *value : 0);
+        begin = end;
+        if (numbers.size() > 16) break;
+    }
+    const bool is_matrix = wanted == Type::Matrix3 || wanted == Type::Matrix4;
+    const std::size_t rows = terms::width(wanted), count = is_matrix ? rows * rows : rows;
+    if (is_matrix && numbers.size() < count) {
+        numbers.clear();
+        for (std::size_t i = 0; i < count; ++i) numbers.push_back(i % (rows + 1) == 0 ? 1 : 0);
+    }
+    if (numbers.empty()) numbers.push_back(0);
+    if (numbers.size() == 1) numbers.resize(count, numbers[0]);
+    while (numbers.size() < count) numbers.push_back(numbers.size() == 3 ? 1 : 0);
+    numbers.resize(count);
+    if (is_color(type) && !input.colorspace.empty()) {
+        const Colorspace space = colorspace_of(input.colorspace);
+        if (!space.is_known)
+            remark(Remark::Kind::Changed, fmt::format("input '{}'", input.name()),
+                   fmt::format("the colour space '{}' is not known: its numbers are taken as linear", input.colorspace),
+                   input);
+        to_linear(space, numbers);
+    }
+    if (const double scale = unit_scale(input.attribute("unit")); scale != 1)
+        for (double& each : numbers) each *= scale;
+    Term made{.type = wanted, .numbers = std::move(numbers)};
+    return made;
+}
+
+Term GraphMaker::geometry(std::string_view property, Type type) {
+    Term made;
+    if (property == "UV0" || property == "UV1") {
+        const std::string id = property == "UV0" ? "uv" : "uv1", semantic = property == "UV0" ? "@uv0" : "@uv1";
+        made = terms::expression(fmt::format("float2({0}.x, 1 - {0}.y)", semantic), Type::Float2);
+        made.name = id;
+        made.from_top = semantic;
+        return made;
+    }
+    static constexpr std::pair<std::string_view, std::string_view> kValues[] = {
+        {"Pobject", "@positionOS"}, {"Pworld", "@positionWS"},     {"Nobject", "@normalOS"},
+        {"Nworld", "@normalWS"},    {"Tobject", "@tangentOS.xyz"}, {"Tworld", "@tangentWS"},
+        {"Bworld", "@bitangentWS"}, {"Vworld", "-@viewDirWS"}};
+    for (const auto& [name, value] : kValues)
+        if (name == property) return terms::link(std::string(value), Type::Float3);
+    return terms::converted(terms::number_term(0), type);
+}
+
+Term GraphMaker::input(Scope& scope, const Element& node, const Port& port, bool may_stay_number) {
+    const std::string own_type = type_of(scope, node, port.name);
+    const std::string type_word = !own_type.empty()   ? own_type
+                                  : port.type.empty() ? std::string(node.type())
+                                                      : port.type;
+    Type type = type_of_word(type_word);
+    if (type == Type::None) type = Type::Float3;  // "multioutput"
+    const Source source = source_of(scope, node, port.name);
+    Term made;
+    if (!source.input || !is_set(scope, node, port.name)) {
+        const Element* const geometric = source.input && source.input->has("defaultgeomprop") ? source.input : nullptr;
+        if (geometric)
+            made = geometry(geometric->attribute("defaultgeomprop"), type);
+        else if (port.otherwise.starts_with("@"))
+            made = geometry(std::string_view(port.otherwise).substr(1), type);
+        else
+            made = literal(Element{}, type_word, port.otherwise);
+    } else if (source.is_interface) {
+        made = property_of(*source.input);
+    } else {
+        made = value_at(*source.scope, *source.input, type);
+    }
+    if (source.input && input_of(node, port.name) && input_of(node, port.name)->has("channels"))
+        made = terms::swizzled(made, input_of(node, port.name)->attribute("channels"));
+    // What an interface hands to several readers gets a name.
+    const Element* const own = input_of(node, port.name);
+    if (own && own->has("interfacename") && !made.is_short()) {
+        const auto found = scope.uses.find("$" + std::string(own->attribute("interfacename")));
+        if (found != scope.uses.end() && found->second > 1) made = named(made);
+    }
+    if (made.is_constant() && terms::is_vector(made.type) && made.numbers.size() > 1 && may_stay_number &&
+        made.is_all(made.numbers[0]) && made.type == type) {
+        Term number = terms::number_term(made.numbers[0]);
+        number.sources = made.sources;
+        return number;
+    }
+    Term converted = terms::converted(made, type, may_stay_number);
+    if (converted.type == Type::None) {
+        approximate(node, fmt::format("its input '{}' takes {} and is connected to {}: it has 0", port.name,
+                                      terms::word(type), terms::word(made.type)));
+        return terms::converted(terms::number_term(0), type);
+    }
+    return converted;
+}
+
+// What the document writes at an input, or connects to it.
+Term GraphMaker::value_at(Scope& scope, const Element& input, Type type) {
+    if (!input.has("nodename") && !input.has("nodegraph") && !input.has("output")) {
+        Term made =
+            literal(input, input.type().empty() ? std::string_view("float") : input.type(), input.attribute("value"));
+        return made.type == Type::None ? terms::converted(terms::number_term(0), type) : made;
+    }
+    return connected(scope, input);
+}
+
+Term GraphMaker::connected(Scope& scope, const Element& input) {
+    const std::string_view output = input.attribute("output");
+    const Type type = type_of_word(input.type());
+    // An output can read itself, by way of other outputs.
+    if (depth_ > kDeepest) return magenta(input, type == Type::None ? Type::Float : type, "it is nested too deep");
+    struct Level {
+        explicit Level(std::size_t& depth) : depth_(++depth) {}
+        ~Level() { --depth_; }
+        std::size_t& depth_;
+    };
+    const Level level(depth_);
+    const std::string_view name = input.has("nodename") ? input.attribute("nodename") : input.attribute("nodegraph");
+    const Element* const found = find(scope, name.empty() ? output : name);
+    if (!found) {
+        remark(Remark::Kind::LeftOut, fmt::format("input '{}'", input.name()),
+               fmt::format("it reads '{}', which is not there", name.empty() ? output : name), input);
+        return magenta(input, type == Type::None ? Type::Float : type,
+                       fmt::format("'{}' is not there", name.empty() ? output : name));
+    }
+    if (found->category == "output") return connected(scope, *found);
+    // The scope in which it stands.
+    Scope* at = &scope;
+    while (at->around && !at->element->child("", found->name())) at = at->around;
+    if (found->category == "nodegraph") return output_of(*found, *at, output, input);
+    return evaluate(*at, *found, output.empty() ? std::string_view("out") : output);
+}
+
+Term GraphMaker::output_of(const Element& graph, Scope& around, std::string_view output, const Element& reader) {
+    Scope& scope = scope_of(graph, around);
+    const Element* found = output.empty() ? nullptr : graph.child("output", output);
+    if (!found)
+        for (const Element& each : graph.children)
+            if (!found && output.empty() && each.category == "output") found = &each;
+    if (!found) {
+        remark(Remark::Kind::LeftOut, fmt::format("input '{}'", reader.name()),
+               fmt::format("the node graph '{}' has no output '{}'", graph.name(), output), reader);
+        const Type type = type_of_word(reader.type());
+        return magenta(reader, type == Type::None ? Type::Float : type, "the output is not there");
+    }
+    Term made;
+    if (found->has("nodename") || found->has("nodegraph")) {
+        made = connected(scope, *found);
+        if (found->has("channels")) made = terms::swizzled(made, found->attribute("channels"));
+    } else if (found->has("interfacename")) {
+        Element port{.category = "node"};
+        port.children.push_back(
+            Element{.category = "input",
+                    .attributes = {{"name", "in"},
+                                   {"type", std::string(found->type())},
+                                   {"interfacename", std::string(found->attribute("interfacename"))}}});
+        made = this->input(scope, port, {.name = "in", .type = std::string(found->type())});
+    } else {
+        made = literal(*found, found->type(), found->attribute("value"));
+    }
+    const auto uses = around.uses.find(fmt::format("{}/{}", graph.name(), output));
+    if (uses != around.uses.end() && uses->second > 1 && !made.is_short()) made = named(made);
+    return made;
+}
+
+const Element* GraphMaker::implementation(const Element& node, const Element*& definition) const {
+    definition = nullptr;
+    const Element& root = import_.document.root;
+    for (const Element& each : root.children) {
+        if (each.category != "nodedef") continue;
+        const bool is_named = node.has("nodedef") && each.name() == node.attribute("nodedef");
+        bool fits = each.attribute("node") == node.category && !node.has("nodedef");
+        if (fits && each.has("type")) fits = each.type() == node.type();
+        if (fits && !each.has("type")) {
+            std::size_t outputs = 0;
+            bool has_type = false;
+            for (const Element& child : each.children) {
+                if (child.category != "output") continue;
+                ++outputs;
+                has_type |= child.type() == node.type();
+            }
+            fits = outputs != 1 || has_type;
+        }
+        if (!is_named && !fits) continue;
+        definition = &each;
+        for (const Element& graph : root.children) {
+            if (graph.category == "nodegraph" && graph.attribute("nodedef") == each.name()) return &graph;
+            if (graph.category == "implementation" && graph.attribute("nodedef") == each.name() &&
+                graph.has("nodegraph"))
+                return root.child("nodegraph", graph.attribute("nodegraph"));
+        }
+    }
+    return nullptr;
+}
+
+}  // namespace patina::importers::mtlx

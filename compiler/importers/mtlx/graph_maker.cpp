@@ -1,0 +1,264 @@
+#include "compiler/importers/mtlx/graph_maker.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace patina::importers::mtlx {
+namespace {
+
+constexpr std::size_t kDeepest = 120, kMostNodes = 20000;
+
+}  // namespace
+
+GraphMaker::GraphMaker(Import& import, std::string name) : import_(import), name_(std::move(name)) {
+    file_.name = name_;
+    scopes_.push_back(std::make_unique<Scope>(Scope{.element = &import.document.root}));
+    count_uses(import.document.root, scopes_.front()->uses);
+}
+
+std::size_t GraphMaker::number_of(const Element& node) {
+    const auto [found, is_new] = numbers_.try_emplace(&node, elements_.size());
+    if (is_new) {
+        elements_.push_back(&node);
+        outcomes_[found->second].label = scope_label_;
+    }
+    return found->second;
+}
+
+std::size_t GraphMaker::note(const Element& node) {
+    import_.reached.insert(&node);
+    return number_of(node);
+}
+
+Term GraphMaker::evaluate(Scope& scope, const Element& node, std::string_view output) {
+    Key key{scope.number, &node, std::string(output)};
+    if (const auto found = values_.find(key); found != values_.end()) return found->second;
+    import_.reached.insert(&node);
+    const Type type = type_of_word(node.type());
+    if (!open_.insert(key).second) {
+        if (import_.error.empty())
+            import_.error =
+                fmt::format("{}:{}:{}: '{}' reads itself", import_.path, node.line, node.column, node.name());
+        return terms::number_term(0);
+    }
+    const std::string label = scope_label_;
+    scope_label_ = scope.element->category == "nodegraph"
+                       ? std::string(scope.instance ? scope.instance->name() : scope.element->name()) + "/"
+                       : "";
+    number_of(node);
+    Term made;
+    if (depth_ > kDeepest || ++evaluated_ > kMostNodes) {
+        made = magenta(node, type,
+                       depth_ > kDeepest ? fmt::format("it is read through more than {} nodes", kDeepest)
+                                         : fmt::format("the material has more than {} nodes", kMostNodes));
+    } else {
+        ++depth_;
+        made = computed(scope, node, output);
+        --depth_;
+    }
+    made.sources.insert(number_of(node));
+    const bool is_coordinates = made.from_top == "@uv0" || made.from_top == "@uv1";
+    if (made.name.empty() || (!made.is_link() && !is_coordinates)) made.name = terms::camel_case(node.name());
+    // Outputs of one node are written again: they are links.
+    if (uses(scope, node) > 1 && !made.is_short()) made = named(made);
+    scope_label_ = label;
+    open_.erase(key);
+    return values_[std::move(key)] = std::move(made);
+}
+
+// The first that knows the node: a function, the table, the document.
+Term GraphMaker::computed(Scope& scope, const Element& node, std::string_view output) {
+    const Type type = type_of_word(node.type());
+    if (auto made = apply_special(*this, scope, node, output)) return *made;
+    if (auto made = apply_rule(*this, scope, node, output)) return *made;
+    const Element* definition = nullptr;
+    const Element* const graph = implementation(node, definition);
+    if (graph) {
+        Scope& inner = scope_of(*graph, *scopes_.front(), definition, &node, &scope);
+        const Element* found = nullptr;
+        for (const Element& each : graph->children)
+            if (each.category == "output" && (each.name() == output || (!found && output == "out"))) found = &each;
+        if (!found) return magenta(node, type, fmt::format("its implementation has no output '{}'", output));
+        Term made;
+        if (found->has("nodename") || found->has("nodegraph")) {
+            made = connected(inner, *found);
+            if (found->has("channels")) made = terms::swizzled(made, found->attribute("channels"));
+        } else {
+            Element port{.category = "node"};
+            port.children.push_back(*found);
+            port.children[0].category = "input";
+            port.children[0].attributes.push_back({"name", "in"});
+            std::erase_if(port.children[0].attributes,
+                          [&](const auto& each) { return each.first == "name" && each.second != "in"; });
+            made = input(inner, port, {.name = "in", .type = std::string(found->type())});
+        }
+        return made;
+    }
+    std::string reason = fmt::format("'{}' is no node of MaterialX that this importer knows", node.category);
+    if (definition) reason = fmt::format("the document defines '{}', but not by a node graph", node.category);
+    if (is_in_table(node.category))
+        reason = fmt::format("'{}' has no such form that this importer knows", node.category);
+    return magenta(node, type == Type::None ? Type::Float3 : type, reason);
+}
+
+Term GraphMaker::named(const Term& term) {
+    if (term.is_constant() || term.is_link() || term.base.empty()) return term;
+    Term whole = term;
+    whole.swizzle.clear();  // it stays where it is read
+    const auto [found, is_new] = named_.try_emplace(whole.base);
+    if (is_new) {
+        const std::string id = ids_.unique(term.name, "value");
+        file_.nodes.push_back({.id = id, .expression = whole.base});
+        found->second = terms::link(id, whole.type);
+        written(term, fmt::format("the node '{}'", id));
+    }
+    Term made = found->second;
+    made.type = term.type;
+    made.swizzle = term.swizzle;
+    made.is_color = term.is_color;
+    made.from_top = term.from_top;
+    made.tangent = term.tangent;
+    made.name = term.name;
+    return made;
+}
+
+std::string GraphMaker::add_node(const Element& node, GraphNode made, std::string_view wanted) {
+    made.id = ids_.unique(wanted.empty() ? terms::camel_case(node.name()) : std::string(wanted),
+                          terms::camel_case(node.category));
+    Outcome& outcome = outcomes_[number_of(node)];
+    if (outcome.where.empty()) outcome.where = fmt::format("the node '{}'", made.id);
+    std::string id = made.id;
+    file_.nodes.push_back(std::move(made));
+    return id;
+}
+
+void GraphMaker::written(const Term& term, std::string_view where) {
+    for (const std::size_t each : term.sources)
+        if (outcomes_[each].where.empty()) outcomes_[each].where = where;
+}
+
+void GraphMaker::approximate(const Element& node, std::string difference) {
+    Outcome& outcome = outcomes_[number_of(node)];
+    if (outcome.kind == Remark::Kind::Taken) outcome.kind = Remark::Kind::Changed;
+    if (outcome.text.find(difference) == outcome.text.npos)
+        outcome.text += (outcome.text.empty() ? "" : "; ") + std::move(difference);
+}
+
+void GraphMaker::refuse(const Element& node, std::string reason) {
+    import_.has_refused = true;
+    outcomes_[number_of(node)] = {
+        .kind = Remark::Kind::LeftOut, .where = {}, .text = std::move(reason), .label = scope_label_};
+}
+
+// A node of its own, so that the place is seen in the graph, too.
+Term GraphMaker::magenta(const Element& node, Type type, std::string_view reason) {
+    import_.has_refused = true;
+    const bool is_input = node.category == "input" || node.category == "output" || node.category == "bindinput";
+    if (!is_input) refuse(node, std::string(reason));
+    Term made;
+    switch (type) {
+        case Type::Bool: made = terms::flag_term(false); break;
+        case Type::Float2: made = terms::constant({1, 0}); break;
+        case Type::Float3: made = terms::constant({1, 0, 1}); break;
+        case Type::Float4: made = terms::constant({1, 0, 1, 1}); break;
+        case Type::Matrix3: made = {.type = type, .numbers = {1, 0, 0, 0, 1, 0, 0, 0, 1}}; break;
+        case Type::Matrix4: made = {.type = type, .numbers = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}}; break;
+        case Type::Float:
+        case Type::None: made = terms::number_term(1); break;
+    }
+    const std::string id = ids_.unique(terms::camel_case(node.name()), "refused");
+    file_.nodes.push_back(
+        {.id = id, .expression = made.text(), .more = {{"note", text(fmt::format("not imported: {}", reason))}}});
+    return terms::link(id, made.type);
+}
+
+void GraphMaker::remark(Remark::Kind kind, std::string part, std::string text, const Element& place) {
+    if (kind == Remark::Kind::LeftOut) import_.has_refused = true;
+    Remark made{.kind = kind,
+                .part = scope_label_ + std::move(part),
+                .text = std::move(text),
+                .line = place.line,
+                .column = place.column};
+    const bool is_there = std::ranges::any_of(import_.remarks, [&](const Remark& each) {
+        return each.line == made.line && each.column == made.column && each.part == made.part && each.text == made.text;
+    });
+    if (!is_there) import_.remarks.push_back(std::move(made));
+}
+
+// An input of a node graph that nothing connects can be set from outside.
+Term GraphMaker::property_of(const Element& input) {
+    const auto [found, is_new] = properties_.try_emplace(&input);
+    if (!is_new) return found->second;
+    import_.reached.insert(&input);
+    const std::string type = std::string(input.type());
+    const Term value = literal(input, type, input.attribute("value"));
+    Term made = value;
+    std::string word, suffix;
+    if (type == "float" || type == "vector2" || type == "vector3" || type == "vector4") word = terms::word(value.type);
+    if (type == "integer") word = "int";
+    if (type == "boolean") word = "bool";
+    if (is_color(type)) word = "color";
+    if (!word.empty()) {
+        GraphProperty property{.name = property_names_.unique("_" + terms::pascal_case(input.name()), "_value"),
+                               .type = word};
+        property.value = value.value();
+        if (word == "color" && value.is_all(value.numbers[0]))
+            property.value = list(std::vector<float>(type == "color4" ? 4 : 3, static_cast<float>(value.numbers[0])));
+        if (word.starts_with("float") && value.numbers.size() > 1)
+            property.value = list(std::vector<float>(value.numbers.begin(), value.numbers.end()));
+        const auto limit = [&](std::string_view name, std::string_view soft) {
+            const std::string_view stated = input.has(soft) ? input.attribute(soft) : input.attribute(name);
+            return stated.empty() ? Term{} : literal(input, "float", stated);
+        };
+        const Term low = limit("uimin", "uisoftmin"), high = limit("uimax", "uisoftmax");
+        if ((type == "float" || type == "integer") && low.is_constant() && high.is_constant() &&
+            low.numbers[0] < high.numbers[0] && value.numbers[0] >= low.numbers[0] &&
+            value.numbers[0] <= high.numbers[0])
+            property.more.push_back({"range", list({number(static_cast<float>(low.numbers[0])),
+                                                    number(static_cast<float>(high.numbers[0]))})});
+        for (const auto& [from, to] :
+             {std::pair("uiname", "label"), std::pair("uifolder", "group"), std::pair("doc", "help")})
+            if (!input.attribute(from).empty()) property.more.push_back({to, text(input.attribute(from))});
+        made = terms::link("$" + property.name, value.type);
+        made.is_color = word == "color";
+        if (type == "color3") {
+            made.type = Type::Float4;
+            made = terms::swizzled(made, "rgb");
+        }
+        if (type == "integer") made = terms::expression(fmt::format("float({})", made.base), Type::Float);
+        remark(Remark::Kind::Taken, fmt::format("input '{}'", input.name()),
+               fmt::format("the property '{}'", property.name), input);
+        file_.properties.push_back(std::move(property));
+    }
+    properties_[&input] = made;
+    return made;
+}
+
+void GraphMaker::report_nodes() {
+    for (const auto& [index, outcome] : outcomes_) {
+        const Element& node = *elements_[index];
+        std::string part = outcome.label + (node.name().empty() ? std::string(node.category)
+                                                                : fmt::format("{} '{}'", node.category, node.name()));
+        std::string text = outcome.text;
+        if (outcome.kind != Remark::Kind::LeftOut) {
+            const std::string where = outcome.where.empty() ? "a part of what reads it" : outcome.where;
+            text = text.empty() ? where : where + ": " + text;
+        }
+        scope_label_.clear();
+        remark(outcome.kind, std::move(part), std::move(text), node);
+    }
+}
+
+void GraphMaker::make(const Element& material, const Element& shader, Scope& scope) {
+    number_of(shader);
+    import_.reached.insert(&shader);
+    import_.reached.insert(&material);
+    make_surface(scope, shader);
+    report_nodes();
+    if (&material != &shader)
+        remark(Remark::Kind::Taken, fmt::format("{} '{}'", material.category, material.name()),
+               fmt::format("the graph '{}'", name_), material);
+}
+
+}  // namespace patina::importers::mtlx

@@ -1,0 +1,162 @@
+// Makes the graph of one material. It starts at the inputs of the material's surface shader and evaluates what they
+// read; a node comes after those that it reads. Node graphs are not kept: what is in them becomes nodes of the graph,
+// and what their interfaces set becomes its properties. A node whose definition is in the document is replaced by what
+// implements it, once for each use.
+//
+//   graph_maker.cpp     the order; what an input is; names; what becomes of each node
+//   connections.cpp     which value an input has: interfaces, definitions, outputs
+//   rules.cpp           nodes of the table
+//   special_nodes.cpp   nodes that no row can say, by a list of functions
+//   noise.cpp           noise, as files of nodes
+//   textures.cpp        pictures
+//   surface.cpp         what the shader gets
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+
+#include "compiler/importers/graph_writer.h"
+#include "compiler/importers/importer.h"
+#include "compiler/importers/mtlx/node_table.h"
+#include "compiler/importers/mtlx/read/document.h"
+#include "compiler/importers/terms.h"
+
+namespace patina::importers::mtlx {
+
+using terms::Term;
+using terms::Type;
+
+// What the graphs of one document share.
+struct Import {
+    const Document& document;
+    std::string path{}, folder{};        // of the document; that will be written to
+    std::vector<std::string> folders{};  // that are searched for pictures
+    std::vector<TextFile> files{};
+    std::vector<Remark> remarks{};
+    terms::Names file_names{};
+    std::map<std::string, std::string> node_files{};  // noise: kind -> file
+    std::set<const Element*> reached{};
+    bool has_refused = false;
+    std::string error{};  // the document cannot be imported: a node reads itself
+};
+
+// A node graph, or the document, as it is used in one place.
+struct Scope {
+    const Element* element = nullptr;
+    Scope* around = nullptr;              // in which a node graph stands
+    const Element* definition = nullptr;  // the nodedef that it implements
+    const Element* instance = nullptr;    // the node that it replaces, which stands in
+    Scope* caller = nullptr;              // this scope
+    std::size_t number = 0;
+    std::map<std::string, std::size_t, std::less<>>
+        uses{};  // how often something is read: "mask", "$input", "graph/output"
+};
+
+// The input that says a value at last, after all interfaces.
+struct Source {
+    const Element* input = nullptr;  // null: nothing says it
+    Scope* scope = nullptr;          // in which its connections are looked for
+    bool is_interface = false;       // it is an input of a node graph that nothing connects: a property
+};
+
+class GraphMaker {
+public:
+    GraphMaker(Import& import, std::string name);
+
+    // The graph of a surface shader, which stands in the document or in a node graph. `material`: for the report.
+    void make(const Element& material, const Element& shader, Scope& scope);
+    GraphFile& file() { return file_; }
+    Scope& document_scope() { return *scopes_.front(); }
+
+    // --- for those who evaluate nodes
+    Import& import() { return import_; }
+    Source source_of(Scope& scope, const Element& node, std::string_view input);
+    bool is_set(Scope& scope, const Element& node, std::string_view input);
+    // The type of an input that is set; empty, if it is not.
+    std::string type_of(Scope& scope, const Element& node, std::string_view input);
+    // A string, a number or a switch that is stated, and not computed.
+    std::string word_of(Scope& scope, const Element& node, std::string_view input);
+    // The value of an input, in its type. `may_stay_number`: who takes it converts numbers to vectors.
+    Term input(Scope& scope, const Element& node, const Port& port, bool may_stay_number = false);
+    Term geometry(std::string_view property, Type type);  // "UV0", "Nworld"
+    // A link to the term, which becomes a node of its own unless it is a link already.
+    Term named(const Term& term);
+    std::string add_node(const Element& node, GraphNode made, std::string_view wanted = {});
+    void written(const Term& term, std::string_view where);
+    void refuse(const Element& node, std::string reason);
+    void approximate(const Element& node, std::string difference);
+    Term magenta(const Element& node, Type type, std::string_view reason);
+    void remark(Remark::Kind kind, std::string part, std::string text, const Element& place);
+    // The texture of a node, sampled.
+    Term sampled(Scope& scope, const Element& node, Term coordinates, std::string_view file_input = "file",
+                 std::string_view wrap_input = "uaddressmode", std::string_view other_wrap_input = "vaddressmode");
+    // The texture's property: "$_Wood".
+    std::string texture(Scope& scope, const Element& node, std::string_view file_input, std::string_view wrap,
+                        std::string_view filter);
+
+    Term sampled_normal(const Element& node, const Term& texel, const Term& scale);
+    std::string noise_file(std::string_view kind);
+    std::size_t uses(const Scope& scope, const Element& node) const;
+    // Its number among the sources of terms; it is reported.
+    std::size_t note(const Element& node);
+    Term literal(const Element& input, std::string_view type, std::string_view text);
+    // The text with its placeholders filled in.
+    Term filled(Scope& scope, const Element& node, const NodeRule& rule, const std::string& text, Type type,
+                std::map<std::string, std::size_t>& counts, const Term& self = {});
+    Scope& scope_of(const Element& graph, Scope& around, const Element* definition = nullptr,
+                    const Element* instance = nullptr, Scope* caller = nullptr);
+    const Element* find(Scope& scope, std::string_view name) const;
+    const Element* implementation(const Element& node, const Element*& definition) const;
+    Term evaluate(Scope& scope, const Element& node, std::string_view output);
+
+private:
+    using Key = std::tuple<std::size_t, const Element*, std::string>;
+    struct Outcome {
+        Remark::Kind kind = Remark::Kind::Taken;
+        std::string where{}, text{}, label{};
+    };
+    struct Texture {
+        std::string property{};
+        bool is_normal = false;
+    };
+
+    Term value_at(Scope& scope, const Element& input, Type type);
+    Term connected(Scope& scope, const Element& input);
+    Term output_of(const Element& graph, Scope& around, std::string_view output, const Element& reader);
+    Term computed(Scope& scope, const Element& node, std::string_view output);
+    Term property_of(const Element& input);
+    void make_surface(Scope& scope, const Element& shader);
+    void add_ignored(const SurfaceRule& rule, const Element& shader);
+    void report_nodes();
+    std::size_t number_of(const Element& node);
+
+    Import& import_;
+    std::string name_;
+    GraphFile file_{};
+    terms::Names ids_{}, property_names_{};
+    std::vector<std::unique_ptr<Scope>> scopes_{};
+    std::map<Key, Term> values_{};
+    std::set<Key> open_{};
+    std::vector<const Element*> elements_{};  // by number
+    std::map<const Element*, std::size_t> numbers_{};
+    std::map<std::size_t, Outcome> outcomes_{};
+    std::map<std::string, Term, std::less<>> named_{};  // by text
+    std::map<const Element*, Term> properties_{};       // of inputs of node graphs
+    std::map<std::string, Texture> textures_{};         // by file and how it is read
+    std::map<std::string, std::string> samples_{};      // by texture and coordinates: the node
+    std::size_t depth_ = 0, evaluated_ = 0;
+    std::string scope_label_{};
+};
+
+// Evaluates a node by the table; nothing: it is not in the table.
+std::optional<Term> apply_rule(GraphMaker& maker, Scope& scope, const Element& node, std::string_view output);
+// Evaluates a node that has a function of its own; nothing: it has none.
+std::optional<Term> apply_special(GraphMaker& maker, Scope& scope, const Element& node, std::string_view output);
+std::vector<std::string_view> special_nodes();
+
+Type type_of_word(std::string_view type);  // "color3"; None: it is no value of a graph
+bool is_color(std::string_view type);
+void count_uses(const Element& around, std::map<std::string, std::size_t, std::less<>>& uses);
+
+}  // namespace patina::importers::mtlx

@@ -1,0 +1,154 @@
+// What the surface shader of a material gets: the inputs of the graph's surface, and its render state.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "compiler/base/text.h"
+#include "compiler/importers/mtlx/special_nodes.h"
+
+namespace patina::importers::mtlx {
+namespace {
+
+void count(const std::string& text, std::map<std::string, std::size_t>& counts) {
+    for (std::size_t at = 0; (at = text.find('{', at)) != text.npos; ++at)
+        ++counts[text.substr(at + 1, text.find_first_of("}.!", at) - at - 1)];
+}
+
+bool reads(const std::string& text, std::string_view input) {
+    const std::size_t at = text.find("{" + std::string(input));
+    return at != text.npos && std::string_view("}.!").find(text[at + 1 + input.size()]) != std::string_view::npos;
+}
+
+}  // namespace
+
+void GraphMaker::make_surface(Scope& scope, const Element& shader) {
+    std::string kind(shader.category);
+    if (kind == "UsdPreviewSurface") {
+        const std::string word = word_of(scope, shader, "useSpecularWorkflow");
+        if (word == "1" || word == "true") kind += " specular";
+    }
+    const SurfaceRule* const surface = surface_rule(kind);
+    if (!surface) {
+        file_.workflow = "unlit";
+        const Term color =
+            magenta(shader, Type::Float3, fmt::format("'{}' is no surface shader that this importer knows", kind));
+        file_.surface.push_back({"color", color.value()});
+        return;
+    }
+    file_.workflow = surface->workflow;
+    file_.lighting = surface->lighting;
+    std::map<std::string, std::size_t> counts;
+    std::set<std::string> carried = {"alpha", "alpha_mode", "alpha_cutoff", "opacityThreshold", "useSpecularWorkflow"};
+    for (const Statement& each : surface->rule.statements) count(each.text, counts);
+    Term alpha;
+    for (const Statement& each : surface->rule.statements) {
+        std::vector<std::string> inputs;
+        for (const Port& port : surface->rule.inputs)
+            if (reads(each.text, port.name) && is_set(scope, shader, port.name)) inputs.push_back(port.name);
+        if (!each.only_if.empty() && !is_set(scope, shader, each.only_if)) continue;
+        Type type = Type::Float;
+        for (const Port& port : surface->rule.inputs)
+            if (reads(each.text, port.name) && !each.text.ends_with(".x}") &&
+                terms::width(type_of_word(port.type)) > terms::width(type))
+                type = type_of_word(port.type);
+        Term value;
+        std::string key = each.output;
+        const auto texture = key == "normalTS" ? normal_map_of(*this, scope, shader, "normal") : std::nullopt;
+        value = texture ? sampled_normal(shader, *texture, terms::number_term(1))
+                        : filled(scope, shader, surface->rule, each.text, type, counts);
+        if (texture) written(value, "'surface.normalTS'");
+        if (key == "normal" && (value.text() == "@normalWS" || value.type == Type::None)) continue;
+        if (key == "normal" || key.ends_with("NormalWS")) {
+            // A constant direction in the world is what programs write for a default.
+            if (value.is_constant()) {
+                if (const Element* stated = shader.child("", inputs.empty() ? "" : inputs[0]))
+                    remark(Remark::Kind::Taken, fmt::format("{} input '{}'", kind, inputs[0]), "the mesh's own normal",
+                           *stated);
+                for (const std::string& input : inputs) carried.insert(input);
+                continue;
+            }
+            if (key == "normal") key = value.tangent.empty() ? "normalWS" : "normalTS";
+            if (key == "normalTS") {
+                Term tangent = terms::link(value.tangent, Type::Float3);
+                tangent.sources = value.sources;
+                value = tangent;
+            }
+            if (key == "clearcoatNormalWS" && value.text() == "@normalWS") continue;
+            if (key == "coatNormalWS" && value.text() == "@normalWS") continue;
+        }
+        if (key == "normalTS" && value.is_constant()) continue;
+        written(value, fmt::format("'surface.{}'", key));
+        for (const std::string& input : inputs) {
+            if (!carried.insert(input).second) continue;
+            if (const Element* stated = shader.child("", input))
+                remark(Remark::Kind::Taken, fmt::format("{} input '{}'", kind, input), fmt::format("'surface.{}'", key),
+                       *stated);
+        }
+        if (const auto otherwise = read_number(each.otherwise); otherwise && value.is_all(*otherwise)) continue;
+        if (key == "alpha") {
+            alpha = value;
+            continue;
+        }
+        file_.surface.push_back({key, value.value()});
+    }
+
+    // How alpha is used.
+    std::string mode;
+    Term cutoff;
+    if (shader.category == "gltf_pbr") {
+        const std::string stated = word_of(scope, shader, "alpha_mode");
+        if (stated == "1" || stated == "2") {
+            mode = stated == "1" ? "cutout" : "fade";
+            alpha = input(scope, shader, {.name = "alpha", .type = "float", .otherwise = "1"});
+            if (stated == "1")
+                cutoff = input(scope, shader, {.name = "alpha_cutoff", .type = "float", .otherwise = "0.5"});
+        }
+    } else if (alpha.type != Type::None) {
+        mode = shader.category == "UsdPreviewSurface" ? "transparent" : "fade";
+        if (shader.category == "UsdPreviewSurface" && is_set(scope, shader, "opacityThreshold")) {
+            cutoff = input(scope, shader, {.name = "opacityThreshold", .type = "float", .otherwise = "0"});
+            if (!cutoff.is_all(0)) mode = "cutout";
+        }
+        if (shader.category == "standard_surface" && is_set(scope, shader, "opacity"))
+            approximate(shader, "its opacity is that of red, in all channels");
+    }
+    if (mode == "fade" && alpha.is_all(1)) mode.clear();
+    if (!mode.empty()) {
+        written(alpha, "'surface.alpha'");
+        if (!alpha.is_all(1)) file_.surface.push_back({"alpha", alpha.value()});
+        if (mode == "cutout" && cutoff.type != Type::None && !cutoff.is_all(0.5)) {
+            written(cutoff, "'surface.alphaClip'");
+            file_.surface.push_back({"alphaClip", cutoff.value()});
+        }
+        const Member render[] = {{"surface", text(mode)}};
+        file_.more.push_back({"render", object(render)});
+    }
+    for (const SurfaceRule::Ignored& each : surface->ignored) {
+        carried.insert(std::string(each.input));
+        if (!is_set(scope, shader, each.input)) continue;
+        const Element* const stated = shader.child("", each.input);
+        const bool is_tangent = each.input.ends_with("tangent");
+        if (is_tangent &&
+            input(scope, shader, {.name = std::string(each.input), .type = "vector3"}).text() == "@tangentWS")
+            continue;
+        if (stated)
+            remark(Remark::Kind::Changed, fmt::format("{} input '{}'", kind, each.input), std::string(each.text),
+                   *stated);
+    }
+    for (const Element& each : shader.children) {
+        const bool is_input =
+            each.category == "input" || each.category == "parameter" || each.category.starts_with("bind");
+        if (!is_input || carried.contains(std::string(each.name()))) continue;
+        if (surface->rule.input(each.name()))
+            remark(Remark::Kind::Taken, fmt::format("{} input '{}'", kind, each.name()),
+                   "it has no effect without the layer that reads it", each);
+        else
+            remark(Remark::Kind::Changed, fmt::format("{} input '{}'", kind, each.name()),
+                   "the shader has no such input", each);
+    }
+    Term all;
+    all.sources.insert(number_of(shader));
+    written(all, fmt::format("the surface, lit by '{}'", file_.lighting.empty() ? file_.workflow : file_.lighting));
+}
+
+}  // namespace patina::importers::mtlx

@@ -1,0 +1,230 @@
+// Pictures: the property that shows a file, and the node that samples it. Coordinates of MaterialX begin at the lower
+// left corner of a picture, and those of a graph at the upper left one.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "compiler/importers/mtlx/colors.h"
+#include "compiler/importers/mtlx/special_nodes.h"
+
+namespace patina::importers::mtlx {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string wrap_word(std::string_view mode) {
+    if (mode == "clamp" || mode == "constant" || mode == "black") return "clamp";
+    return mode == "mirror" ? "mirror" : "repeat";
+}
+
+}  // namespace
+
+std::string GraphMaker::texture(Scope& scope, const Element& node, std::string_view file_input, std::string_view wrap,
+                                std::string_view filter) {
+    const Source source = source_of(scope, node, file_input);
+    if (!source.input) return {};
+    const std::string stated = source.input->fileprefix + std::string(source.input->attribute("value"));
+    if (stated.find('<') != stated.npos || stated.find("%0") != stated.npos || stated.find('{') != stated.npos) {
+        refuse(node, fmt::format("'{}' stands for several pictures", stated));
+        return {};
+    }
+    const bool is_normal = filter == "normal";
+    // Only colours have a colour space, whatever the elements around say.
+    const std::string_view type = node.type();
+    const bool is_data = type == "float" || type.starts_with("vector");
+    const Colorspace space = is_data ? Colorspace{} : colorspace_of(source.input->colorspace);
+    if (!is_normal) {
+        if (!space.is_known)
+            approximate(node, fmt::format("the colour space '{}' is not known: its numbers are taken as linear",
+                                          source.input->colorspace));
+        else if (space.is_color && space.gamma != 0)
+            approximate(node, fmt::format("'{}' is decoded as sRGB", source.input->colorspace));
+        if (space.matrix)
+            approximate(node, fmt::format("the primaries of '{}' are those of sRGB", source.input->colorspace));
+    }
+    Texture& texture = textures_[fmt::format("{}\n{}\n{}\n{}", stated, wrap, filter, space.is_color)];
+    if (!texture.property.empty()) return "$" + texture.property;
+
+    const fs::path name(stated);
+    std::vector<fs::path> candidates = {fs::path(source.input->folder) / name};
+    for (const std::string& folder : import_.folders) candidates.push_back(fs::path(folder) / name);
+    std::string file;
+    std::error_code wrong;
+    for (const fs::path& each : candidates) {
+        if (!file.empty() || !fs::is_regular_file(each, wrong)) continue;
+        const fs::path output = fs::absolute(import_.folder.empty() ? "." : import_.folder, wrong).lexically_normal();
+        const fs::path picture = fs::absolute(each, wrong).lexically_normal();
+        file = (picture.parent_path().lexically_relative(output) / picture.filename()).generic_string();
+        if (!file.starts_with("../") && !file.starts_with("./")) file = "./" + file;
+    }
+    std::string wanted =
+        terms::pascal_case(source.is_interface ? std::string(source.input->name()) : name.stem().string());
+    texture.property = property_names_.unique("_" + wanted, "_texture");
+    texture.is_normal = is_normal;
+    GraphProperty made{.name = texture.property, .type = "texture2d"};
+    made.value = text(!file.empty() ? std::string_view(file)
+                      : is_normal   ? std::string_view("bump")
+                                    : std::string_view("white"));
+    if (is_normal)
+        made.more.push_back({"usage", text("normal")});
+    else if (!space.is_color)
+        made.more.push_back({"usage", text("data")});
+    std::vector<Member> sampler;
+    if (wrap != "repeat") sampler.push_back({"wrap", text(wrap)});
+    if (filter == "nearest") sampler.push_back({"filter", text("nearest")});
+    if (!sampler.empty()) made.more.push_back({"sampler", object(sampler)});
+    if (source.is_interface) {
+        import_.reached.insert(source.input);
+        remark(Remark::Kind::Taken, fmt::format("input '{}'", source.input->name()),
+               fmt::format("the property '{}'", made.name), *source.input);
+    }
+    if (file.empty()) {
+        made.comment = fmt::format("The picture '{}' was not found.", stated);
+        approximate(node, fmt::format("the picture '{}' is not there: the texture is {}", stated,
+                                      is_normal ? "flat" : "white"));
+    }
+    file_.properties.push_back(std::move(made));
+    return "$" + texture.property;
+}
+
+Term GraphMaker::sampled(Scope& scope, const Element& node, Term coordinates, std::string_view file_input,
+                         std::string_view wrap_input, std::string_view other_wrap_input) {
+    const std::string mode = word_of(scope, node, wrap_input), other = word_of(scope, node, other_wrap_input);
+    const std::string wrap = wrap_word(mode), filter = word_of(scope, node, "filtertype");
+    if (wrap != wrap_word(other)) approximate(node, fmt::format("'{}' along v, too: a sampler has one word", wrap));
+    if (mode == "constant" || mode == "black")
+        approximate(node, "outside of the picture, the colour of its edge goes on");
+    if (filter == "cubic") approximate(node, "the filter is linear");
+    for (const std::string_view each : {"layer", "framerange"})
+        if (!word_of(scope, node, each).empty()) approximate(node, fmt::format("its '{}' is not read", each));
+    const std::string property = texture(scope, node, file_input, wrap, filter == "closest" ? "nearest" : "linear");
+    if (property.empty())
+        return magenta(node, Type::Float4,
+                       fmt::format("'{}' is no picture that can be read", word_of(scope, node, file_input)));
+    Term place = terms::flipped(coordinates);
+    place.sources = coordinates.sources;
+    std::string& id = samples_[property + " " + place.text()];
+    if (id.empty()) {
+        GraphNode made{.id = {}, .node = "SampleTexture2D", .inputs = {{"texture", text(property)}}};
+        if (place.text() != "@uv0") made.inputs.push_back({"uv", place.value()});
+        const std::string wanted = terms::camel_case(std::string_view(property).substr(2));
+        id = add_node(node, std::move(made), wanted);
+    }
+    written(coordinates, fmt::format("the node '{}'", id));
+    Term read;
+    read.sources.insert(number_of(node));
+    written(read, fmt::format("the node '{}'", id));
+    Term made = terms::link(id, Type::Float4);
+    made.is_color = true;
+    return made;
+}
+
+Term GraphMaker::sampled_normal(const Element& node, const Term& texel, const Term& scale) {
+    std::string& id = samples_[fmt::format("{} {} {}", texel.base, texel.from_top, scale.text())];
+    if (id.empty()) {
+        GraphNode made{.id = {}, .node = "SampleNormalMap", .inputs = {{"texture", text(texel.base)}}};
+        if (texel.from_top != "@uv0") made.inputs.push_back({"uv", text(texel.from_top)});
+        if (!scale.is_all(1)) made.inputs.push_back({"scale", scale.value()});
+        id = add_node(node, std::move(made), terms::camel_case(std::string_view(texel.base).substr(2)));
+    }
+    written(texel, fmt::format("the node '{}'", id));
+    written(scale, fmt::format("the node '{}'", id));
+    Term made = terms::link(id, Type::Float3);
+    made.sources = texel.sources;
+    return made;
+}
+
+std::optional<Term> normal_map_of(GraphMaker& maker, Scope& scope, const Element& node, std::string_view input) {
+    const Source source = maker.source_of(scope, node, input);
+    if (!source.input || !source.input->has("nodename") || source.input->has("channels")) return {};
+    const Element* const found = maker.find(*source.scope, source.input->attribute("nodename"));
+    if (!found || maker.uses(*source.scope, *found) > 1) return {};
+    const bool is_tiled = found->category == "tiledimage", is_usd = found->category == "UsdUVTexture";
+    if (found->category != "image" && !is_tiled && !is_usd) return {};
+    if (type_of_word(found->type()) != Type::Float3 && !is_usd) return {};
+    if (maker.word_of(*source.scope, *found, "file").empty()) return {};
+    if (is_usd) {
+        const Term scale = maker.input(*source.scope, *found, {.name = "scale", .type = "color4", .otherwise = "1"});
+        const Term bias = maker.input(*source.scope, *found, {.name = "bias", .type = "color4", .otherwise = "0"});
+        if (!scale.is_constant() || !bias.is_constant()) return {};
+        const bool is_decoded = scale.numbers[0] == 2 && bias.numbers[0] == -1;
+        // A normal map's own node decodes; the surface of USD takes what the texture has decoded.
+        if (is_decoded != (node.category == "UsdPreviewSurface")) return {};
+    } else if (node.category == "UsdPreviewSurface") {
+        return {};
+    }
+    const std::string texture = maker.texture(*source.scope, *found, "file", "repeat", "normal");
+    if (texture.empty()) return {};
+    Term made = terms::link(texture, Type::Float4);
+    Term coordinates = is_tiled
+                           ? tiled_coordinates(maker, *source.scope, *found)
+                           : maker.input(*source.scope, *found,
+                                         {.name = is_usd ? "st" : "texcoord", .type = "vector2", .otherwise = "@UV0"});
+    Term place = terms::flipped(coordinates);
+    if (!place.is_link()) {
+        place.name = terms::camel_case(found->name()) + "Uv";
+        place = maker.named(place);
+    }
+    made.from_top = place.text();
+    made.sources = coordinates.sources;
+    made.sources.insert(maker.note(*found));
+    return made;
+}
+
+// texcoord * uvtiling - uvoffset, in tiles of the real size.
+Term tiled_coordinates(GraphMaker& maker, Scope& scope, const Element& node) {
+    const auto port = [&](std::string_view name, std::string_view otherwise) {
+        return maker.input(scope, node,
+                           {.name = std::string(name), .type = "vector2", .otherwise = std::string(otherwise)});
+    };
+    Term at = port("texcoord", "@UV0");
+    const Term tiling = port("uvtiling", "1"), offset = port("uvoffset", "0"),
+               image_size = port("realworldimagesize", "1"), tile_size = port("realworldtilesize", "1");
+    std::set<std::size_t> sources = at.sources;
+    for (const Term* each : {&tiling, &offset, &image_size, &tile_size})
+        sources.insert(each->sources.begin(), each->sources.end());
+    Term made;
+    if (!at.from_top.empty() && tiling.is_constant() && offset.is_constant() && image_size.is_constant() &&
+        tile_size.is_constant()) {
+        // Counted from the top, the picture begins elsewhere; a whole number of tiles is no difference.
+        double scale[2], shift[2];
+        for (std::size_t i = 0; i < 2; ++i) {
+            const double real = image_size.numbers[i] == 0 ? 1 : tile_size.numbers[i] / image_size.numbers[i];
+            scale[i] = tiling.numbers[i] * real;
+            shift[i] = i == 0 ? -offset.numbers[i] * real : 1 - scale[i] + offset.numbers[i] * real;
+            shift[i] -= std::floor(shift[i] + 1e-9);
+            if (std::abs(shift[i]) < 1e-6) shift[i] = 0;
+        }
+        std::string text = at.from_top;
+        if (scale[0] != 1 || scale[1] != 1) text += " * " + terms::constant({scale[0], scale[1]}).text();
+        if (scale[0] == scale[1] && scale[0] != 1) text = fmt::format("{} * {}", at.from_top, terms::digits(scale[0]));
+        if (shift[0] != 0 || shift[1] != 0) text += " + " + terms::constant({shift[0], shift[1]}).text();
+        made = terms::link("", Type::Float2);
+        if (text == at.from_top) return at;
+        // As it is sampled: flipped() gives it back.
+        Term sampled = terms::expression(text, Type::Float2);
+        sampled.name = terms::camel_case(node.name()) + "Uv";
+        sampled.sources = sources;
+        sampled = maker.named(sampled);
+        made.base = fmt::format("float2({0}.x, 1 - {0}.y)", sampled.base);
+        made.from_top = sampled.base;
+        made.sources = sources;
+        return made;
+    }
+    std::string text = terms::at_least(at.text(), terms::kProduct);
+    if (!tiling.is_all(1)) text += " * " + terms::at_least(tiling.text(), terms::kUnary);
+    if (!offset.is_all(0)) text += " - " + terms::at_least(offset.text(), terms::kProduct);
+    if (!image_size.is_all(1) || !tile_size.is_all(1))
+        text = fmt::format("{} / {} * {}", terms::at_least(text, terms::kProduct),
+                           terms::at_least(image_size.text(), terms::kUnary),
+                           terms::at_least(tile_size.text(), terms::kUnary));
+    if (text == at.text()) return at;
+    made = terms::expression(text, Type::Float2);
+    made.sources = sources;
+    made.name = terms::camel_case(node.name()) + "Uv";
+    return maker.named(made);
+}
+
+}  // namespace patina::importers::mtlx

@@ -1,0 +1,417 @@
+#include "compiler/importers/terms.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "compiler/base/text.h"
+
+namespace patina::importers::terms {
+namespace {
+
+constexpr std::string_view kComponents = "xyzw", kChannels = "rgba";
+
+std::size_t index_of(char component) {
+    const std::size_t at = kComponents.find(component);
+    return at != kComponents.npos ? at : std::min<std::size_t>(kChannels.find(component), 3);
+}
+
+// The parts of float3(a, b.xy), or the term as the only part.
+std::vector<Term::Part> parts_of(const Term& term) {
+    return term.parts.empty() ? std::vector<Term::Part>{{term.text(), std::max<std::size_t>(width(term.type), 1)}}
+                              : term.parts;
+}
+
+// A vector of components of the parts, with neighbours of the same part joined: "a", "b.xy".
+std::vector<Term::Part> chosen(const std::vector<Term::Part>& parts, std::string_view components) {
+    std::vector<std::pair<std::size_t, std::size_t>> places;  // of each component: the part, and the place in it
+    for (std::size_t i = 0; i < parts.size(); ++i)
+        for (std::size_t j = 0; j < parts[i].width; ++j) places.push_back({i, j});
+    std::vector<Term::Part> made;
+    for (std::size_t at = 0; at < components.size();) {
+        const auto place = places[std::min(index_of(components[at]), places.size() - 1)];
+        const Term::Part& part = parts[place.first];
+        std::size_t count = 1;
+        const auto goes_on = [&](std::size_t next) {
+            return next < components.size() && place.second + count < part.width &&
+                   places[std::min(index_of(components[next]), places.size() - 1)] ==
+                       std::pair(place.first, place.second + count);
+        };
+        while (part.width > 1 && goes_on(at + count)) ++count;
+        if (count == part.width)
+            made.push_back(part);
+        else
+            made.push_back(
+                {at_least(part.text, kPrimary) + "." + std::string(kComponents.substr(place.second, count)), count});
+        at += count;
+    }
+    return made;
+}
+
+// The term with another text.
+Term rewritten(const Term& term, Type type, std::string text, std::vector<Term::Part> parts = {}) {
+    Term made{.type = type, .base = std::move(text), .parts = std::move(parts)};
+    made.is_color = term.is_color;
+    made.name = term.name;
+    made.sources = term.sources;
+    return made;
+}
+
+Term of_parts(const Term& term, Type type, std::vector<Term::Part> parts) {
+    if (parts.size() == 1 && parts[0].width == width(type)) return rewritten(term, type, parts[0].text);
+    std::string list;
+    for (const Term::Part& part : parts) list += (list.empty() ? "" : ", ") + part.text;
+    return rewritten(term, type, fmt::format("{}({})", word(type), list), std::move(parts));
+}
+
+bool is_letter(char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+}
+bool is_digit(char c) {
+    return c >= '0' && c <= '9';
+}
+char upper(char c) {
+    return c >= 'a' && c <= 'z' ? static_cast<char>(c - 32) : c;
+}
+char lower(char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
+}
+bool is_of_link(char c) {
+    return is_letter(c) || is_digit(c) || c == '_' || c == '$' || c == '@' || c == '.';
+}
+
+std::string_view trimmed(std::string_view text) {
+    while (text.starts_with(' ')) text.remove_prefix(1);
+    while (text.ends_with(' ')) text.remove_suffix(1);
+    return text;
+}
+
+// Words of the node language, which no name may be.
+constexpr std::string_view kReserved[] = {"true",  "false", "if",  "else",  "for",    "return",
+                                          "const", "in",    "out", "inout", "struct", "enum",
+                                          "void",  "uint",  "int", "bool",  "half",   "float"};
+
+}  // namespace
+
+bool is_vector(Type type) {
+    return type >= Type::Float && type <= Type::Float4;
+}
+
+std::size_t width(Type type) {
+    if (is_vector(type)) return static_cast<std::size_t>(type) - static_cast<std::size_t>(Type::Float) + 1;
+    if (type == Type::Matrix3 || type == Type::Matrix4) return type == Type::Matrix3 ? 3 : 4;
+    return type == Type::Bool ? 1 : 0;
+}
+
+Type vector_type(std::size_t count) {
+    return static_cast<Type>(static_cast<std::size_t>(Type::Float) + std::clamp<std::size_t>(count, 1, 4) - 1);
+}
+
+std::string_view word(Type type) {
+    switch (type) {
+        case Type::Bool: return "bool";
+        case Type::Float: return "float";
+        case Type::Float2: return "float2";
+        case Type::Float3: return "float3";
+        case Type::Float4: return "float4";
+        case Type::Matrix3: return "float3x3";
+        case Type::Matrix4: return "float4x4";
+        case Type::None: break;
+    }
+    return "nothing";
+}
+
+bool Term::is_all(double value) const {
+    return is_constant() && std::ranges::all_of(numbers, [&](double each) { return each == value; });
+}
+
+std::string Term::text() const {
+    if (type == Type::Bool && is_constant()) return numbers[0] != 0 ? "true" : "false";
+    if (numbers.size() == 1) return digits(numbers[0]);
+    if (is_constant()) {
+        const bool is_one_number = is_vector(type) && is_all(numbers[0]);
+        std::string list;
+        for (const double each : numbers)
+            if (!is_one_number || list.empty()) list += (list.empty() ? "" : ", ") + digits(each);
+        return fmt::format("{}({})", word(type), list);
+    }
+    return swizzle.empty() ? base : at_least(base, kPrimary) + "." + swizzle;
+}
+
+bool Term::is_link() const {
+    return !is_constant() && !base.empty() && std::ranges::all_of(base, is_of_link) && !is_digit(base[0]);
+}
+
+bool Term::is_short() const {
+    if (is_constant() || is_link() || base.empty()) return true;
+    constexpr std::size_t kShort = 24;
+    return !parts.empty() && base.size() <= kShort &&
+           std::ranges::all_of(parts, [](const Part& part) { return precedence_of(part.text) == kPrimary; });
+}
+
+Value Term::value() const {
+    if (is_constant() && type == Type::Bool) return patina::importers::flag(numbers[0] != 0);
+    if (is_constant() && is_vector(type)) {
+        if (is_all(numbers[0])) return patina::importers::number(static_cast<float>(numbers[0]));
+        const std::vector<float> floats(numbers.begin(), numbers.end());
+        return list(floats);
+    }
+    return patina::importers::text(is_link() ? text() : "= " + text());
+}
+
+Term number_term(double value) {
+    return {.type = Type::Float, .numbers = {value}};
+}
+
+Term constant(std::vector<double> values) {
+    const Type type = vector_type(values.size());
+    return {.type = type, .numbers = std::move(values)};
+}
+
+Term flag_term(bool value) {
+    return {.type = Type::Bool, .numbers = {value ? 1.0 : 0.0}};
+}
+
+Term link(std::string text, Type type) {
+    return {.type = type, .base = std::move(text)};
+}
+
+Term expression(std::string text, Type type) {
+    Term made{.type = type, .base = std::move(text)};
+    if (const auto value = read_number(made.base)) {
+        made.numbers = {*value};
+        return converted(Term{.type = Type::Float, .numbers = {*value}}, type, true);
+    }
+    if (made.base == "true" || made.base == "false") return flag_term(made.base == "true");
+    if (!made.base.starts_with("float") || made.base.size() < 8 || made.base[6] != '(' || !made.base.ends_with(')') ||
+        !is_digit(made.base[5]))
+        return made;
+    const std::string_view inner = std::string_view(made.base).substr(7, made.base.size() - 8);
+    const std::vector<std::string> arguments = arguments_of(inner);
+    std::string joined;
+    for (const std::string& each : arguments) joined += (joined.empty() ? "" : ", ") + each;
+    const auto count = static_cast<std::size_t>(made.base[5] - '0');
+    if (joined != inner || arguments.size() != count) return made;
+    std::vector<double> numbers;
+    for (const std::string& each : arguments) {
+        made.parts.push_back({each, 1});
+        if (const auto value = read_number(each)) numbers.push_back(*value);
+    }
+    return numbers.size() == count ? constant(numbers) : made;
+}
+
+Term swizzled(const Term& term, std::string_view components) {
+    const std::size_t count = std::max<std::size_t>(width(term.type), 1);
+    const Type type = vector_type(components.size());
+    if (components.find_first_of("01") != components.npos) {
+        std::vector<Term::Part> parts;
+        std::vector<double> numbers;
+        for (const char each : components) {
+            const Term one =
+                each == '0' || each == '1' ? number_term(each - '0') : swizzled(term, std::string_view(&each, 1));
+            parts.push_back({one.text(), 1});
+            if (one.is_constant()) numbers.push_back(one.numbers[0]);
+        }
+        if (numbers.size() == components.size()) {
+            Term made = constant(numbers);
+            made.sources = term.sources;
+            return made;
+        }
+        return components.size() == 1 ? rewritten(term, type, parts[0].text) : of_parts(term, type, parts);
+    }
+    Term made = term;
+    made.type = type;
+    if (components != "xy") made.from_top.clear();
+    made.tangent.clear();
+    if (term.is_constant()) {
+        made.numbers.clear();
+        for (const char each : components)
+            made.numbers.push_back(term.numbers[std::min(index_of(each), term.numbers.size() - 1)]);
+        return made;
+    }
+    if (!term.parts.empty()) {
+        Term parts = of_parts(term, type, chosen(term.parts, components));
+        parts.from_top = made.from_top;
+        return parts;
+    }
+    if (count <= 1) {
+        if (components.size() == 1) return made;
+        return rewritten(term, type, fmt::format("{}({})", word(type), term.text()));
+    }
+    const std::string_view letters = term.is_color ? kChannels : kComponents;
+    std::string before = term.swizzle;
+    if (before.empty()) before = letters.substr(0, count);
+    made.swizzle.clear();
+    for (const char each : components) made.swizzle += before[std::min(index_of(each), before.size() - 1)];
+    if (made.swizzle == letters.substr(0, count) && term.swizzle.empty()) made.swizzle.clear();
+    return made;
+}
+
+Term flipped(const Term& term) {
+    if (!term.from_top.empty()) {
+        Term made = link(term.from_top, Type::Float2);
+        made.sources = term.sources;
+        return made;
+    }
+    if (term.is_constant() && term.numbers.size() > 1) return constant({term.numbers[0], 1 - term.numbers[1]});
+    const Term u = swizzled(term, "x"), v = swizzled(term, "y");
+    return of_parts(term, Type::Float2, {{u.text(), 1}, {"1 - " + at_least(v.text(), kProduct), 1}});
+}
+
+Term converted(const Term& term, Type type, bool may_stay_number) {
+    if (term.type == type || type == Type::None) return term;
+    if (term.type == Type::Bool && is_vector(type)) {
+        const Term made = term.is_constant() ? number_term(term.numbers[0])
+                                             : rewritten(term, Type::Float, fmt::format("float({})", term.text()));
+        return converted(made, type, may_stay_number);
+    }
+    if (type == Type::Bool && is_vector(term.type)) {
+        if (term.is_constant()) return flag_term(term.numbers[0] != 0);
+        return rewritten(term, Type::Bool, at_least(swizzled(term, "x").text(), kCompare) + " != 0");
+    }
+    if (!is_vector(type) || !is_vector(term.type)) return {};
+    const std::size_t from = width(term.type), to = width(type);
+    if (from > to) return swizzled(term, (term.is_color ? kChannels : kComponents).substr(0, to));
+    if (from == 1) {
+        if (may_stay_number) return term;
+        if (term.is_constant()) {
+            Term made = term;
+            made.type = type;
+            made.numbers.assign(to, term.numbers[0]);
+            return made;
+        }
+        return rewritten(term, type, fmt::format("{}({})", word(type), term.text()));
+    }
+    if (term.is_constant()) {
+        Term made = term;
+        made.type = type;
+        while (made.numbers.size() < to) made.numbers.push_back(made.numbers.size() == 3 ? 1 : 0);
+        return made;
+    }
+    std::vector<Term::Part> parts = parts_of(term);
+    for (std::size_t i = from; i < to; ++i) parts.push_back({i == 3 ? "1" : "0", 1});
+    return of_parts(term, type, std::move(parts));
+}
+
+std::string digits(double number) {
+    return shortest(static_cast<float>(number));
+}
+
+Precedence precedence_of(std::string_view text) {
+    Precedence lowest = kPrimary;
+    int depth = 0;
+    bool is_operand = false;  // something stands to the left
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i], next = i + 1 < text.size() ? text[i + 1] : '\0';
+        if (c == '(' || c == '[') ++depth;
+        if (c == ')' || c == ']') --depth;
+        if (c == ' ') continue;
+        Precedence found = kPrimary;
+        if (depth == 0) {
+            const bool is_exponent = i > 1 && (text[i - 1] == 'e' || text[i - 1] == 'E') && is_digit(next) &&
+                                     (is_digit(text[i - 2]) || text[i - 2] == '.');
+            if (c == '?') found = kChoice;
+            if (c == '|' && next == '|') found = kOr;
+            if (c == '&' && next == '&') found = kAnd;
+            if ((c == '=' || c == '!') && next == '=') found = kEqual;
+            if (c == '<' || c == '>') found = kCompare;
+            if ((c == '+' || c == '-') && !is_exponent) found = is_operand ? kSum : kUnary;
+            if (c == '*' || c == '/' || c == '%') found = kProduct;
+            if (c == '!' && next != '=') found = kUnary;
+            if ((found == kEqual || found == kOr || found == kAnd || found == kCompare) && (next == '=' || next == c))
+                ++i;
+        }
+        if (found != kPrimary) {
+            if (!(found == kUnary && lowest != kPrimary)) lowest = std::min(lowest, found);
+            is_operand = false;
+        } else {
+            is_operand = true;
+        }
+    }
+    return lowest;
+}
+
+std::string at_least(std::string_view expression, Precedence precedence) {
+    if (precedence_of(expression) >= precedence) return std::string(expression);
+    return "(" + std::string(expression) + ")";
+}
+
+std::string bracketed(const std::string& text, std::string_view before, std::string_view after) {
+    while (before.ends_with(' ')) before.remove_suffix(1);
+    while (after.starts_with(' ')) after.remove_prefix(1);
+    const auto strength = [](char c) {
+        if (c == '+' || c == '-') return kSum;
+        if (c == '*' || c == '/' || c == '%') return kProduct;
+        if (c == '!') return kUnary;
+        if (c == '=' || c == '<' || c == '>') return kCompare;
+        if (c == '&') return kAnd;
+        if (c == '|') return kOr;
+        if (c == '.' || c == '[') return kPrimary;
+        return kChoice;
+    };
+    const char left = before.empty() ? ' ' : before.back(), right = after.empty() ? ' ' : after.front();
+    int needed = std::max<int>(strength(right), strength(left));
+    if (std::string_view("-/%*=<>").find(left) != std::string_view::npos) ++needed;
+    if (left == '?' || right == '?' || (left == ':' && precedence_of(text) == kChoice))
+        needed = std::max<int>(needed, kOr);
+    if (needed > kChoice && text.starts_with("-") && strength(left) > kChoice) return "(" + text + ")";
+    return at_least(text, static_cast<Precedence>(std::min<int>(needed, kPrimary)));
+}
+
+std::vector<std::string> arguments_of(std::string_view list) {
+    std::vector<std::string> made;
+    int depth = 0;
+    std::size_t begin = 0;
+    for (std::size_t i = 0; i <= list.size(); ++i) {
+        if (i < list.size() && (list[i] == '(' || list[i] == '{' || list[i] == '[')) ++depth;
+        if (i < list.size() && (list[i] == ')' || list[i] == '}' || list[i] == ']')) --depth;
+        if (i < list.size() && (list[i] != ',' || depth > 0)) continue;
+        const std::string_view part = trimmed(list.substr(begin, i - begin));
+        if (!part.empty()) made.emplace_back(part);
+        begin = i + 1;
+    }
+    return made;
+}
+
+std::string camel_case(std::string_view name) {
+    std::string made;
+    bool starts_word = false;
+    for (const char c : name) {
+        if (!is_letter(c) && !is_digit(c)) {
+            starts_word = !made.empty();
+            continue;
+        }
+        made += starts_word ? upper(c) : c;
+        starts_word = false;
+    }
+    // The first word in small letters: "UV" -> "uv", "HSVShift" -> "hsvShift", "MainTex" -> "mainTex".
+    std::size_t capitals = 0;
+    while (capitals < made.size() && made[capitals] >= 'A' && made[capitals] <= 'Z') ++capitals;
+    if (capitals > 1 && capitals < made.size() && is_letter(made[capitals])) --capitals;
+    for (std::size_t i = 0; i < std::max<std::size_t>(capitals, 1) && i < made.size(); ++i) made[i] = lower(made[i]);
+    if (!made.empty() && is_digit(made[0])) made = "n" + made;
+    return made;
+}
+
+std::string pascal_case(std::string_view name) {
+    std::string made;
+    bool starts_word = true;
+    for (const char c : name) {
+        if (is_letter(c) || is_digit(c)) made += starts_word ? upper(c) : c;
+        starts_word = !is_letter(c) && !is_digit(c);
+    }
+    return made;
+}
+
+std::string Names::unique(std::string_view wanted, std::string_view otherwise) {
+    std::string base(wanted.empty() ? otherwise : wanted);
+    if (std::ranges::find(kReserved, base) != std::end(kReserved)) base += "Value";
+    std::string made = base;
+    for (int i = 2; taken_.contains(made); ++i) made = base + (is_digit(base.back()) ? "_" : "") + std::to_string(i);
+    taken_.insert(made);
+    return made;
+}
+
+}  // namespace patina::importers::terms

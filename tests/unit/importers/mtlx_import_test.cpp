@@ -1,0 +1,606 @@
+// MaterialX documents: what they become; every row of the table of nodes and every input of the surface shaders; broken
+// files. All documents are written here.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <random>
+#include <regex>
+#include <set>
+
+#include "compiler/base/text.h"
+#include "compiler/importers/importer.h"
+#include "compiler/importers/mtlx/colors.h"
+#include "compiler/importers/mtlx/graph_maker.h"
+#include "patina/patina.h"
+#include "patina/validate.h"
+
+namespace patina::importers {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path folder() {
+    const fs::path made = fs::path(testing::TempDir()) / fmt::format("mtlx_import_{}", getpid());
+    fs::create_directories(made);
+    return made;
+}
+
+void save(const std::string& name, const std::string& text) {
+    std::ofstream(folder() / name, std::ios::binary) << text;
+}
+
+Imported import_text(const std::string& text) {
+    save("x.mtlx", text);
+    const Source source{.path = (folder() / "x.mtlx").string(), .start = {}};
+    return importer_of(source)->read(source, {});
+}
+
+std::string document(const std::string& inside, const std::string& attributes = "version=\"1.38\"") {
+    return "<?xml version=\"1.0\"?>\n<materialx " + attributes + ">\n" + inside + "\n</materialx>\n";
+}
+std::string material(const std::string& shader, const std::string& before = {}) {
+    return document(before + "\n" + shader +
+                    "\n<surfacematerial name=\"paint\" type=\"material\">"
+                    "<input name=\"surfaceshader\" type=\"surfaceshader\" nodename=\"shader\"/></surfacematerial>");
+}
+// A material whose base colour or roughness is the output of a node.
+std::string one_node(const std::string& nodes, const std::string& type, const std::string& output = "out") {
+    std::string reader = fmt::format("<input name=\"base_color\" type=\"color3\" nodename=\"asColor\"/>"), between;
+    if (type == "color3")
+        reader = fmt::format("<input name=\"base_color\" type=\"color3\" nodename=\"tested\" output=\"{}\"/>", output);
+    else if (type == "float")
+        reader = fmt::format("<input name=\"roughness\" type=\"float\" nodename=\"tested\" output=\"{}\"/>", output);
+    else if (type == "boolean")
+        between = fmt::format(
+            "<ifequal name=\"asColor\" type=\"color3\"><input name=\"value1\" type=\"boolean\" nodename=\"tested\" "
+            "output=\"{}\"/>"
+            "<input name=\"value2\" type=\"boolean\" value=\"true\"/><input name=\"in1\" type=\"color3\" "
+            "value=\"1,0,0\"/></ifequal>",
+            output);
+    else if (type == "matrix33" || type == "matrix44")
+        between = fmt::format(
+            "<transformmatrix name=\"asVector\" type=\"vector3\"><input name=\"in\" type=\"vector3\" "
+            "value=\"1,2,3\"/><input name=\"mat\" type=\"{}\" nodename=\"tested\" output=\"{}\"/></transformmatrix>"
+            "<convert name=\"asColor\" type=\"color3\"><input name=\"in\" type=\"vector3\" "
+            "nodename=\"asVector\"/></convert>",
+            type, output);
+    else
+        between = fmt::format(
+            "<convert name=\"asColor\" type=\"color3\"><input name=\"in\" type=\"{}\" nodename=\"tested\" "
+            "output=\"{}\"/></convert>",
+            type, output);
+    return material(fmt::format("<gltf_pbr name=\"shader\" type=\"surfaceshader\">{}</gltf_pbr>", reader),
+                    nodes + between);
+}
+
+const std::string& text_of(const Imported& made, const std::string& name = "paint.graph.json") {
+    static const std::string kNone;
+    for (const TextFile& each : made.graphs)
+        if (each.name == name) return each.text;
+    ADD_FAILURE() << name << " is not there: " << made.error;
+    return kNone;
+}
+
+void expect_compiles(const Imported& made, const std::string& what, bool is_validated = true) {
+    const std::string name = "paint.graph.json";
+    static const Compiler compiler;
+    ASSERT_EQ(made.error, "") << what;
+    CompileOptions options;
+    options.files.read = [&](const std::string& path) -> std::optional<std::string> {
+        for (const TextFile& file : made.graphs)
+            if (file.name == path || "./" + file.name == path) return file.text;
+        if (path.ends_with(".png")) return "no picture";
+        return std::nullopt;
+    };
+    const Result result = compiler.compile_text(name, text_of(made, name), options);
+    EXPECT_TRUE(result.ok) << what << "\n" << text_of(made, name);
+    for (const Diagnostic& each : result.diagnostics)
+        if (each.severity == Severity::Error) ADD_FAILURE() << what << ": " << to_text(each);
+    for (const Shader& each : result.shaders) {
+        if (!is_validated) break;
+        const Validated validated = validate(each);
+        EXPECT_TRUE(validated.ok) << what << " " << each.file_name << "\n" << validated.log;
+    }
+}
+
+std::string remarks(const Imported& made, Remark::Kind kind) {
+    std::string text;
+    for (const Remark& each : made.remarks)
+        if (each.kind == kind) text += each.part + ": " + each.text + "\n";
+    return text;
+}
+
+// --- what a document becomes
+
+constexpr std::string_view kWood = R"(
+<nodegraph name="grain">
+  <input name="tint" type="color3" value="0.5, 0.25, 0.125" uiname="Tint" uifolder="Wood"/>
+  <input name="rings" type="float" value="8" uisoftmin="1" uisoftmax="20"/>
+  <image name="planks" type="color3"><input name="file" type="filename" value="planks.png" colorspace="srgb_texture"/></image>
+  <position name="place" type="vector3"/>
+  <multiply name="scaled" type="vector3"><input name="in1" type="vector3" nodename="place"/><input name="in2" type="float" interfacename="rings"/></multiply>
+  <magnitude name="distance" type="float"><input name="in" type="vector3" nodename="scaled"/></magnitude>
+  <sin name="wave" type="float"><input name="in" type="float" nodename="distance"/></sin>
+  <mix name="colors" type="color3"><input name="fg" type="color3" nodename="planks"/><input name="bg" type="color3" interfacename="tint"/><input name="mix" type="float" nodename="wave"/></mix>
+  <output name="color" type="color3" nodename="colors"/>
+  <output name="gloss" type="float" nodename="wave"/>
+</nodegraph>)";
+
+TEST(MtlxImport, ChainsOfNodesAreExpressions) {
+    save("planks.png", "no picture");
+    const Imported made = import_text(material(R"(<gltf_pbr name="shader" type="surfaceshader">
+  <input name="base_color" type="color3" nodegraph="grain" output="color"/>
+  <input name="roughness" type="float" nodegraph="grain" output="gloss"/>
+  <input name="metallic" type="float" value="0"/></gltf_pbr>)",
+                                               std::string(kWood)));
+    EXPECT_EQ(text_of(made), R"x({
+  "patina": 1,
+  "kind": "material",
+  "name": "paint",
+  "workflow": "metallic-roughness",
+  "lighting": "gltf",
+  "properties": [
+    { "name": "_Tint", "type": "color", "default": [0.5, 0.25, 0.125], "label": "Tint", "group": "Wood" },
+    { "name": "_Planks", "type": "texture2d", "default": "./planks.png" },
+    { "name": "_Rings", "type": "float", "default": 8, "range": [1, 20] }
+  ],
+  "nodes": [
+    { "id": "planks", "node": "SampleTexture2D", "in": { "texture": "$_Planks" } },
+    { "id": "wave", "expr": "sin(length(@positionOS * $_Rings))" }
+  ],
+  "surface": { "baseColor": "= lerp($_Tint.rgb, planks.rgb, wave)", "roughness": "wave" }
+}
+)x");
+    EXPECT_EQ(remarks(made, Remark::Kind::Changed), "");
+    EXPECT_FALSE(made.has_refused) << remarks(made, Remark::Kind::LeftOut);
+    expect_compiles(made, "wood");
+}
+
+TEST(MtlxImport, ANormalMapIsSampledAsOne) {
+    save("bumps.png", "no picture");
+    const Imported made = import_text(material(
+        R"(<standard_surface name="shader" type="surfaceshader"><input name="normal" type="vector3" nodename="bumps"/></standard_surface>)",
+        R"(<image name="texels" type="vector3"><input name="file" type="filename" value="bumps.png"/></image>
+<normalmap name="bumps" type="vector3"><input name="in" type="vector3" nodename="texels"/><input name="scale" type="float" value="0.5"/></normalmap>)"));
+    const std::string& text = text_of(made);
+    EXPECT_NE(text.find(R"("usage": "normal")"), text.npos) << text;
+    EXPECT_NE(text.find(R"("node": "SampleNormalMap", "in": { "texture": "$_Bumps", "scale": 0.5 })"), text.npos)
+        << text;
+    EXPECT_NE(text.find(R"("normalTS": "bumps")"), text.npos) << text;
+    expect_compiles(made, "bumps");
+}
+
+TEST(MtlxImport, CoordinatesAreCountedFromTheTop) {
+    save("t.png", "no picture");
+    const auto coordinates = [&](const std::string& node, const std::string& inputs) {
+        return text_of(import_text(one_node(
+            fmt::format(
+                R"(<{0} name="tested" type="color3"><input name="file" type="filename" value="t.png"/>{1}</{0}>)", node,
+                inputs),
+            "color3")));
+    };
+    std::string text = coordinates("image", "");
+    EXPECT_EQ(text.find("uv"), text.npos) << text;
+    text = coordinates("tiledimage", R"(<input name="uvtiling" type="vector2" value="4, 4"/>)");
+    EXPECT_NE(text.find(R"("expr": "@uv0 * 4")"), text.npos) << text;
+    // v' = 1.5 v - 0.25 from the bottom is 1 - (1.5 (1 - t) - 0.25) = 1.5 t - 0.25 from the top, and 0.75 more is a
+    // tile.
+    text = coordinates(
+        "tiledimage",
+        R"(<input name="uvtiling" type="vector2" value="1, 1.5"/><input name="uvoffset" type="vector2" value="0, 0.25"/>)");
+    EXPECT_NE(text.find(R"x("expr": "@uv0 * float2(1, 1.5) + float2(0, 0.75)")x"), text.npos) << text;
+}
+
+TEST(MtlxImport, ColoursBecomeLinear) {
+    const auto color = [&](const std::string& space) {
+        return text_of(import_text(material(fmt::format(
+            R"(<gltf_pbr name="shader" type="surfaceshader"><input name="base_color" type="color3" value="0.5, 1, 0" colorspace="{}"/></gltf_pbr>)",
+            space))));
+    };
+    EXPECT_NE(color("lin_rec709").find("\"baseColor\": [0.5, 1, 0]"), std::string::npos);
+    EXPECT_NE(color("srgb_texture").find("\"baseColor\": [0.21404114, 1, 0]"), std::string::npos)
+        << color("srgb_texture");
+    // White stays white in all of them.
+    for (const std::string_view space : {"acescg", "lin_adobergb", "lin_displayp3", "g22_ap1", "srgb_displayp3"}) {
+        std::vector<double> white = {1, 1, 1};
+        mtlx::to_linear(mtlx::colorspace_of(space), white);
+        for (const double each : white) EXPECT_NEAR(each, 1, 1e-5) << space;
+    }
+}
+
+TEST(MtlxImport, DefinitionsInTheDocumentAreReplacedByWhatImplementsThem) {
+    const Imported made = import_text(one_node(R"(
+<nodedef name="ND_twice" node="twice"><input name="in" type="float" value="0.25"/><input name="more" type="float" value="0.125"/><output name="out" type="float"/></nodedef>
+<nodegraph name="NG_twice" nodedef="ND_twice">
+  <multiply name="product" type="float"><input name="in1" type="float" interfacename="in"/><input name="in2" type="float" value="2"/></multiply>
+  <add name="sum" type="float"><input name="in1" type="float" nodename="product"/><input name="in2" type="float" interfacename="more"/></add>
+  <output name="out" type="float" nodename="sum"/>
+</nodegraph>
+<texcoord name="place" type="vector2"/>
+<extract name="u" type="float"><input name="in" type="vector2" nodename="place"/><input name="index" type="integer" value="0"/></extract>
+<twice name="first" type="float"><input name="in" type="float" nodename="u"/></twice>
+<twice name="tested" type="float"><input name="in" type="float" nodename="first"/><input name="more" type="float" value="0"/></twice>)",
+                                               "float"));
+    EXPECT_NE(text_of(made).find(R"("roughness": "= (@uv0.x * 2 + 0.125) * 2 + 0")"), std::string::npos)
+        << text_of(made);
+    EXPECT_FALSE(made.has_refused) << remarks(made, Remark::Kind::LeftOut);
+    expect_compiles(made, "definitions");
+}
+
+TEST(MtlxImport, EachMaterialIsAGraph) {
+    const Imported made = import_text(document(R"(
+<gltf_pbr name="a" type="surfaceshader"/><open_pbr_surface name="b" type="surfaceshader"/>
+<surfacematerial name="one" type="material"><input name="surfaceshader" type="surfaceshader" nodename="a"/></surfacematerial>
+<surfacematerial name="two" type="material"><input name="surfaceshader" type="surfaceshader" nodename="b"/></surfacematerial>)"));
+    EXPECT_NE(text_of(made, "one.graph.json").find(R"("lighting": "gltf")"), std::string::npos);
+    EXPECT_NE(text_of(made, "two.graph.json").find(R"("lighting": "openpbr")"), std::string::npos);
+}
+
+TEST(MtlxImport, Version136) {
+    const Imported made = import_text(document(R"(
+<nodegraph name="g"><constant name="c" type="color3"><parameter name="value" type="color3" value="0.25, 0.5, 0.75"/></constant><output name="out" type="color3" nodename="c"/></nodegraph>
+<material name="paint"><shaderref name="s" node="standard_surface">
+  <bindinput name="base_color" type="color3" nodegraph="g" output="out"/><bindinput name="metalness" type="float" value="1"/></shaderref></material>)",
+                                               "version=\"1.36\""));
+    EXPECT_NE(text_of(made).find("\"baseColor\": [0.25, 0.5, 0.75]"), std::string::npos) << text_of(made);
+    EXPECT_NE(text_of(made).find("\"metallic\": 1"), std::string::npos) << text_of(made);
+    expect_compiles(made, "1.36");
+}
+
+TEST(MtlxImport, AnIncludedFileIsAPart) {
+    save("part.mtlx",
+         document(
+             R"(<constant name="tested" type="float"><input name="value" type="float" value="0.375"/></constant>)"));
+    const Imported made = import_text(one_node("<xi:include href=\"part.mtlx\"/>", "float"));
+    EXPECT_NE(text_of(made).find("\"roughness\": 0.375"), std::string::npos) << text_of(made);
+    const Imported without = import_text(one_node("<xi:include href=\"nothing.mtlx\"/>", "float"));
+    EXPECT_NE(remarks(without, Remark::Kind::LeftOut).find("include 'nothing.mtlx': the file is not there"),
+              std::string::npos);
+    EXPECT_TRUE(without.has_refused);
+}
+
+// --- the tables
+
+// A literal of a type.
+std::string value_of(std::string_view type, int seed) {
+    if (type == "boolean") return seed % 2 == 0 ? "true" : "false";
+    if (type == "integer") return std::to_string(seed % 3);
+    std::string text;
+    const std::size_t width = type == "matrix33"   ? 9
+                              : type == "matrix44" ? 16
+                                                   : std::max<std::size_t>(terms::width(mtlx::type_of_word(type)), 1);
+    for (std::size_t i = 0; i < width; ++i)
+        text += (i > 0 ? ", " : "") + fmt::format("0.{}", 1 + (static_cast<std::size_t>(seed) + 2 * i) % 8);
+    return text;
+}
+
+// The condition's words as inputs and a type: "space=world", "in.type=float", "set:iny".
+struct Case {
+    std::string type{}, inputs{};
+};
+Case case_of(const mtlx::TableRow& row, const std::string& free_type, bool is_linked) {
+    Case made{.type = free_type};
+    std::map<std::string, std::string> types, words;
+    std::set<std::string> unset;
+    for (const std::string_view word : split(row.condition, " ")) {
+        const std::size_t equals = std::min(word.find('='), word.size());
+        const std::string what(word.substr(0, equals)), wanted(word.substr(std::min(equals + 1, word.size())));
+        const std::string first = wanted.substr(0, wanted.find('|'));
+        if (what == "type")
+            made.type = first;
+        else if (what.ends_with(".type"))
+            types[what.substr(0, what.size() - 5)] = first;
+        else if (word.starts_with("unset:"))
+            unset.insert(std::string(word.substr(6)));
+        else if (!word.starts_with("set:"))
+            words[what] = first;
+    }
+    for (const auto& [name, word] : words) {
+        const std::string type = word == "true" || word == "false" ? "boolean" : "string";
+        made.inputs += fmt::format("<input name=\"{}\" type=\"{}\" value=\"{}\"/>", name, type, word);
+    }
+    int seed = 1;
+    for (const std::string_view part : split(row.inputs, "; ")) {
+        const std::size_t end = part.find_first_of(":=");
+        const std::string name(part.substr(0, end));
+        std::string type = part[end] == ':' ? std::string(part.substr(end + 1, part.find('=') - end - 1)) : made.type;
+        if (types.contains(name)) type = types[name];
+        if (unset.contains(name)) continue;
+        ++seed;
+        const bool has_link = is_linked && type != "boolean" && type != "integer" && !type.starts_with("matrix");
+        made.inputs +=
+            has_link ? fmt::format("<input name=\"{}\" type=\"{}\" nodename=\"source_{}\"/>", name, type, type)
+                     : fmt::format("<input name=\"{}\" type=\"{}\" value=\"{}\"/>", name, type, value_of(type, seed));
+    }
+    return made;
+}
+
+// What inputs are connected to: values that vary over the surface.
+std::string sources() {
+    std::string made = R"(<position name="place" type="vector3"/>)";
+    for (const std::string_view type : {"float", "vector2", "vector3", "vector4", "color3", "color4"})
+        made += fmt::format(
+            R"(<swizzle name="source_{0}" type="{0}"><input name="in" type="vector3" nodename="place"/><input name="channels" type="string" value="{1}"/></swizzle>)",
+            type, std::string_view("xyzx").substr(0, std::max<std::size_t>(terms::width(mtlx::type_of_word(type)), 1)));
+    return made;
+}
+
+// The types that a row without a condition has in the standard library.
+std::vector<std::string> types_of(const mtlx::TableRow& row) {
+    const std::set<std::string_view> of_float = {"dotproduct", "magnitude", "distance",    "determinant",
+                                                 "extract",    "geomcolor", "facingratio", "ambientocclusion",
+                                                 "time",       "frame",     "randomfloat"};
+    const std::set<std::string_view> of_vector3 = {
+        "crossproduct",    "reflect",  "refract", "rotate3d", "transformpoint", "transformvector", "transformnormal",
+        "transformmatrix", "position", "normal",  "tangent",  "bitangent",      "viewdirection",   "bump",
+        "heighttonormal",  "combine3"};
+    const std::set<std::string_view> of_vector2 = {"rotate2d", "place2d", "UsdTransform2d"};
+    const std::set<std::string_view> of_color4 = {"premult", "unpremult", "in",           "out",     "mask",
+                                                  "over",    "matte",     "disjointover", "combine4"};
+    const std::set<std::string_view> of_color3 = {"luminance", "rgbtohsv",     "hsvtorgb",     "hsvadjust",
+                                                  "saturate",  "colorcorrect", "checkerboard", "blackbody"};
+    const std::set<std::string_view> of_boolean = {"and", "or", "xor", "not"};
+    const std::string_view node = row.category;
+    if (of_float.contains(node)) return {"float"};
+    if (of_vector3.contains(node)) return {"vector3"};
+    if (of_vector2.contains(node)) return {"vector2"};
+    if (of_color4.contains(node)) return {"color4"};
+    if (of_color3.contains(node)) return {"color3"};
+    if (of_boolean.contains(node)) return {"boolean"};
+    if (node == "creatematrix" || node == "transpose") return {"matrix33"};
+    if (node == "combine2")
+        return row.condition == "in1.type=float" ? std::vector<std::string>{"vector2"}
+                                                 : std::vector<std::string>{"color4"};
+    if (node == "normalize") return {"vector2", "vector3", "vector4"};
+    return {"float", "vector2", "vector3", "vector4", "color3", "color4"};
+}
+
+TEST(MtlxImport, EachRowOfTheTableCompiles) {
+    std::size_t count = 0;
+    for (const mtlx::TableRow& row : mtlx::table_rows()) {
+        if (row.remark.starts_with("!")) continue;
+        for (const std::string& type : types_of(row)) {
+            for (const bool is_linked : {true, false}) {
+                const Case each = case_of(row, type, is_linked);
+                if (!is_linked && type != types_of(row)[0]) continue;  // constants of one type
+                std::string output = "out";
+                if (row.outputs.starts_with("outx")) output = "outy";
+                const std::string result = output == "out" ? each.type : "float";
+                const Imported made =
+                    import_text(one_node(sources() + fmt::format("<{0} name=\"tested\" type=\"{1}\">{2}</{0}>",
+                                                                 row.category, each.type, each.inputs),
+                                         result, output));
+                const std::string what = fmt::format("{} {} '{}'", row.category, each.type, row.condition);
+                EXPECT_FALSE(made.has_refused) << what << remarks(made, Remark::Kind::LeftOut);
+                EXPECT_EQ(!remarks(made, Remark::Kind::Changed).empty(), row.remark.starts_with("~"))
+                    << what << remarks(made, Remark::Kind::Changed);
+                expect_compiles(made, what, is_linked && type == types_of(row)[0]);
+                ++count;
+            }
+        }
+    }
+    EXPECT_GT(count, 300u);
+}
+
+TEST(MtlxImport, NodesWithFunctionsOfTheirOwnCompile) {
+    save("t.png", "no picture");
+    const std::string file = R"(<input name="file" type="filename" value="t.png"/>)";
+    struct Special {
+        std::string node{}, type{}, inputs{}, output = "out";
+    };
+    std::vector<Special> all = {
+        {"UsdUVTexture", "color3", file + R"(<input name="scale" type="color4" value="2,2,2,1"/>)", "rgb"},
+        {"UsdUVTexture", "color3", file, "g"},
+        {"gltf_image", "vector3",
+         file + R"(<input name="scale" type="vector2" value="2,2"/><input name="rotate" type="float" value="30"/>)"},
+        {"gltf_colorimage", "color3", file + R"(<input name="color" type="color4" nodename="source_color4"/>)",
+         "outcolor"},
+        {"gltf_normalmap", "vector3", file},
+        {"triplanarprojection", "color3",
+         R"(<input name="filex" type="filename" value="t.png"/><input name="filey" type="filename" value="t.png"/><input name="filez" type="filename" value="t.png"/>)"},
+        {"texcoord", "vector2", ""},
+        {"texcoord", "vector2", R"(<input name="index" type="integer" value="1"/>)"},
+        {"geompropvalue", "vector2", R"(<input name="geomprop" type="string" value="st"/>)"},
+        {"UsdPrimvarReader", "color3", R"(<input name="varname" type="string" value="displayColor"/>)"},
+        {"extract", "float",
+         R"(<input name="in" type="vector3" nodename="source_vector3"/><input name="index" type="integer" nodename="source_float"/>)"},
+        {"swizzle", "vector4",
+         R"(<input name="in" type="color3" nodename="source_color3"/><input name="channels" type="string" value="bg01"/>)"},
+        {"switch", "color3",
+         R"(<input name="in1" type="color3" nodename="source_color3"/><input name="in2" type="color3" value="1,0,0"/><input name="in3" type="color3" value="0,1,0"/><input name="which" type="float" nodename="source_float"/>)"},
+        {"normalmap", "vector3",
+         R"(<input name="in" type="vector3" nodename="source_vector3"/><input name="scale" type="float" value="0.5"/>)"},
+        {"normalmap", "vector3",
+         R"(<input name="in" type="vector3" nodename="source_vector3"/><input name="space" type="string" value="object"/>)"},
+        {"cellnoise2d", "float", ""},
+        {"cellnoise3d", "float", R"(<input name="position" type="vector3" nodename="source_vector3"/>)"}};
+    for (const std::string_view type : {"float", "vector2", "vector3", "vector4", "color3", "color4"}) {
+        for (const std::string_view node : {"image", "tiledimage"})
+            all.push_back({std::string(node), std::string(type), file});
+        for (const std::string_view node : {"noise2d", "noise3d", "fractal2d", "fractal3d"})
+            all.push_back(
+                {std::string(node), std::string(type),
+                 fmt::format(
+                     R"(<input name="amplitude" type="{}" value="{}"/><input name="pivot" type="float" value="0.5"/><input name="octaves" type="integer" value="4"/>)",
+                     type, value_of(type, 2))});
+        for (const std::string_view from : {"float", "vector2", "vector3", "vector4", "color3", "color4"})
+            all.push_back({"convert", std::string(type),
+                           fmt::format(R"(<input name="in" type="{0}" nodename="source_{0}"/>)", from)});
+    }
+    for (const std::string_view type : {"float", "vector2", "vector3"})
+        for (const std::string_view node : {"worleynoise2d", "worleynoise3d"})
+            all.push_back({std::string(node), std::string(type), R"(<input name="jitter" type="float" value="0.5"/>)"});
+    std::set<std::string, std::less<>> tested;
+    for (const Special& each : all) {
+        const std::string result = each.output == "out" ? each.type : each.output.size() == 1 ? "float" : "color3";
+        const Imported made = import_text(one_node(
+            sources() + fmt::format("<{0} name=\"tested\" type=\"{1}\">{2}</{0}>", each.node, each.type, each.inputs),
+            result, each.output));
+        EXPECT_FALSE(made.has_refused) << each.node << remarks(made, Remark::Kind::LeftOut);
+        expect_compiles(made, each.node + " " + each.type, tested.insert(each.node).second);
+    }
+    for (const std::string_view each : mtlx::special_nodes())
+        EXPECT_TRUE(tested.contains(each) || each == "geompropvalueuniform" || each == "UsdUvTexture") << each;
+}
+
+TEST(MtlxImport, EachInputOfASurfaceShaderIsCarriedOver) {
+    for (const std::string_view shader : mtlx::surface_shaders()) {
+        const mtlx::SurfaceRule& rule = *mtlx::surface_rule(shader);
+        const bool is_specular = shader.ends_with(" specular");
+        std::string inputs = is_specular ? R"(<input name="useSpecularWorkflow" type="integer" value="1"/>)" : "";
+        for (const mtlx::Port& port : rule.rule.inputs) {
+            if (port.name == "useSpecularWorkflow" || port.name == "alpha_mode") continue;
+            const bool is_linked = port.type != "integer" && port.type != "boolean";
+            inputs += is_linked ? fmt::format(R"(<input name="{}" type="{}" nodename="source_{}"/>)", port.name,
+                                              port.type, port.type)
+                                : fmt::format(R"(<input name="{}" type="{}" value="1"/>)", port.name, port.type);
+        }
+        if (shader == "gltf_pbr") inputs += R"(<input name="alpha_mode" type="integer" value="1"/>)";
+        const std::string category(shader.substr(0, shader.find(' ')));
+        const Imported made = import_text(
+            material(fmt::format(R"(<{0} name="shader" type="surfaceshader">{1}</{0}>)", category, inputs), sources()));
+        EXPECT_FALSE(made.has_refused) << shader << remarks(made, Remark::Kind::LeftOut);
+        for (const mtlx::Statement& each : rule.rule.statements) {
+            if (each.output.starts_with("normal")) continue;
+            EXPECT_NE(text_of(made).find("\"" + each.output + "\""), std::string::npos)
+                << shader << " " << each.output << text_of(made);
+        }
+        expect_compiles(made, std::string(shader));
+        for (const mtlx::SurfaceRule::Ignored& each : rule.ignored) {
+            const Imported other = import_text(material(fmt::format(
+                R"(<{0} name="shader" type="surfaceshader">{1}<input name="{2}" type="float" value="1"/></{0}>)",
+                category, is_specular ? inputs.substr(0, inputs.find("/>") + 2) : "", each.input)));
+            EXPECT_NE(remarks(other, Remark::Kind::Changed).find(each.text), std::string::npos)
+                << shader << " " << each.input;
+        }
+    }
+}
+
+// --- broken files
+
+TEST(MtlxImport, BrokenFilesAreReportedAtTheirPlace) {
+    const std::string good = material(R"(<gltf_pbr name="shader" type="surfaceshader"/>)");
+    const auto error = [&](const std::string& text) { return import_text(text).error; };
+    for (const std::string& text : {good.substr(0, good.size() / 2), std::string("nonsense"), good + "</x>",
+                                    std::string("<materialx version=\"1.38\"><a b=></materialx>")})
+        EXPECT_TRUE(std::regex_search(error(text), std::regex("x\\.mtlx:[0-9]+:[0-9]+: "))) << error(text);
+    EXPECT_NE(error("").find("the file is empty"), std::string::npos);
+    EXPECT_NE(error("<a/>").find("x.mtlx:1:1: the outermost element is 'a'"), std::string::npos) << error("<a/>");
+    EXPECT_NE(error(document("")).find("no material and no surface shader"), std::string::npos);
+    std::string deep;
+    for (int i = 0; i < 5000; ++i) deep += "<a>";
+    for (int i = 0; i < 5000; ++i) deep += "</a>";
+    EXPECT_NE(error(document(deep)).find("nested more than 32 deep"), std::string::npos);
+    const std::string circle =
+        one_node(R"(<add name="tested" type="float"><input name="in1" type="float" nodename="other"/></add>
+<add name="other" type="float"><input name="in1" type="float" nodename="tested"/></add>)",
+                 "float");
+    EXPECT_TRUE(std::regex_search(error(circle), std::regex("x\\.mtlx:3:1: 'tested' reads itself"))) << error(circle);
+    EXPECT_NE(error(document("<a name=\"x\" name=\"y\"/>")).find("two attributes 'name'"), std::string::npos);
+}
+
+TEST(MtlxImport, EntitiesOfADocumentTypeAreNotExpanded) {
+    std::string text =
+        "<?xml version=\"1.0\"?>\n<!DOCTYPE x [<!ENTITY a \"aaaaaaaaaa\"><!ENTITY b \"&a;&a;&a;&a;\"><!ENTITY c "
+        "\"&b;&b;&b;&b;\">]>\n";
+    const std::string good = material(
+        R"(<gltf_pbr name="shader" type="surfaceshader"><input name="base_color" type="color3" value="&c;"/></gltf_pbr>)");
+    const Imported made = import_text(text + good.substr(good.find('\n') + 1));
+    EXPECT_NE(remarks(made, Remark::Kind::LeftOut).find("'&c;' is no number"), std::string::npos) << made.error;
+}
+
+TEST(MtlxImport, WhatIsMissingIsSaid) {
+    Imported made = import_text(one_node(R"(<nodeofthefuture name="tested" type="color3"/>)", "color3"));
+    EXPECT_NE(remarks(made, Remark::Kind::LeftOut).find("nodeofthefuture 'tested': 'nodeofthefuture' is no node"),
+              std::string::npos)
+        << remarks(made, Remark::Kind::LeftOut);
+    EXPECT_NE(text_of(made).find("\"float3(1, 0, 1)\""), std::string::npos) << text_of(made);
+    EXPECT_NE(text_of(made).find("\"note\": \"not imported: 'nodeofthefuture' is no node"), std::string::npos)
+        << text_of(made);
+    EXPECT_TRUE(made.has_refused);
+    expect_compiles(made, "future");
+    made = import_text(one_node("", "color3"));
+    EXPECT_NE(remarks(made, Remark::Kind::LeftOut).find("it reads 'tested', which is not there"), std::string::npos);
+    made = import_text(one_node(
+        R"(<constant name="tested" type="float"><input name="value" type="float" value="nan"/></constant>)", "float"));
+    EXPECT_NE(remarks(made, Remark::Kind::LeftOut).find("'nan' is no number"), std::string::npos);
+    made = import_text(
+        one_node(R"(<constant name="tested" type="float"/><constant name="tested" type="float"/>)", "float"));
+    EXPECT_NE(remarks(made, Remark::Kind::LeftOut).find("a second element has this name"), std::string::npos);
+    made = import_text(document(R"(<gltf_pbr name="paint" type="surfaceshader"/>)", "version=\"2.5\""));
+    EXPECT_NE(remarks(made, Remark::Kind::Changed).find("it is 2.5"), std::string::npos);
+    made = import_text(one_node(
+        R"(<image name="tested" type="color3"><input name="file" type="filename" value="no.png"/></image>)", "color3"));
+    EXPECT_NE(remarks(made, Remark::Kind::Changed).find("the picture 'no.png' is not there"), std::string::npos);
+    made = import_text(material(R"(<lama_surface name="shader" type="surfaceshader"/>)"));
+    EXPECT_NE(remarks(made, Remark::Kind::LeftOut).find("'lama_surface' is no surface shader"), std::string::npos);
+    expect_compiles(made, "unknown shader");
+}
+
+TEST(MtlxImport, DefinitionsThatUseOneAnotherTwiceEnd) {
+    std::string text;
+    for (int i = 0; i < 40; ++i)
+        text += fmt::format(
+            R"(<nodedef name="ND_{0}" node="level{0}"><input name="in" type="float" value="0"/><output name="out" type="float"/></nodedef>
+<nodegraph name="NG_{0}" nodedef="ND_{0}"><level{1} name="a" type="float"><input name="in" type="float" interfacename="in"/></level{1}><level{1} name="b" type="float"><input name="in" type="float" nodename="a"/></level{1}><output name="out" type="float" nodename="b"/></nodegraph>)",
+            i, i + 1);
+    const Imported made = import_text(one_node(text + R"(<level0 name="tested" type="float"/>)", "float"));
+    EXPECT_TRUE(made.has_refused);
+    EXPECT_LT(made.graphs.empty() ? 0 : made.graphs[0].text.size(), 8u << 20);
+}
+
+// Whatever is changed in a file: it is imported or refused, and an import is a graph.
+TEST(MtlxImport, MutationsDoNotCrash) {
+    save("planks.png", "no picture");
+    std::mt19937 random(19);
+    const std::string seeds[] = {
+        material(
+            R"(<gltf_pbr name="shader" type="surfaceshader"><input name="base_color" type="color3" nodegraph="grain" output="color"/><input name="roughness" type="float" nodegraph="grain" output="gloss"/></gltf_pbr>)",
+            std::string(kWood)),
+        one_node(
+            sources() +
+                R"(<worleynoise3d name="n" type="vector3"/><switch name="tested" type="color3"><input name="in1" type="color3" nodename="source_color3"/><input name="which" type="float" nodename="source_float"/></switch>)",
+            "color3"),
+        one_node(
+            R"(<nodedef name="ND_t" node="twice"><input name="in" type="float" value="0.25"/><output name="out" type="float"/></nodedef>
+<nodegraph name="NG_t" nodedef="ND_t"><place2d name="p" type="vector2"/><extract name="e" type="float"><input name="in" type="vector2" nodename="p"/><input name="index" type="integer" value="1"/></extract><output name="out" type="float" nodename="e"/></nodegraph><twice name="tested" type="float"/>)",
+            "float")};
+    std::size_t imported = 0;
+    for (int i = 0; i < 3000; ++i) {
+        std::string text = seeds[random() % 3];
+        // The word in the quotes that end behind a place, and the place.
+        const auto word_at = [&](std::size_t at) {
+            const std::size_t begin = std::min(text.find("=\"", at), text.size() - 2) + 2,
+                              end = std::min(text.find('"', begin), text.size());
+            return std::pair(begin, end - begin);
+        };
+        for (int edits = 1 + static_cast<int>(random() % 3); edits > 0; --edits) {
+            const std::size_t at = random() % text.size(), count = 1 + random() % 12;
+            switch (random() % 12) {
+                case 0: text[at] = static_cast<char>(random() % 256); break;
+                case 1: text.erase(at, count); break;
+                case 2: text.insert(at, text.substr(random() % text.size(), count)); break;
+                default: {
+                    const auto [begin, length] = word_at(at);
+                    const auto [from, size] = word_at(random() % text.size());
+                    text.replace(begin, length, std::string(text, from, size));
+                    break;
+                }
+                case 3:
+                    text[std::min(text.find_first_of("0123456789\"", at), text.size() - 1)] =
+                        static_cast<char>('0' + random() % 10);
+                    break;
+            }
+        }
+        const Imported made = import_text(text);
+        EXPECT_EQ(made.error.empty(), !made.graphs.empty());
+        if (made.error.empty()) ++imported;
+    }
+    EXPECT_GT(imported, 500u);
+}
+
+}  // namespace
+}  // namespace patina::importers
