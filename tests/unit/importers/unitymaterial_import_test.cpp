@@ -2,7 +2,7 @@
 // variants of materials, and materials of shader graphs. Broken files are in unitymaterial_broken_test.cpp.
 #include <gtest/gtest.h>
 
-#include <cmath>
+#include <functional>
 
 #include "tests/unit/importers/unitymaterial_check.h"
 
@@ -67,6 +67,141 @@ TEST(UnityMaterial, EachPartHasARemarkWithItsPlace) {
             EXPECT_EQ(each.column, 3);
         }
     }
+}
+
+// A whole material of the universal pipeline, with detail maps. Of the values of another shader, nothing is left.
+constexpr std::string_view kDetailed = R"x({
+  "patina": 1,
+  "kind": "material",
+  "name": "x",
+  "workflow": "metallic-smoothness",
+  "lighting": "unity-brdf2",
+  "properties": [
+    { "name": "_BaseMap", "type": "texture2d", "usage": "color", "default": "./color.png" },
+    { "name": "_BaseColor", "type": "color", "default": "#ff8000" },
+    { "name": "_DetailMask", "type": "texture2d", "usage": "data", "default": "./mask.png" },
+    { "name": "_DetailAlbedoMap", "type": "texture2d", "usage": "color", "default": "./detail.png" },
+    { "name": "_DetailAlbedoMapScale", "type": "float", "default": 0.5, "range": [0, 2] },
+    { "name": "_MetallicGlossMap", "type": "texture2d", "usage": "data", "default": "./packed.png" },
+    { "name": "_Smoothness", "type": "float", "default": 0.75, "range": [0, 1] },
+    { "name": "_DetailNormalMapScale", "type": "float", "default": 2, "range": [-2, 2] },
+    { "name": "_DetailNormalMap", "type": "texture2d", "usage": "normal", "default": "./detailBumps.png" },
+    { "name": "_OcclusionMap", "type": "texture2d", "usage": "data", "default": "./packed.png" },
+    { "name": "_OcclusionStrength", "type": "float", "default": 0.25, "range": [0, 1] },
+    { "name": "_EmissionColor", "type": "color", "default": [0, 2, 4], "range": [0, 4] },
+    { "name": "_Cutoff", "type": "float", "default": 0.3, "range": [0, 1] }
+  ],
+  "nodes": [
+    { "id": "uv", "node": "TilingOffset", "in": { "tiling": [2, 2] } },
+    { "id": "detailUV", "node": "TilingOffset", "in": { "uv": "uv", "tiling": [4, 4] } },
+    { "id": "main", "node": "SampleTexture2D", "in": { "texture": "$_BaseMap", "uv": "uv" } },
+    { "id": "mask", "node": "SampleTexture2D", "in": { "texture": "$_DetailMask", "uv": "uv" } },
+    { "id": "detail", "node": "SampleTexture2D", "in": { "texture": "$_DetailAlbedoMap", "uv": "detailUV" } },
+    {
+      "id": "detailed",
+      "node": "DetailAlbedo",
+      "in": {
+        "base": "= main.rgb * $_BaseColor.rgb",
+        "detail": "= lerp(float3(0.5), detail.rgb, $_DetailAlbedoMapScale)",
+        "mask": "mask.a",
+        "space": "Gamma"
+      },
+      "note": "Unity's universal pipeline doubles the texel in linear colours, too."
+    },
+    {
+      "id": "metallicGloss",
+      "node": "SampleTexture2D",
+      "in": { "texture": "$_MetallicGlossMap", "uv": "uv" }
+    },
+    {
+      "id": "detailBumps",
+      "node": "SampleNormalMap",
+      "in": { "texture": "$_DetailNormalMap", "uv": "detailUV", "scale": "$_DetailNormalMapScale" }
+    },
+    {
+      "id": "detailedBumps",
+      "node": "DetailNormal",
+      "in": { "detail": "detailBumps", "mask": "mask.a", "mode": "Reoriented" }
+    },
+    { "id": "cavity", "node": "SampleTexture2D", "in": { "texture": "$_OcclusionMap", "uv": "uv" } },
+    {
+      "id": "occlusion",
+      "node": "OcclusionStrength",
+      "in": { "occlusion": "cavity.g", "strength": "$_OcclusionStrength" }
+    }
+  ],
+  "surface": {
+    "baseColor": "detailed",
+    "metallic": "metallicGloss.r",
+    "smoothness": "= metallicGloss.a * $_Smoothness",
+    "normalTS": "detailedBumps",
+    "occlusion": "occlusion",
+    "emission": "$_EmissionColor.rgb",
+    "alpha": "main.a",
+    "alphaClip": "$_Cutoff"
+  },
+  "render": { "surface": "cutout", "cull": "off" }
+}
+)x";
+
+TEST(UnityMaterial, AWholeMaterialReadsAsAPersonWritesIt) {
+    const MaterialFolder folder;
+    MaterialText material{
+        .shader = kLit,
+        .keywords = {"_ALPHATEST_ON", "_DETAIL_SCALED", "_EMISSION", "_METALLICSPECGLOSSMAP", "_OCCLUSIONMAP"},
+        .numbers = {{"_Smoothness", "0.75"},
+                    {"_DetailAlbedoMapScale", "0.5"},
+                    {"_DetailNormalMapScale", "2"},
+                    {"_OcclusionStrength", "0.25"},
+                    {"_Cutoff", "0.3"},
+                    {"_Cull", "0"},
+                    {"_Glossiness", "0.9"}},
+        .colors = {{"_BaseColor", "{r: 1, g: 0.5019608, b: 0, a: 1}"},
+                   {"_EmissionColor", "{r: 0, g: 2, b: 4, a: 1}"},
+                   {"_Color", "{r: 1, g: 0, b: 0, a: 1}"}},
+        .queue = "2450"};
+    const TextureText textures[] = {{"_BaseMap", "color.png", "{x: 2, y: 2}"},
+                                    {"_MetallicGlossMap", "packed.png"},
+                                    {"_OcclusionMap", "packed.png"},
+                                    {"_DetailAlbedoMap", "detail.png", "{x: 4, y: 4}"},
+                                    {"_DetailNormalMap", "detailBumps.png"},
+                                    {"_DetailMask", "mask.png"},
+                                    {"_MainTex", "color.png"}};
+    for (TextureText each : textures) {
+        const std::string guid = fmt::format("{:032x}", std::hash<std::string>()(each.guid));
+        folder.save(each.guid, "", guid);
+        each.guid = guid;
+        material.textures.push_back(each);
+    }
+    const Imported made = import_in(folder, material);
+    EXPECT_EQ(graph_of(made), kDetailed);
+    EXPECT_EQ(remarks(made, Remark::Kind::Changed), "");
+    EXPECT_NE(
+        remarks(made, Remark::Kind::Taken).find("properties _MainTex, _Glossiness, _Color: not read by this shader\n"),
+        std::string::npos)
+        << remarks(made, Remark::Kind::Taken);
+    expect_compiles(made, "detailed");
+}
+
+// The height map moves the coordinates of all maps, the detail maps, too.
+TEST(UnityMaterial, AHeightMapMovesAllMaps) {
+    const MaterialFolder folder;
+    folder.save("brick.png", "", kBrick);
+    MaterialText material{.keywords = {"_NORMALMAP", "_PARALLAXMAP", "_DETAIL_MULX2"},
+                          .textures = {{"_MainTex", kBrick, "{x: 2, y: 2}"},
+                                       {"_BumpMap", kBrick},
+                                       {"_ParallaxMap", kBrick},
+                                       {"_DetailAlbedoMap", kBrick, "{x: 8, y: 8}"}},
+                          .numbers = {{"_Parallax", "0.03"}, {"_UVSec", "1"}}};
+    const Imported made = import_in(folder, material);
+    const std::string& text = graph_of(made);
+    for (const char* part :
+         {R"({ "texture": "$_ParallaxMap", "uv": "uv" })", R"("id": "moved", "expr": "uv + parallax")",
+          R"({ "texture": "$_MainTex", "uv": "moved" })", R"({ "texture": "$_BumpMap", "uv": "moved" })",
+          R"({ "uv": "@uv1", "tiling": [8, 8] })", R"("id": "movedDetail", "expr": "detailUV + parallax")",
+          R"({ "texture": "$_DetailAlbedoMap", "uv": "movedDetail" })"})
+        EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
+    expect_compiles(made, "parallax");
 }
 
 // A map is read if its keyword is on, and only then.
