@@ -145,7 +145,7 @@ bool Term::is_link() const {
 }
 
 bool Term::is_short() const {
-    if (is_constant() || is_link() || base.empty()) return true;
+    if (is_constant() || is_link() || base.empty() || !tangent.empty()) return true;
     constexpr std::size_t kShort = 24;
     return !parts.empty() && base.size() <= kShort &&
            std::ranges::all_of(parts, [](const Part& part) { return precedence_of(part.text) == kPrimary; });

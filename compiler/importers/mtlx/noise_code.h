@@ -123,6 +123,9 @@ float Gradient3(float3 position, uint shift) {
 
 inline constexpr std::string_view kNoise2 = R"(
 /// Gradient noise of MaterialX, between about -1 and 1.
+///
+/// test: Noise2D(float2(0.3, 0.45)) == 0.162413265756003
+/// test: Noise2D(float2(-1.25, 7.75)) == -0.4147391876220703
 [node("MaterialX/Noise 2D")]
 float Noise2D(float2 position) {
     return Gradient2(position, 0u);
@@ -130,6 +133,8 @@ float Noise2D(float2 position) {
 )";
 inline constexpr std::string_view kNoise2Vector = R"(
 /// Gradient noise of MaterialX, between about -1 and 1, another one in each channel.
+///
+/// test: Noise2DVector(float2(-1.25, 7.75)) == float3(-0.4147391876220703, -0.14888044281005858, -0.5882948593139649)
 [node("MaterialX/Noise 2D Vector")]
 float3 Noise2DVector(float2 position) {
     return float3(Gradient2(position, 0u), Gradient2(position, 8u), Gradient2(position, 16u));
@@ -137,6 +142,9 @@ float3 Noise2DVector(float2 position) {
 )";
 inline constexpr std::string_view kNoise3 = R"(
 /// Gradient noise of MaterialX, between about -1 and 1.
+///
+/// test: Noise3D(float3(0.3, 0.45, 0.7)) == 0.2226468976867436
+/// test: Noise3D(float3(-1.25, 7.75, 2.5)) == -0.03380419921875
 [node("MaterialX/Noise 3D")]
 float Noise3D(float3 position) {
     return Gradient3(position, 0u);
@@ -144,6 +152,8 @@ float Noise3D(float3 position) {
 )";
 inline constexpr std::string_view kNoise3Vector = R"(
 /// Gradient noise of MaterialX, between about -1 and 1, another one in each channel.
+///
+/// test: Noise3DVector(float3(-1.25, 7.75, 2.5)) == float3(-0.03380419921875, -0.35291280555725096, 0.31253197765350343)
 [node("MaterialX/Noise 3D Vector")]
 float3 Noise3DVector(float3 position) {
     return float3(Gradient3(position, 0u), Gradient3(position, 8u), Gradient3(position, 16u));
@@ -151,6 +161,8 @@ float3 Noise3DVector(float3 position) {
 )";
 inline constexpr std::string_view kFractal2 = R"(
 /// Layers of MaterialX's gradient noise.
+///
+/// test: Fractal2D(float2(0.3, 0.45), 3, 2, 0.5) == 0.26213917358883493
 [node("MaterialX/Fractal 2D")]
 float Fractal2D(float2 position, int octaves = 3, float lacunarity = 2, float diminish = 0.5) {
     float sum = 0;
@@ -166,6 +178,8 @@ float Fractal2D(float2 position, int octaves = 3, float lacunarity = 2, float di
 )";
 inline constexpr std::string_view kFractal2Vector = R"(
 /// Layers of MaterialX's gradient noise, another one in each channel.
+///
+/// test: Fractal2DVector(float2(0.3, 0.45), 3, 2, 0.5) == float3(0.26213917358883493, 0.9559134228479428, -0.41040932322394513)
 [node("MaterialX/Fractal 2D Vector")]
 float3 Fractal2DVector(float2 position, int octaves = 3, float lacunarity = 2, float diminish = 0.5) {
     float3 sum = 0;
@@ -181,6 +195,8 @@ float3 Fractal2DVector(float2 position, int octaves = 3, float lacunarity = 2, f
 )";
 inline constexpr std::string_view kFractal3 = R"(
 /// Layers of MaterialX's gradient noise.
+///
+/// test: Fractal3D(float3(0.3, 0.45, 0.7), 4, 2, 0.5) == 0.29472767090639446
 [node("MaterialX/Fractal 3D")]
 float Fractal3D(float3 position, int octaves = 3, float lacunarity = 2, float diminish = 0.5) {
     float sum = 0;
@@ -196,6 +212,8 @@ float Fractal3D(float3 position, int octaves = 3, float lacunarity = 2, float di
 )";
 inline constexpr std::string_view kFractal3Vector = R"(
 /// Layers of MaterialX's gradient noise, another one in each channel.
+///
+/// test: Fractal3DVector(float3(0.3, 0.45, 0.7), 3, 2, 0.5) == float3(0.2960960272982469, -0.8020272276767495, -0.05610100081413897)
 [node("MaterialX/Fractal 3D Vector")]
 float3 Fractal3DVector(float3 position, int octaves = 3, float lacunarity = 2, float diminish = 0.5) {
     float3 sum = 0;
@@ -211,6 +229,8 @@ float3 Fractal3DVector(float3 position, int octaves = 3, float lacunarity = 2, f
 )";
 inline constexpr std::string_view kCell2 = R"(
 /// A random number of each cell, from 0 to 1.
+///
+/// test: CellNoise2D(float2(-1.25, 7.75)) == 0.06009313721677594
 [node("MaterialX/Cell Noise 2D")]
 float CellNoise2D(float2 position) {
     float2 cell = floor(position);
@@ -219,6 +239,8 @@ float CellNoise2D(float2 position) {
 )";
 inline constexpr std::string_view kCell3 = R"(
 /// A random number of each cell, from 0 to 1.
+///
+/// test: CellNoise3D(float3(-1.25, 7.75, 2.5)) == 0.4837402348601586
 [node("MaterialX/Cell Noise 3D")]
 float CellNoise3D(float3 position) {
     float3 cell = floor(position);
@@ -227,6 +249,9 @@ float CellNoise3D(float3 position) {
 )";
 inline constexpr std::string_view kWorley2 = R"(
 /// The distances to the three nearest of random points, one in each cell.
+///
+/// test: WorleyNoise2D(float2(0.3, 7.75), 1) == float3(0.25901410601997904, 0.43569279520638743, 1.036798050937848)
+/// test: WorleyNoise2D(float2(-1.25, 0.5), 0.5) == float3(0.4675893427607417, 0.9702049701445509, 0.989115425674556)
 [node("MaterialX/Worley Noise 2D")]
 float3 WorleyNoise2D(float2 position, float jitter = 1) {
     float2 corner = floor(position);
@@ -248,6 +273,8 @@ float3 WorleyNoise2D(float2 position, float jitter = 1) {
 )";
 inline constexpr std::string_view kWorley3 = R"(
 /// The distances to the three nearest of random points, one in each cell.
+///
+/// test: WorleyNoise3D(float3(0.3, 7.75, -2.5), 1) == float3(0.23488026447724053, 0.4027931237885559, 0.818188452501073)
 [node("MaterialX/Worley Noise 3D")]
 float3 WorleyNoise3D(float3 position, float jitter = 1) {
     float3 corner = floor(position);

@@ -84,6 +84,19 @@ std::optional<Term> product(const std::string& text, const std::vector<Term>& te
     return made;
 }
 
+// "- 0" and "/ 1" are not written, if another operand has the size of the result.
+bool adds_nothing(const std::vector<Term>& terms, std::size_t index, std::string_view before, std::string_view after) {
+    const bool is_sum = before.ends_with(" + ") || before.ends_with(" - ");
+    const bool is_product = before.ends_with(" * ") || before.ends_with(" / ");
+    if (!(is_sum && terms[index].is_all(0)) && !(is_product && terms[index].is_all(1))) return false;
+    // What follows may bind more strongly than a sum.
+    if (is_sum && (after.starts_with(" *") || after.starts_with(" /"))) return false;
+    for (std::size_t i = 0; i < terms.size(); ++i)
+        if (i != index && !terms[i].is_constant() && terms::width(terms[i].type) >= terms::width(terms[index].type))
+            return true;
+    return false;
+}
+
 }  // namespace
 
 Term GraphMaker::filled(Scope& scope, const Element& node, const NodeRule& rule, const std::string& text, Type type,
@@ -123,6 +136,12 @@ Term GraphMaker::filled(Scope& scope, const Element& node, const NodeRule& rule,
     for (std::size_t i = 0; i < places.size(); ++i) {
         const std::size_t begin = places[i].first, end = text.find('}', begin) + 1;
         made += text.substr(at, begin - at);
+        const std::string_view after = std::string_view(text).substr(end);
+        if (adds_nothing(terms, i, made, after)) {
+            made.resize(made.size() - 3);
+            at = end;
+            continue;
+        }
         made += terms::bracketed(terms[i].text(), made, std::string_view(text).substr(end));
         holds.sources.insert(terms[i].sources.begin(), terms[i].sources.end());
         at = end;

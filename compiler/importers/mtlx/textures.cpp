@@ -103,6 +103,7 @@ Term GraphMaker::sampled(Scope& scope, const Element& node, Term coordinates, st
     if (property.empty())
         return magenta(node, Type::Float4,
                        fmt::format("'{}' is no picture that can be read", word_of(scope, node, file_input)));
+    if (coordinates.from_top.empty() && !coordinates.is_short()) coordinates = named(coordinates);
     Term place = terms::flipped(coordinates);
     place.sources = coordinates.sources;
     std::string& id = samples_[property + " " + place.text()];
