@@ -311,7 +311,9 @@ TEST(ShaderGraphTable, AbsentSettingsAreTheDefaults) {
         {"RotateNode", {{"m_Unit", 0}}},
         {"HueNode", {{"m_HueMode", 0}}},
     };
-    for (const auto& [kind, chosen] : defaults) {
+    for (const auto& each_default : defaults) {
+        const std::string kind = each_default.first;
+        const Chosen& chosen = each_default.second;
         const auto slots =
             std::find_if(std::begin(kSlots), std::end(kSlots), [&](const Slots& each) { return each.kind == kind; });
         ASSERT_NE(slots, std::end(kSlots)) << kind;
