@@ -44,6 +44,10 @@ Typed convert(Emitter& emitter, Typed value, Type wanted, Scope& scope, Span spa
     if (value.literal && value.type.scalar == Scalar::Int && wanted.is_numeric() && !wanted.is_bool()) {
         value = literal_as(emitter, value, wanted.scalar, scope, span);
     }
+    if (value.type.is_matrix() && joins(value.type.scalar, wanted.scalar) &&
+        value.type.with_scalar(wanted.scalar) == wanted) {
+        return {.value = b.convert(value.value, wanted.scalar), .type = wanted};
+    }
     const bool plain = value.type.is_numeric() && !value.type.is_matrix() && wanted.is_numeric() && !wanted.is_matrix();
     if (plain && joins(value.type.scalar, wanted.scalar)) {
         const unsigned have = value.type.width();

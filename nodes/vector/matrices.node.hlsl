@@ -56,7 +56,7 @@ enum TransformationKind {
 };
 
 /// A matrix of the object or of the camera. It transforms columns: mul(M, v).
-[node("Input/Matrix/Transformation Matrix")] [also("TransformMatrix", "ModelMatrix", "ViewMatrix")]
+[node("Input/Matrix/Transformation Matrix")] [also("TransformMatrix", "ModelMatrix", "ViewMatrix")] [inFloat]
 float4x4 TransformationMatrix(
     const TransformationKind kind = ObjectToWorld  ///< which matrix
 ) {

@@ -20,8 +20,18 @@ inline constexpr double kLargest = 64;  // nothing is allowed to grow beyond
 // Marks in generated text: what stands between kBegin, with a class, and kEnd is a value that a GPU computes with an
 // error of that class. A rendering of the text either drops the marks or puts noise in their place.
 inline constexpr char kBegin = '\1', kEnd = '\2';
-// A sum of products may come out as next to zero where it is zero.
-enum Error : char { kArithmetic = 'a', kSum = 's', kTranscendental = 't', kHalf = 'h' };
+// A sum of products may come out as next to zero where it is zero. So may the result of a node, which can be such a
+// sum: the Lab colour of a grey is 0 to the CPU and 1.5e-7 to lavapipe, and floor() makes a difference of 1 of that.
+// Some nodes are coarse on GPUs.
+enum Error : char {
+    kArithmetic = 'a',
+    kSum = 's',
+    kTranscendental = 't',
+    kNode = 'n',
+    kCoarse = 'c',
+    kHalf = 'h',
+    kHalfNode = 'm'
+};
 
 // A generator of its own: the distributions of the standard library differ between machines.
 class Dice {
@@ -78,7 +88,8 @@ public:
     }
 
     std::string mark(Error error, const std::string& text) const {
-        return std::string{kBegin, half_ ? kHalf : error} + text + kEnd;
+        const Error of_halves = error == kNode || error == kCoarse ? kHalfNode : kHalf;
+        return std::string{kBegin, half_ ? of_halves : error} + text + kEnd;
     }
 
     Value leaf(int width) {

@@ -15,8 +15,19 @@ namespace {
 constexpr int kPairs = 1;  // of twins
 
 double size_of(char error) {
-    // The tolerances of the operations; of halves, two roundings.
-    return error == kHalf ? 1e-3 : error == kTranscendental ? 1e-4 : 1e-5;
+    // The tolerances of the operations; of halves, two roundings, and four in a node.
+    switch (error) {
+        case kHalf: return 1e-3;
+        case kHalfNode: return 2e-3;
+        case kTranscendental:
+        case kNode:
+        case kCoarse: return 1e-4;
+        default: return 1e-5;
+    }
+}
+// What is added to a value that may be zero: what is left of a sum that cancels.
+double size_at_zero(char error) {
+    return error == kHalfNode ? 2e-3 : error == kCoarse ? 1e-3 : error == kSum || error == kNode ? 1e-6 : 0;
 }
 
 // `noise` null: exact. With the same dice and the other sign, all errors are turned around.
@@ -30,9 +41,9 @@ std::string render(const std::string& marked, Dice* noise, double sign) {
             if (noise) {
                 text += ')';
                 const double share = (50 + noise->below(51)) / 100.0;
-                const double error = size_of(open.back()) * share * (noise->chance(50) ? sign : -sign);
-                text += " * " + literal(1 + error);
-                if (open.back() == kSum) text += " + " + literal(error / 10);
+                const double part = share * (noise->chance(50) ? sign : -sign);
+                text += " * " + literal(1 + size_of(open.back()) * part);
+                if (const double most = size_at_zero(open.back())) text += " + " + literal(most * part);
             }
             text += ')';
             open.pop_back();
@@ -154,6 +165,7 @@ public:
         }
         values_.insert(values_.end(), {{"$_Amount", 1, 1}, {"$_Axis", 3, 2}, {"@time", 1, 1}});
         values_.push_back({"(@fragCoord.xy * 0.125)", 2, 1});
+        exact_values_.assign(values_.begin(), values_.end());
         if (has_parts_) parts();
         const int count = 5 + dice_.below(26);
         for (int i = 0; i < count; ++i) {
@@ -181,44 +193,44 @@ public:
 
 private:
     static bool is_usable(const NodeInfo& node) {
-        static constexpr std::string_view kDrawn[] = {
-#include "witness/random_nodes.inc"
-        };
-        if (std::find(std::begin(kDrawn), std::end(kDrawn), node.name) == std::end(kDrawn)) return false;
-        // A hash: its result has nothing to do with how near two inputs are.
-        if (node.name == "Random" || node.name == "RandomRange" || node.name == "NoiseSineWave") return false;
-        // A GPU's own approximation, far coarser than a float.
-        if (node.name == "ArcSine" || node.name == "ArcCosine") return false;
-        // Differences of computed values: their rounding would be all that is left. derivative_node draws exact ones.
-        if (node.category == "Math/Derivative" || node.name == "NormalFromHeight") return false;
-        // The hash of a sine; and the number of the nearest point, which jumps where two are as near.
-        if (node.name == "SimpleNoise" || node.name == "VoronoiUnity" || node.name == "Worley") return false;
-        // Edges one pixel wide, of what changes by much more from pixel to pixel.
-        if (node.category == "Procedural/Shape" || node.name == "SdfMask" || node.name == "Checkerboard") return false;
+        // Hashes of the last digits of a sine: of what is off by a rounding, they are another number.
+        if (node.name == "RandomRange" || node.name == "NoiseSineWave") return false;
         // What was drawn before: nothing, and not in the target that is drawn into.
-        if (node.category == "Input/Scene" || node.name == "SceneThroughRoughSurface") return false;
-        // Reads the environment's texture between its levels, where a GPU has its own precision.
-        if (node.name == "ReflectionProbe") return false;
+        if (node.name.starts_with("Scene") || node.name == "DepthFade") return false;
         // Thousands of steps a pixel, on domains of their own.
         if (node.name == "SplitSumIntegral") return false;
+        // The texels of the data are a texture of two dimensions.
         return std::all_of(node.ports.begin(), node.ports.end(), [&](const PortInfo& port) {
-            // Light is known to lighting graphs only, and textures are not numbers.
-            const bool is_matrix = port.type.find('x') != std::string::npos && port.type.starts_with("float");
-            return !port.type.starts_with("Texture") && !is_matrix &&
-                   (port.is_output || !port.type.starts_with("Sampler"));
+            return !port.type.starts_with("Texture") || port.type == "Texture2D";
         });
     }
 
-    bool choose_half() {
-        return half_nodes_ && (half_graph_ || dice_.chance(30));
+    // Its result has differences between pixels, or edges one pixel wide: of computed inputs their rounding would be
+    // all that is left.
+    static bool needs_exact_inputs(const NodeInfo& node) {
+        return node.category == "Math/Derivative" || node.category == "Procedural/Shape" ||
+               node.name == "NormalFromHeight" || node.name == "SdfMask" || node.name == "Checkerboard" ||
+               node.name == "CalculateLevel";
     }
-    std::string precision(bool half) const {
-        return half && !half_graph_ ? R"(, "precision": "half")" : "";
+
+    // Off by much more than a rounding on lavapipe: arc sine 3.9e-4, arc cosine 1.5e-4; its atan2(), by whose angles
+    // MeasuredBRDF finds texels, is off by 3.4e-6, and the node by 1.6e-5.
+    static bool is_coarse(const NodeInfo& node) {
+        return node.name == "ArcSine" || node.name == "ArcCosine" || node.name == "MeasuredBRDF";
     }
+
+    bool choose_half() { return half_nodes_ && (half_graph_ || dice_.chance(30)); }
+    std::string precision(bool half) const { return half && !half_graph_ ? R"(, "precision": "half")" : ""; }
     // Noise of a value in a node: a half's where the node computes in halves.
     Expressions over_values(bool half) {
         Expressions made(dice_, half);
         made.values = values_;
+        return made;
+    }
+
+    Expressions inputs_of(const NodeInfo& node, bool half) {
+        Expressions made = over_values(half);
+        if (needs_exact_inputs(node)) made.values = exact_values_;
         return made;
     }
 
@@ -255,15 +267,28 @@ private:
                (dice_.chance(50) ? "linear" : "perceptual") + "\" }";
     }
 
+    static bool is_matrix(const PortInfo& port) {
+        return port.type.starts_with("float") && port.type.find('x') != std::string::npos;
+    }
+
     std::string port_value(const NodeInfo& node, const PortInfo& port, int wide, bool half) {
+        // A hash of sines, with which a float is off by 2e-3; RandomRange and NoiseSineWave have no other.
+        if (port.type == "NoiseHash") return "Deterministic";
         if (!port.enumerators.empty()) return dice_.pick(port.enumerators).name;
+        if (port.type == "Texture2D") return map_;
         if (port.type == "int") return "= " + std::to_string(1 + dice_.below(3));
-        Expressions in = over_values(half);
+        Expressions in = inputs_of(node, half);
         if (port.type == "bool") return "= " + in.expression(0, 1).text;
+        if (is_matrix(port)) {
+            std::string rows;
+            for (char row = '0'; row < port.type.back(); ++row)
+                rows += (rows.empty() ? "" : ", ") + in.leaf(port.type.back() - '0').text;
+            return "= " + port.type + "(" + rows + ")";
+        }
         const int width = port.type == "floatN"  ? (dice_.chance(25) ? 1 : wide)
                           : port.type == "float" ? 1
                                                  : port.type.back() - '0';
-        std::string text = in.expression(width, dice_.below(2)).text;
+        std::string text = in.expression(width, needs_exact_inputs(node) ? 0 : dice_.below(2)).text;
         if (port.range) {
             // Most ranges are 0 to 1. Beyond its range a node promises nothing, and at a roughness or a cosine of zero
             // distributions and visibilities have their poles.
@@ -283,10 +308,15 @@ private:
     }
 
     void library_node(const std::string& id) {
-        const NodeInfo& node = *dice_.pick(library_);
-        // TangentFrame subtracts products, and halves may keep no digit of such a difference: more than its inputs'
+        const NodeInfo* drawn = dice_.pick(library_);
+        // A part is used up to sixteen times, and Mesa opens the loops of each: with Worley there (seed 1063) it did
+        // not come to an end within a minute.
+        while (map_ != "$_Data" && drawn->category == "Procedural/Noise") drawn = dice_.pick(library_);
+        const NodeInfo& node = *drawn;
+        // Two nodes subtract products, and halves may keep no digit of such a difference: more than their inputs'
         // noise.
-        const bool half = choose_half() && node.name != "TangentFrame";
+        const bool cancels = node.name == "TangentFrame" || node.name == "SHFromZonal";
+        const bool in_floats = needs_exact_inputs(node) || cancels, half = choose_half() && !in_floats;
         const int wide = 1 + dice_.below(4);
         std::string ports;
         bool is_first = true;
@@ -299,7 +329,7 @@ private:
             }
             std::string value = port_value(node, port, wide, half);
             if (is_first && port.type == "floatN") {
-                Expressions in = over_values(half);
+                Expressions in = inputs_of(node, half);
                 Value first = in.leaf(wide);
                 const std::string name = node.name + "." + port.name;
                 const bool guarded =
@@ -310,7 +340,7 @@ private:
             ports += (ports.empty() ? "" : ", ") + ("\"" + port.name + "\": \"" + value + "\"");
         }
         json_ += R"({ "id": ")" + id + R"(", "node": ")" + node.name + R"(", "in": { )" + ports + " }" +
-                 precision(half) + " }";
+                 (in_floats ? R"(, "precision": "float")" : precision(half)) + " }";
         for (const PortInfo& port : node.ports) {
             if (!port.is_output) continue;
             const int width = port.type == "bool"     ? 0
@@ -318,28 +348,32 @@ private:
                               : port.type == "floatN" ? wide
                                                       : port.type.back() - '0';
             const bool is_primary = port.name == "out";
-            const std::string read = is_primary ? id : id + "." + port.name;
+            std::string read = is_primary ? id : id + "." + port.name;
+            if (is_matrix(port)) read = "mul(" + read + ", " + over_values(half).leaf(width).text + ")";
             if (width == 0) {
                 values_.push_back({read, 0, 1});
             } else {
                 // What it computed is off like any other value; and how large it is, nobody knows.
                 Expressions in(dice_, half);
-                values_.push_back(in.limited({in.mark(kTranscendental, read), width, 1e9}));
+                const Error error = is_coarse(node) ? kCoarse : kNode;
+                values_.push_back(in.limited({in.mark(error, read), width, 1e9}));
             }
         }
     }
 
-    // Its branches ask the flag. Mesa walks a condition of uniforms alone along every way through what they share,
-    // which may take it hours; a texel, which never says yes, ends the walk at once.
+    // Its branches and loops ask its inputs. Mesa walks a condition of uniforms alone along every way through what they
+    // share, which may take it hours (seed 223: the count of a loop). A texel, which never says yes, ends the walk at
+    // once.
     void file_node(const std::string& id) {
         const bool half = choose_half();
         const std::string name = "Generated_" + id, file = name + ".node.hlsl";
         files_[file] = NodeFile(dice_, half).text(name);
         Expressions in = over_values(half);
         const Value p = in.limited(in.expression(3, 1)), q = in.limited(in.expression(1, 1));
-        json_ += R"({ "id": ")" + id + R"(", "node": "./)" + file + R"(", "in": { "p": "= )" + p.text +
-                 R"(", "q": "= )" + q.text + R"(", "flag": "= t0.x > 99 || )" + in.expression(0, 1).text + "\" }" +
-                 precision(half) + " }";
+        const std::string never = "= t0.x > 99 ";
+        json_ += R"({ "id": ")" + id + R"(", "node": "./)" + file + R"(", "in": { "p": ")" + never + "? 0 : " + p.text +
+                 R"(", "q": ")" + never + "? 0 : " + q.text + R"(", "flag": ")" + never + "|| " +
+                 in.expression(0, 1).text + "\" }" + precision(half) + " }";
         values_.push_back({id, 3, kLargest});
         values_.push_back({id + ".extra", 1, 4});
     }
@@ -356,15 +390,14 @@ private:
         }
     }
 
-    static std::string part_file(int level) {
-        return "part" + std::to_string(level) + ".subgraph.json";
-    }
+    static std::string part_file(int level) { return "part" + std::to_string(level) + ".subgraph.json"; }
 
     // Its nodes are written as those of a graph, over its own inputs, and always in floats.
     void part(int level) {
         const bool half_graph = std::exchange(half_graph_, false), half_nodes = std::exchange(half_nodes_, false);
         std::vector<Value> outside = std::exchange(values_, {{"$p", 3, 4}, {"$q", 1, 4}, {"$flag", 0, 1}});
-        std::string graph = std::exchange(json_, {});
+        std::vector<Value> exact_outside = std::exchange(exact_values_, {{"(@fragCoord.xy * 0.125)", 2, 1}});
+        std::string graph = std::exchange(json_, {}), map = std::exchange(map_, "$map");
         json_ = R"({ "patina": 1, "kind": "subgraph", "inputs": [
 { "name": "p", "type": "float3" }, { "name": "q", "type": "float", "default": 0.5 },
 { "name": "flag", "type": "bool", "default": true }, { "name": "map", "type": "texture2d" } ],
@@ -395,14 +428,19 @@ private:
             "\n],\n\"outputs\": { \"color\": \"= " + color.text + "\", \"amount\": \"= " + amount.text + "\" }\n}\n";
         files_[part_file(level)] = std::exchange(json_, std::move(graph));
         values_ = std::move(outside);
+        exact_values_ = std::move(exact_outside);
+        map_ = std::move(map);
         half_graph_ = half_graph;
         half_nodes_ = half_nodes;
     }
 
+    // The uses in the graph itself have a texel in their inputs for the same reason as a file's node: each level
+    // doubles the ways (seed 875).
     void use_part(const std::string& id, int level, const std::string& map) {
         Expressions in = over_values(false);
-        std::string inputs = "\"p\": \"= " + in.limited(in.expression(3, 1)).text + "\", \"map\": \"" + map + "\"";
-        if (dice_.chance(60)) inputs += ", \"q\": \"= " + in.limited(in.expression(1, 1)).text + "\"";
+        const std::string first = map == "$_Data" ? "\"= t0.x > 99 ? 0 : " : "\"= ";
+        std::string inputs = "\"p\": " + first + in.limited(in.expression(3, 1)).text + "\", \"map\": \"" + map + "\"";
+        if (dice_.chance(60)) inputs += ", \"q\": " + first + in.limited(in.expression(1, 1)).text + "\"";
         const int flag = dice_.below(4);
         if (flag < 2) inputs += std::string(", \"flag\": ") + (flag == 0 ? "false" : "true");
         if (flag == 2) inputs += ", \"flag\": \"= " + in.expression(0, 1).text + "\"";
@@ -443,6 +481,8 @@ private:
     bool half_graph_ = false;
     std::vector<const NodeInfo*> library_;
     std::vector<Value> values_;
+    std::string map_ = "$_Data";
+    std::vector<Value> exact_values_;  // those that no operation made
 };
 
 }  // namespace

@@ -1,9 +1,10 @@
 // 1,000 random graphs mean the same to GLSL and HLSL on the GPU and to the CPU interpreter. WITNESS_SEED=17 prints and
-// runs only that one.
+// runs only that one, WITNESS_SEED=0-2000 runs these.
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <cstdlib>
+#include <cstring>
 #ifdef __SSE2__
 #include <xmmintrin.h>
 #endif
@@ -125,9 +126,10 @@ protected:
 
     void compare_all(unsigned begin, unsigned end) {
         if (const char* only = std::getenv("WITNESS_SEED")) {
+            const char* last = std::strchr(only, '-');
             begin = static_cast<unsigned>(std::atoi(only));
-            end = begin + 1;
-            std::printf("%s\n", text_of(random_graph(bench->compiler(), begin)).c_str());
+            end = last ? static_cast<unsigned>(std::atoi(last + 1)) + 1 : begin + 1;
+            if (!last) std::printf("%s\n", text_of(random_graph(bench->compiler(), begin)).c_str());
         }
         Tally tally;
         for (unsigned seed = begin; seed < end && tally.failures < kMostFailures; ++seed) compare(seed, tally);

@@ -131,5 +131,16 @@ TEST_F(ValuesTest, TheObjectsMatrixIsTheOneThatPlacesIt) {
                  "float4(mul(m, float4(@positionOS, 1)).xyz - @positionWS, 1)", {0, 0, 0, 1});
 }
 
+// As vectors are: where a node computes in halves, and reads or makes a matrix of floats.
+TEST_F(ValuesTest, AMatrixOfFloatsIsConvertedToHalves) {
+    const std::string half = R"(, "precision": "half" },
+)";
+    const std::string split =
+        R"json({ "id": "s", "node": "MatrixSplit", "in": { "matrix": "= float4x4(t, t * 2, t, t)" })json";
+    expect_value("", split + half, "s.m1", {0.5f, 1, 1.5f, 3});
+    expect_value("", R"({ "id": "m", "node": "TransformationMatrix")" + half,
+                 "float4(mul(m, float4(@positionOS, 1)).xyz - @positionWS, 1)", {0, 0, 0, 1});
+}
+
 }  // namespace
 }  // namespace patina::witness
