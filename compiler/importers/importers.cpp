@@ -12,11 +12,7 @@ namespace patina::importers {
 
 std::span<const Importer> importers() {
     static const Importer kImporters[] = {
-        gltf_importer(),
-        merl_importer(),
-        mtlx_importer(),
-        shadergraph_importer(),
-        unitymaterial_importer(),
+        gltf_importer(), merl_importer(), mtlx_importer(), shadergraph_importer(), unitymaterial_importer(),
     };
     return kImporters;
 }
