@@ -68,7 +68,8 @@ bool is_default(const PortInfo& port, const Term& term) {
 
 // The type of a port of the library; None: it follows from other ports.
 Type type_of_port(std::string_view type) {
-    for (const Type each : {Type::Bool, Type::Float, Type::Float2, Type::Float3, Type::Float4})
+    for (const Type each : {Type::Bool, Type::Float, Type::Float2, Type::Float3, Type::Float4, Type::Texture2D,
+                            Type::Texture2DArray, Type::Texture3D, Type::Cubemap})
         if (word(each) == type) return each;
     return Type::None;
 }
@@ -279,7 +280,12 @@ private:
                     made.inputs.push_back({port, patina::importers::text(value)});
                 continue;
             }
-            const Term term = value_of(value, true);
+            Term term = value_of(value, true);
+            if (const Type type = info == call_->ports.end() ? Type::None : type_of_port(info->type);
+                is_texture(type) && term.type != type) {
+                maker_.approximate(node_, fmt::format("the node has no slot for its {}: it is white", word(type)));
+                term = maker_.texture_constant(node_, type, nullptr, "", 0);
+            }
             if (const auto only = only_placeholder(value); only && is_texture(term.type)) {
                 if (only->use != "size") wanted = camel_case(std::string_view(term.text()).substr(1));
                 has_texel |= only->use != "normal";

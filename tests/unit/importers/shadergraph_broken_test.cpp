@@ -106,6 +106,17 @@ TEST(BrokenShaderGraph, CodeIsRefusedWithTheReasonAndTheLine) {
     }
 }
 
+TEST(BrokenShaderGraph, ASampleWithoutASlotForItsTextureIsWhite) {
+    ShaderGraphText graph = painted();
+    graph.edges.erase(graph.edges.begin());
+    graph.nodes[3].slots.erase(graph.nodes[3].slots.begin());
+    const Imported made = import_graph(graph);
+    EXPECT_NE(remarks(made, Remark::Kind::Changed).find("the node has no slot for its Texture2D: it is white"),
+              std::string::npos)
+        << remarks(made, Remark::Kind::Changed);
+    expect_compiles(made, "no slot");
+}
+
 TEST(BrokenShaderGraph, ConditionsThatCanBeDecidedAre) {
     const std::pair<const char*, bool> conditions[] = {{"MODE == 2", true},
                                                        {"MODE != 2", false},
