@@ -23,11 +23,11 @@ constexpr OtherFile kOthers[] = {
     {".hlsl", "a file of nodes", {"a graph uses it as a node: \"node\": \"{}\"", "'patina check' checks it"}},
     {".glsl", "a shader", {kWritten}},
     {".shader", "a shader", {kWritten}},
-    {".mat", "a material of Unity", {kImported}},
-    {".shadergraph", "a shader graph of Unity", {kImported}},
-    {".shadersubgraph", "a shader graph of Unity", {kImported}},
-    {".gltf", "a glTF model", {kImported}},
-    {".mtlx", "a MaterialX document", {kImported}},
+    {".mat", "a material of another program", {kImported}},
+    {".shadergraph", "a shader graph of another program", {kImported}},
+    {".shadersubgraph", "a shader graph of another program", {kImported}},
+    {".gltf", "a model", {kImported}},
+    {".mtlx", "a document of another program", {kImported}},
 };
 
 }  // namespace
