@@ -164,6 +164,9 @@ public:
         for (Value v : a_.order) {
             if (!a_.is_live(v)) continue;
             a_.stands[v.index] = a_.stands[v.index] || is_standing_by_nature(v) || must_stand(a_, v);
+            if (info(a_[v].op).rule == TypeRule::Texel) {
+                while (const Value branch = branch_within(v)) stand(branch);
+            }
             measure(v);
             while (is_too_big(v)) {
                 const Value biggest = biggest_operand(v);
@@ -175,6 +178,20 @@ public:
     }
 
 private:
+    // A choice, && or || that an expression would have in it. glslang joins texture and sampler before the coordinate
+    // and makes blocks of a choice, and SPIR-V forbids to read what was joined in another block.
+    Value branch_within(Value v) const {
+        for (std::uint32_t i = 0; i < a_.args(v); ++i) {
+            const Value operand = a_.arg(v, i);
+            if (a_.stands[operand.index] || is_leaf(a_[operand].op)) continue;
+            const Inst& inst = a_[operand];
+            const bool is_choice = inst.op == Op::Select && a_[a_.arg(operand, 0)].type.is_scalar();
+            const bool is_logic = (inst.op == Op::And || inst.op == Op::Or) && inst.type.is_scalar();
+            if ((is_choice || is_logic) && can_stand(operand)) return operand;
+            if (const Value inner = branch_within(operand)) return inner;
+        }
+        return {};
+    }
     bool is_standing_by_nature(Value v) const {
         const Op op = a_[v].op;
         return op == Op::LoopIndex || op == Op::LoopCarried || op == Op::Result;

@@ -161,6 +161,15 @@ TEST_F(TextureNodesTest, ParallaxMovesByHeightAndView) {
     });
 }
 
+// glslang makes blocks of a choice between sums, and SPIR-V forbids to join texture and sampler in another block than
+// the one that samples.
+TEST_F(TextureNodesTest, ACoordinateMayBeAChoice) {
+    const auto witnesses = all_witnesses(R"json({ "id": "at", "expr": "@fragCoord.xy * 0.37" })json",
+                                         "float3(SampleTexture2D($_Data, at.x > 2 ? at * 2 : at.yx + 1).r, 0, 0)", "1",
+                                         plain(0.8f, 0.6f, 1));
+    expect_all(witnesses, 1e-4, [](int, int) -> std::array<double, 4> { return {0.8, 0, 0, 1}; });
+}
+
 TEST_F(TextureNodesTest, TilingWithoutRepetitionKeepsAPlainTexture) {
     const auto witnesses = all_witnesses(
         R"json({ "id": "at", "expr": "@fragCoord.xy * 0.37" })json",
