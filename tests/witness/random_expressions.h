@@ -71,6 +71,9 @@ public:
 
     std::vector<Value> values;
     std::vector<std::string> ints;  // int variables and constants that may be read
+    // A condition that never holds and reads a texel: a choice asks it, too. Mesa walks a condition of uniforms alone
+    // along every way through what it shares, which may take it hours (seed 837). The texel ends the walk at once.
+    std::string never{};
 
     Value expression(int width, int depth) {
         if (width == 0) return {.text = condition(depth), .width = 0};
@@ -160,8 +163,9 @@ private:
                 return {mark(kArithmetic, left.text + " / (abs(" + right.text + ") + 0.5)"), width, left.largest * 2};
             case 6: return {"(-" + left.text + ")", width, left.largest};
             default: {
-                const std::string test =
-                    width > 1 && dice_.chance(30) ? comparison(width, depth - 1) : condition(depth - 1);
+                const bool is_single = width == 1 || !dice_.chance(30);
+                std::string test = is_single ? condition(depth - 1) : comparison(width, depth - 1);
+                if (is_single && !never.empty()) test = "(" + never + " || " + test + ")";
                 const Value other = expression(width, depth - 1);
                 return {"(" + test + " ? " + left.text + " : " + other.text + ")", width,
                         std::max(left.largest, other.largest)};
