@@ -215,7 +215,9 @@ private:
             case 3: return {of("round"), width, x.largest + 1};
             case 4: return {of("frac"), width, 1};
             case 5: return {of("saturate"), width, 1};
-            case 6: return {of("sign"), width, 1};
+            // Not of zero: frac(tanh(8)) is 0 or 0.9999999, and to both copies with noise a number above zero (seed
+            // 327).
+            case 6: return {"sign(" + x.text + " + 0.0625)", width, 1};
             case 7: return {mark(kTranscendental, of("sin")), width, 1};
             case 8: return {mark(kTranscendental, of("cos")), width, 1};
             case 9: return {mark(kTranscendental, of("atan")), width, 1.6};
