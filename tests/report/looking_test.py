@@ -153,7 +153,7 @@ class Test(unittest.TestCase):
         with open("even.hdr", "wb") as file:  # 8 everywhere: 128 / 256 times 2 to the power of 132 - 128
             file.write(b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 8 +X 16\n" + b"\x80\x80\x80\x84" * 128)
         lit = ("white.graph.json", "--env", "even.hdr")
-        self.expect(0, "all light comes from a picture, whose exposure is -3.06, so that white surfaces stay below "
+        self.expect(0, "all light comes from a picture, whose exposure is -3.56, so that white surfaces stay below "
                     "white: --exposure 0 shows the light as it is", *lit, "-o", "white.png")
         self.assertNotIn("clip", render(*lit, "-o", "white.png").stderr)
         # A dielectric reflects 0.04 at once, so 0.96 of the 8: -log2(7.68) is -2.94, rounded down.

@@ -139,8 +139,8 @@ Value default_lights() {
         return object(std::vector<Member>{
             {"type", text("directional")}, {"direction", vector(direction)}, {"color", vector(color)}});
     };
-    return list({light({-0.6f, 0.8f, 0.8f}, {0.58f, 0.56f, 0.535f}), light({0.9f, 0.1f, 0.5f}, {0.06f, 0.075f, 0.1f}),
-                 light({0.5f, 0.5f, -0.8f}, glm::vec3(0.22f))});
+    return list({light({-0.6f, 0.8f, 0.8f}, {0.41f, 0.395f, 0.375f}),
+                 light({0.9f, 0.1f, 0.5f}, {0.042f, 0.053f, 0.07f}), light({0.5f, 0.5f, -0.8f}, glm::vec3(0.155f))});
 }
 
 Value all_of(const std::vector<Value>& values) {
