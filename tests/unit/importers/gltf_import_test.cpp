@@ -232,7 +232,7 @@ TEST(GltfImport, EveryPropertyHasARemark) {
     SourceMap sources;
     Diagnostics diagnostics;
     const std::uint32_t begin = sources.add(path, std::string(std::istreambuf_iterator<char>(file), {}));
-    const auto root = graph::parse_json(sources, begin, diagnostics);
+    const auto root = graph::parse_json(sources, begin, diagnostics, graph::JsonOf::OtherProgram);
     expect_remarks(*root, "", made);
     // What nobody reads is refused, at its line.
     const auto refused = [&](const std::string& part) {
