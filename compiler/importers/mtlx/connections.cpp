@@ -1,5 +1,5 @@
-// Which value an input has: what the document writes there, what an interface hands in, what another node computes, or
-// the default of a definition.
+// Finds the value of an input. It is written in the document, comes from an interface or from another node, or is the
+// default of the definition.
 #include <fmt/format.h>
 
 #include <algorithm>

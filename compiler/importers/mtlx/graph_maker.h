@@ -3,7 +3,7 @@
 // and what their interfaces set becomes its properties. A node whose definition is in the document is replaced by what
 // implements it, once for each use.
 //
-//   graph_maker.cpp     the order; what an input is; names; what becomes of each node
+//   graph_maker.cpp     makes the nodes in order and names them; the remarks
 //   connections.cpp     which value an input has: interfaces, definitions, outputs
 //   rules.cpp           nodes of the table
 //   special_nodes.cpp   nodes that no row can say, by a list of functions

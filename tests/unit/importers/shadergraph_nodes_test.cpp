@@ -288,7 +288,7 @@ TEST(ShaderGraphTable, AValueOfTheFutureIsRefusedByName) {
     EXPECT_GT(count, 30u);
 }
 
-// What a file leaves out is what Unity starts with.
+// If a file lacks a setting, the setting has Unity's default.
 TEST(ShaderGraphTable, AbsentSettingsAreTheDefaults) {
     const std::pair<const char*, Chosen> defaults[] = {
         {"BlendNode", {{"m_BlendMode", 15}}},

@@ -1,5 +1,5 @@
-// Materials of Unity: what those of each shader become, what each keyword and setting does, where pictures come from,
-// variants of materials, and materials of shader graphs. Broken files are in unitymaterial_broken_test.cpp.
+// Materials of Unity: each shader, each keyword and setting, the pictures, variants of materials, and materials of
+// shader graphs. Broken files are in unitymaterial_broken_test.cpp.
 #include <gtest/gtest.h>
 
 #include <functional>
