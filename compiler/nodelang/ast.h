@@ -4,13 +4,13 @@
 #pragma once
 
 #include <cstdint>
-#include <deque>
 #include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "compiler/base/source.h"
+#include "compiler/base/stable_list.h"
 
 namespace patina::nodelang {
 
@@ -181,13 +181,13 @@ struct VariableDecl {
 
 // Owns what the parser made of one or more texts. Addresses are stable.
 struct Ast {
-    std::deque<Expr> exprs;
-    std::deque<Stmt> stmts;
-    std::deque<FunctionDecl> functions;
-    std::deque<StructDecl> structs;
-    std::deque<EnumDecl> enums;
-    std::deque<VariableDecl> variables;
-    std::deque<std::string> texts;  // decoded JSON strings that views point into
+    StableList<Expr> exprs;
+    StableList<Stmt> stmts;
+    StableList<FunctionDecl> functions;
+    StableList<StructDecl> structs;
+    StableList<EnumDecl> enums;
+    StableList<VariableDecl> variables;
+    StableList<std::string> texts;  // decoded JSON strings that views point into
 };
 
 }  // namespace patina::nodelang

@@ -14,7 +14,7 @@ const Decl* find(const std::unordered_map<std::string_view, const Decl*>& map, s
 // Those that have not been read come last: most names in the text of a function are of its own locals.
 template <class Decl>
 const Decl* find(const std::unordered_map<std::string_view, const Decl*>& map,
-                 const std::unordered_map<std::string_view, const Unread*>& unread, std::deque<Decl> Ast::*kind,
+                 const std::unordered_map<std::string_view, const Unread*>& unread, StableList<Decl> Ast::*kind,
                  std::string_view name) {
     if (const Decl* found = find(map, name)) return found;
     const Unread* other = find(unread, name);
@@ -63,7 +63,7 @@ std::vector<std::string_view> Declarations::function_names() const {
             if (decl->attribute("node")) names.push_back(name);
         }
         for (const auto& [name, other] : scope->unread) {
-            const std::deque<FunctionDecl>& own = other->ast().functions;
+            const StableList<FunctionDecl>& own = other->ast().functions;
             if (!own.empty() && own.front().attribute("node")) names.push_back(name);
         }
     }

@@ -9,7 +9,7 @@ namespace patina::nodelang {
 namespace {
 
 template <class Decl>
-void expect_same(const std::deque<Decl>& whole, std::size_t& next, const Decl& part, std::string_view name) {
+void expect_same(const StableList<Decl>& whole, std::size_t& next, const Decl& part, std::string_view name) {
     ASSERT_LT(next, whole.size());
     const Decl& same = whole[next++];
     EXPECT_EQ(part.name, name);
@@ -78,11 +78,11 @@ TEST(Unread, OneLineIsADeclaration) {
               parts));
     ASSERT_EQ(parts.size(), 3u);
     EXPECT_EQ(parts[0].name(), "HALF");
-    EXPECT_EQ(parts[0].ast().variables.at(0).doc, "/// A half.");
+    EXPECT_EQ(parts[0].ast().variables.front().doc, "/// A half.");
     EXPECT_EQ(parts[1].name(), "F");
-    EXPECT_EQ(parts[1].ast().functions.at(0).params.size(), 1u);
+    EXPECT_EQ(parts[1].ast().functions.front().params.size(), 1u);
     EXPECT_EQ(parts[2].name(), "Mode");
-    EXPECT_EQ(parts[2].ast().enums.at(0).values.size(), 2u);
+    EXPECT_EQ(parts[2].ast().enums.front().values.size(), 2u);
 }
 
 }  // namespace
