@@ -80,7 +80,8 @@ private:
 
     std::pair<std::shared_ptr<const Entry>, bool> look_up(std::uint64_t hash) {
         const std::lock_guard lock(mutex_);
-        const bool is_asked_again = std::exchange(asked_[hash % kMostAsked], hash) == hash;
+        const auto mark = static_cast<std::uint32_t>(hash >> 32);
+        const bool is_asked_again = std::exchange(asked_[hash % kMostAsked], mark) == mark;
         return {entry_of(hash), is_asked_again};
     }
 
@@ -108,7 +109,8 @@ private:
 
     std::size_t most_;
     std::mutex mutex_;
-    std::vector<std::uint64_t> asked_;  // hashes of the keys that were asked for last; another one may take the place
+    // Halves of the hashes of the keys that were asked for last. Another one may take the place.
+    std::vector<std::uint32_t> asked_;
     Entries newer_, older_;
     std::size_t size_ = 0;  // of newer_
 };

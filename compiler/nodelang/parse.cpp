@@ -35,11 +35,13 @@ void parse_file(Text text, Ast& ast, Diagnostics& diagnostics, Bodies bodies) {
 
 namespace {
 
-const UnreadBody& read_body(const UnreadBody& body) {
+const ReadBody& read_body(const UnreadBody& body) {
     std::call_once(body.once, [&] {
-        Parser(body.text, Lexer::Place::File, body.ast, body.diagnostics).function_body(body.statements);
+        auto read = std::make_unique<ReadBody>();
+        Parser(body.text, Lexer::Place::File, read->ast, read->diagnostics).function_body(read->statements);
+        body.read = std::move(read);
     });
-    return body;
+    return *body.read;
 }
 
 }  // namespace

@@ -28,13 +28,17 @@ struct Node {
     explicit operator bool() const { return expr != nullptr; }
 };
 
-// A body that has been skipped, and what it holds once it has been read.
+// What a body that has been skipped holds.
+struct ReadBody {
+    Ast ast{};
+    Statements statements{};
+    Diagnostics diagnostics{};
+};
+// A body that has been skipped. Most are never asked for.
 struct UnreadBody {
     Text text{};
     mutable std::once_flag once{};
-    mutable Ast ast{};
-    mutable Statements statements{};
-    mutable Diagnostics diagnostics{};
+    mutable std::unique_ptr<ReadBody> read{};
 };
 
 class Parser {

@@ -97,8 +97,13 @@ std::optional<std::vector<Part>> parts_of(std::string_view text) {
 }  // namespace
 
 const Ast& Unread::ast() const {
-    std::call_once(once_, [this] { parse_file(text_, ast_, diagnostics_, Bodies::WhenAsked); });
-    return ast_;
+    std::call_once(once_, [this] {
+        auto ast = std::make_unique<Ast>();
+        Diagnostics diagnostics;
+        parse_file(text_, *ast, diagnostics, Bodies::WhenAsked);
+        ast_ = std::move(ast);
+    });
+    return *ast_;
 }
 
 bool split(Text file, std::deque<Unread>& into) {

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <deque>
+#include <memory>
 #include <mutex>
 
 #include "compiler/nodelang/parse.h"
@@ -26,8 +27,7 @@ private:
     std::string_view name_;
     Text text_;
     mutable std::once_flag once_;
-    mutable Ast ast_;
-    mutable Diagnostics diagnostics_;
+    mutable std::unique_ptr<const Ast> ast_;  // most are never asked for
 };
 
 // Adds the declarations of a file. False, and nothing is added, if it is not written as above, or holds more than nodes

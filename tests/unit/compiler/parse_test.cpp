@@ -326,7 +326,7 @@ TEST(ParseStatement, Spans) {
     const auto parsed =
         parse(As::File, "float f(float x)\n{\n    x += 2 * x;\n    if (x > 1) return x;\n    return 1;\n}\n");
     ASSERT_EQ(parsed->errors(), Errors{});
-    const FunctionDecl& f = parsed->ast.functions.at(0);
+    const FunctionDecl& f = parsed->ast.functions[0];
     ASSERT_EQ(f.body.size(), 3u);
     EXPECT_EQ(parsed->text(f.name_span), "f");
     EXPECT_EQ(parsed->place(f.body[0]->span), "3:5");
@@ -486,17 +486,17 @@ const float3 k[2] = { float3(1, 0, 0), { 0, 1, 0 } };
 [extern("Camera")] float4 lights[16];
 )");
     ASSERT_EQ(parsed->errors(), Errors{});
-    const StructDecl& light = parsed->ast.structs.at(0);
+    const StructDecl& light = parsed->ast.structs[0];
     EXPECT_EQ(light.name, "Light");
     EXPECT_EQ(light.doc, "/// A light.");
     ASSERT_EQ(light.members.size(), 2u);
     EXPECT_EQ(light.members[0].doc, "unit vector to the light");
     EXPECT_EQ(light.members[0].type.name, "float3");
     EXPECT_EQ(show(light.members[1].type.array_size), "4");
-    const EnumDecl& mode = parsed->ast.enums.at(0);
+    const EnumDecl& mode = parsed->ast.enums[0];
     EXPECT_EQ(mode.values, (std::vector<std::string_view>{"Whiteout", "Reoriented"}));
     EXPECT_EQ(mode.docs, (std::vector<std::string_view>{"the cheap one", "the good one"}));
-    EXPECT_EQ(parsed->ast.enums.at(1).values.size(), 1u);
+    EXPECT_EQ(parsed->ast.enums[1].values.size(), 1u);
     ASSERT_EQ(parsed->ast.variables.size(), 5u);
     EXPECT_TRUE(parsed->ast.variables[0].is_const);
     EXPECT_EQ(show(parsed->ast.variables[0].value), "3.14");
@@ -512,7 +512,7 @@ const float3 k[2] = { float3(1, 0, 0), { 0, 1, 0 } };
 TEST(ParseDeclaration, OnlyTheNearestCommentDescribes) {
     const auto doc = [](std::string text) {
         const auto parsed = parse(As::File, text + "float f();");
-        return std::string(parsed->ast.functions.at(0).doc);
+        return std::string(parsed->ast.functions[0].doc);
     };
     EXPECT_EQ(doc("/// one\r\n  /// two\r\n"), "/// one\r\n  /// two");
     EXPECT_EQ(doc("/// of the file\n\n/// of f\n"), "/// of f");
