@@ -50,14 +50,14 @@ Result compile_source(const CompilerImpl& compiler, const Source& source, const 
 
 Result Compiler::compile_file(const std::string& path, const CompileOptions& options) const {
     graph::Files files(options.files);
-    return compile_source(*impl_, {.path = path}, options, files);
+    return compile_or_remember(*impl_, {.path = path}, options, files);
 }
 
 Result Compiler::compile_text(const std::string& path, std::string text, const CompileOptions& options) const {
     graph::Files files(options.files);
     files.add_bytes(text.size());
     if (options.accept_parts) files.give_part(path, text);
-    return compile_source(*impl_, {.path = path, .text = std::move(text)}, options, files);
+    return compile_or_remember(*impl_, {.path = path, .text = std::move(text)}, options, files);
 }
 
 }  // namespace patina

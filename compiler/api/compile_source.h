@@ -13,5 +13,8 @@ struct Source {
 
 Result compile_source(const CompilerImpl& compiler, const Source& source, const CompileOptions& options,
                       graph::Files& files);
+// The same, for a request of its own: `files` has been asked for nothing yet.
+Result compile_or_remember(const CompilerImpl& compiler, const Source& source, const CompileOptions& options,
+                           graph::Files& files);
 
 }  // namespace patina

@@ -3,6 +3,8 @@
 
 #include <mutex>
 
+#include "compiler/api/keys/kept_request.h"
+#include "compiler/base/remembered.h"
 #include "compiler/link/kept_results.h"
 #include "compiler/resolve/library.h"
 #include "patina/patina.h"
@@ -13,6 +15,7 @@ struct Compiler::Impl {
     std::unique_ptr<graph::Library> library;
     std::vector<Diagnostic> overlay_errors;  // then nothing is compiled
     mutable link::KeptResults kept;          // of all compilations, by any thread
+    mutable Remembered<KeptRequest> requests{KeptRequest::kMostBytes};
 
     mutable std::once_flag hash_once;
     mutable std::string hash;  // of the library

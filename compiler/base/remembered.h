@@ -1,6 +1,5 @@
-// Results that are kept because a later request may have the same key. A key is all that a result was made of, as
-// bytes: equal keys have equal results, so a kept result is never wrong and never too old. Any thread may use the
-// object. If two threads make the same result at once, the first one's is kept.
+// Results that are kept because a later request may have the same key. Any thread may use the object. If a key gets a
+// second result, that one is kept from then on.
 //
 //   Remembered<Printed> texts(16 << 20);
 //   const auto [kept, is_asked_again] = texts.ask(key);
@@ -104,7 +103,9 @@ private:
             older_ = std::exchange(newer_, {});
             size_ = 0;
         }
-        if (newer_.try_emplace(hash, std::move(entry)).second) size_ += size;
+        std::shared_ptr<const Entry>& place = newer_[hash];
+        size_ += size - (place ? place->size : 0);
+        place = std::move(entry);
     }
 
     std::size_t most_;

@@ -9,6 +9,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "patina/options.h"
 
@@ -29,10 +30,16 @@ public:
         std::string why{};   // the caller's function failed
     };
 
+    // A name that the caller's function was given, and what it answered.
+    struct Resolved {
+        std::string from{}, name{};
+        Path path{};
+    };
+
     explicit Files(const FileSystem& system) : system_(system) {}
 
     // Nothing is looked up.
-    Path resolve(const std::string& from, const std::string& name) const;
+    Path resolve(const std::string& from, const std::string& name);
     const Answer& read(const std::string& path);
     const Answer& find(const std::string& path);
 
@@ -45,10 +52,13 @@ public:
     void add_bytes(std::size_t bytes) { bytes_ += bytes; }
     // All that was asked for, by path.
     const std::map<std::string, Answer>& answers() const { return answers_; }
+    // All that the caller's function has resolved.
+    const std::vector<Resolved>& resolved() const { return resolved_; }
 
 private:
     const FileSystem& system_;
     std::map<std::string, Answer> answers_{};
+    std::vector<Resolved> resolved_{};
     std::size_t bytes_ = 0;
 };
 

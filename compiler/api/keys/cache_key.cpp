@@ -1,46 +1,12 @@
 // Compiler::library_hash() and cache_key(): what must be equal for two results to be equal.
 #include "compiler/api/compiler_impl.h"
+#include "compiler/api/keys/request_fields.h"
 #include "compiler/base/source_hash.h"
 #include "compiler/link/canonical_hash.h"
 #include "compiler/resolve/material.h"
 
 namespace patina {
 namespace {
-
-// A list of values as one text, which no other list has.
-class Fields {
-public:
-    Fields& add(std::string_view value) {
-        text_ += std::to_string(value.size());
-        text_ += ' ';
-        text_ += value;
-        return *this;
-    }
-    Fields& add_flag(bool value) { return add(value ? "1" : "0"); }
-    Fields& add(const std::vector<std::string>& values) {
-        add(std::to_string(values.size()));
-        for (const std::string& value : values) add(value);
-        return *this;
-    }
-    std::string hash() const { return link::hash_text(text_).text(); }
-
-private:
-    std::string text_;
-};
-
-void add_request(Fields& fields, const CompileOptions& options) {
-    fields.add(std::to_string(options.request.index()));
-    const graph::Request request(options);
-    fields.add(request.path).add(request.passes).add(request.functions.value_or("")).add(request.preview.value_or(""));
-}
-
-void add_options(Fields& fields, const CompileOptions& options) {
-    for (const Target& target : options.targets) fields.add("target").add(target.engine).add(target.language);
-    add_request(fields, options);
-    for (const auto& [name, value] : options.switches) fields.add("switch").add(name).add(value);
-    fields.add_flag(options.keep_variants).add(options.lighting).add_flag(options.accept_parts);
-    fields.add(options.include_dirs).add(options.dump).add_flag(options.keep_programs).add_flag(options.hashes);
-}
 
 // Each file that was asked for: whether it is there, and its text. The bytes of a texture were not asked for.
 void add_files(Fields& fields, const graph::Files& files) {
@@ -69,7 +35,7 @@ std::string key_of(const Compiler& compiler, const graph::Library& library, cons
     if (text) fields.add(*text);
     add_options(fields, options);
     add_files(fields, files);
-    return fields.hash();
+    return link::hash_text(fields.text()).text();
 }
 
 }  // namespace
@@ -81,7 +47,7 @@ std::string Compiler::library_hash() const {
         fields.add(version()).add(source_hash());
         for (const std::uint32_t file : library.files)
             fields.add(library.sources.file(file)).add(library.sources.file_text(file));
-        impl_->hash = fields.hash();
+        impl_->hash = link::hash_text(fields.text()).text();
     });
     return impl_->hash;
 }

@@ -1,0 +1,22 @@
+// A request that comes again, while the files say what they said, gets the result that it had.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "compiler/resolve/files.h"
+#include "patina/patina.h"
+
+namespace patina {
+
+// A result, and all that the file system was asked for it.
+struct KeptRequest {
+    static constexpr std::size_t kMostBytes = std::size_t{32} << 20;  // of all that a compiler keeps
+
+    Result result;
+    std::map<std::string, graph::Files::Answer> answers;
+    std::vector<graph::Files::Resolved> resolved;
+};
+
+}  // namespace patina
