@@ -1,6 +1,7 @@
 // What a compiler keeps of the compilations that it has done: stages that have been linked and tidied, and texts of
-// functions. Materials differ in their surface; most of a shader is the library's, or its lighting model's. A key is all
-// that a result was made of, as bytes: equal keys have equal results, so a kept result is never wrong and never too old.
+// functions. Materials differ in their surface; most of a shader is the library's, or its lighting model's. A key is
+// all that a result was made of, as bytes: equal keys have equal results, so a kept result is never wrong and never too
+// old.
 //
 //   KeptResults kept;
 //   Session session(library, options);
