@@ -26,7 +26,7 @@ std::string document(graph::Session& session, Compilation& compilation, const st
     const graph::Material& material = *compilation.materials.front();
     const graph::Graph& graph = *material.graph->graph;
     const ir::Function* const surface = surface_of(lowered.module);
-    const auto function = surface ? flatten(lowered.module, *surface) : std::nullopt;
+    const auto function = surface ? flatten(lowered, *surface) : std::nullopt;
     if (!function) {
         session.diagnostics.report(Code::NoCounterpart, graph.span, "so long a graph");
         return {};
@@ -66,6 +66,7 @@ std::string document(graph::Session& session, Compilation& compilation, const st
 
 MtlxExport export_mtlx(const Compiler& compiler, const std::string& path, const MtlxOptions& options) {
     CompileOptions own;
+    own.request = CompileOptions::Functions{"Mtlx"};  // no pass decides what the surface may read
     own.include_dirs = options.include_dirs;
     own.files = options.files;
     graph::Session session(CompilerAccess::library(compiler), own);
@@ -73,7 +74,7 @@ MtlxExport export_mtlx(const Compiler& compiler, const std::string& path, const 
     Result result;
     if (const std::optional<std::uint32_t> base = graph::load_source(session, path, {})) {
         Compilation compilation{.session = session, .source = *base, .path = path, .result = result};
-        if (accept(compilation) && find_path(compilation) && read_material(compilation) && lower_material(compilation))
+        if (accept(compilation) && read_material(compilation) && lower_material(compilation))
             made.text = document(session, compilation, options.folder);
     }
     made.diagnostics = to_public(session.diagnostics, session.sources);

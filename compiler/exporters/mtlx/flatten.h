@@ -1,9 +1,10 @@
-// The surface as one function: calls become the bodies of what they call, but for functions that a document can name.
+// The surface as one function: calls become the bodies of what they call, but for functions that a document can name,
+// and a node of the vertex stage becomes what it computes.
 #pragma once
 
 #include <optional>
 
-#include "compiler/ir/ir.h"
+#include "compiler/lower/lower.h"
 
 namespace patina::exporters::mtlx {
 
@@ -11,6 +12,6 @@ namespace patina::exporters::mtlx {
 inline constexpr std::string_view kUnpackNormal = "UnpackNormalRedGreen", kToWorld = "NormalTangentToWorld";
 
 // Nothing: the function would be too long.
-std::optional<ir::Function> flatten(ir::Module& module, const ir::Function& function);
+std::optional<ir::Function> flatten(graph::Lowered& lowered, const ir::Function& function);
 
 }  // namespace patina::exporters::mtlx

@@ -119,6 +119,7 @@ std::string_view NodeWriter::callee(ir::Value value) const {
 void NodeWriter::write_input(Element& element, const Argument& argument) {
     Element& input = element.children.emplace_back(Element{.category = "input"});
     input.add("name", argument.name).add("type", argument.type);
+    if (!argument.colorspace.empty()) input.add("colorspace", argument.colorspace);
     const Ref& ref = argument.value;
     if (ref.kind == Ref::Kind::Node) {
         input.add("nodename", ref.name);
@@ -144,14 +145,12 @@ Ref NodeWriter::node(std::string_view category, std::string type, std::vector<Ar
         const bool is_whole = name == "index";
         element.children.push_back(
             {"input", {{"name", name}, {"type", is_whole ? "integer" : "string"}, {"value", value}}});
-        if (name == "file")
-            element.children.back().attributes = {{"name", name}, {"type", "filename"}, {"interfacename", value}};
     }
     for (const Element& each : element.children)
         for (const auto& [name, value] : each.attributes) key += fmt::format("\n{}={}", name, value);
     Ref& known = nodes_[key];
     if (!known.name.empty()) return known;
-    // The author's name for the value, or the node that it comes from.
+    // The author's name for the value, or the node that it comes from, or what reads it.
     std::string wanted(category);
     if (!wanted_.empty()) {
         wanted = wanted_;
@@ -163,6 +162,8 @@ Ref NodeWriter::node(std::string_view category, std::string type, std::vector<Ar
         } else if (inst.origin && !module_.origins[inst.origin.index].id.empty()) {
             const std::string& id = module_.origins[inst.origin.index].id;
             wanted = fmt::format("{}_{}", id.substr(id.rfind('/') + 1), category);
+        } else if (!reader_name_.empty()) {
+            wanted = fmt::format("{}_{}", reader_name_, category);
         }
     }
     known = {.kind = Ref::Kind::Node, .name = names_.unique(wanted), .type = type};
@@ -188,6 +189,7 @@ Ref NodeWriter::as(const Ref& ref, const std::string& type) {
 Ref NodeWriter::component(const Ref& ref, unsigned index) {
     if (ref.is_number()) return {.numbers = {ref.numbers[ref.numbers.size() == 1 ? 0 : index]}};
     if (ref.type == "float") return ref;
+    if (const auto parts = joined_.find(ref.name); parts != joined_.end()) return parts->second[index];
     wanted_ = fmt::format("{}_{}", ref.name, (ref.is_color() ? "rgba" : "xyzw")[index]);
     const Ref made =
         node("extract", "float", {{.name = "in", .value = ref, .type = ref.type}}, {{"index", std::to_string(index)}});
@@ -205,10 +207,13 @@ Ref NodeWriter::join(const std::vector<Ref>& parts, bool is_color) {
     for (std::size_t i = 0; i < parts.size(); ++i)
         arguments.push_back({.name = fmt::format("in{}", i + 1), .value = parts[i], .type = "float"});
     const auto width = static_cast<unsigned>(parts.size());
-    return node(fmt::format("combine{}", width), type_word(width, is_color), std::move(arguments));
+    const Ref made = node(fmt::format("combine{}", width), type_word(width, is_color), std::move(arguments));
+    joined_[made.name] = parts;
+    return made;
 }
 
 Ref NodeWriter::combine(std::string_view category, const Ref& a, const Ref& b) {
+    if (category == "multiply" && b.is_all(1)) return a;
     unsigned width = 1;
     bool is_color = false;
     for (const Ref* each : {&a, &b}) {
@@ -220,6 +225,17 @@ Ref NodeWriter::combine(std::string_view category, const Ref& a, const Ref& b) {
     return node(
         category, type,
         {{.name = "in1", .value = a, .type = type}, {.name = "in2", .value = b, .type = is_float ? "float" : type}});
+}
+
+Ref NodeWriter::one(std::string_view category, const Ref& in) {
+    std::string type = in.is_number() ? type_word(static_cast<unsigned>(in.numbers.size())) : in.type;
+    if ((category == "exp" || category == "sqrt" || category == "ln") && in.is_color())
+        type = type_word(width_of(type));
+    return node(category, type, {{.name = "in", .value = in, .type = type}});
+}
+
+Ref NodeWriter::truncated(const Ref& in) {
+    return combine("multiply", one("sign", in), one("floor", one("absval", in)));
 }
 
 // Operations that one node computes.
@@ -267,20 +283,22 @@ std::optional<Ref> NodeWriter::composed(ir::Value value) {
     const auto arg = [&](std::size_t i) { return this->value(args[i]); };
     const auto number = [](double each) { return Ref{.numbers = {each}}; };
     const auto wide = [&](double each) { return Ref{.numbers = std::vector<double>(inst.type.width(), each)}; };
-    const auto one = [&](std::string_view category, const Ref& in) {
-        std::string type = in.is_number() ? type_word(static_cast<unsigned>(in.numbers.size())) : in.type;
-        if ((category == "exp" || category == "sqrt" || category == "ln") && in.is_color())
-            type = type_word(width_of(type));
-        return node(category, type, {{.name = "in", .value = in, .type = type}});
-    };
-    const auto truncated = [&](const Ref& in) {
-        return combine("multiply", one("sign", in), one("floor", one("absval", in)));
-    };
+    const auto one = [&](std::string_view category, const Ref& in) { return this->one(category, in); };
     if (inst.op == ir::Op::Neg) return combine("multiply", arg(0), number(-1));
     if (inst.op == ir::Op::Trunc) return truncated(arg(0));
     if (inst.op == ir::Op::Mod) {
         const Ref a = arg(0), b = arg(1);
         return combine("subtract", a, combine("multiply", b, truncated(combine("divide", a, b))));
+    }
+    if (inst.op == ir::Op::BitAnd && inst.type.scalar == ir::Scalar::Int) {
+        // The low bits are a remainder.
+        auto mask = constant(args[1]);
+        const bool is_low = mask && std::all_of(mask->begin(), mask->end(), [](double each) {
+                                return each > 0 && std::exp2(std::floor(std::log2(each + 1))) == each + 1;
+                            });
+        if (!is_low) return std::nullopt;
+        for (double& each : *mask) each += 1;
+        return combine("modulo", arg(0), {.numbers = *mask});
     }
     if (inst.op == ir::Op::Div) return truncated(combine("divide", arg(0), arg(1)));  // of integers
     if (inst.op == ir::Op::Rsqrt) return combine("divide", wide(1), one("sqrt", arg(0)));
@@ -329,14 +347,9 @@ std::optional<Ref> NodeWriter::parts(ir::Value value) {
         const Ref in = from.is_bool() ? Ref{} : this->value(args[0]);
         if (from.is_bool() && inst.type.is_scalar()) return choose(args[0], 0, {.numbers = {1}}, {.numbers = {0}});
         if (from.is_bool()) return std::nullopt;
-        if (!inst.type.is_integer() || from.is_integer()) return in;
-        const Ref whole =
-            combine("multiply", node("sign", in.type, {{.name = "in", .value = in, .type = in.type}}),
-                    node("floor", in.type,
-                         {{.name = "in",
-                           .value = node("absval", in.type, {{.name = "in", .value = in, .type = in.type}}),
-                           .type = in.type}}));
-        return whole;
+        const ir::Op made_by = function_[args[0]].op;
+        const bool is_whole = made_by == ir::Op::Floor || made_by == ir::Op::Ceil || made_by == ir::Op::Round;
+        return !inst.type.is_integer() || from.is_integer() || is_whole ? in : truncated(in);
     }
     if (inst.op == ir::Op::Construct && inst.type.is_vector()) {
         if (args.size() == 1 && function_[args[0]].type.is_scalar())
@@ -414,6 +427,12 @@ Ref NodeWriter::made(ir::Value value) {
     const ir::Inst& inst = function_[value];
     const Ref nothing{.numbers = std::vector<double>(inst.type.is_numeric() ? inst.type.components() : 1, 0.0)};
     if (auto numbers = constant(value)) return {.numbers = std::move(*numbers)};
+    const bool wraps = inst.type.scalar == ir::Scalar::Uint &&
+                       (inst.op == ir::Op::Add || inst.op == ir::Op::Sub || inst.op == ir::Op::Mul);
+    if (wraps) {
+        refuse(value, "arithmetic of 'uint', which begins at 0 again");
+        return nothing;
+    }
     if (!inst.type.is_numeric() || inst.type.is_matrix()) {
         refuse(value, inst.type.is_matrix() ? "a matrix that is computed" : "this value");
         return nothing;

@@ -36,6 +36,7 @@ struct Argument {
     std::string name{};
     Ref value{};
     std::string type{};
+    std::string colorspace{};  // of a picture: programs read it where the picture is read
 };
 // "float", "vector3", "color3".
 std::string type_word(unsigned width, bool is_color = false);
@@ -54,6 +55,8 @@ public:
     Ref join(const std::vector<Ref>& parts, bool is_color = false);
     // "NUMBER op in": of floats and vectors.
     Ref combine(std::string_view category, const Ref& a, const Ref& b);
+    Ref one(std::string_view category, const Ref& in);  // a node with one input
+    Ref truncated(const Ref& in);                       // towards 0
     Ref node(std::string_view category, std::string type, std::vector<Argument> arguments,
              std::vector<std::pair<std::string, std::string>> words = {});
     // The value that a condition chooses; `index`: the component of a vector of conditions.
@@ -63,8 +66,11 @@ public:
     // An input of an element: its value, or what it reads.
     static void write_input(Element& element, const Argument& argument);
 
-    // What reads the values from now on, where a value that comes from no node is reported.
-    void set_reader(Span span) { reader_ = span; }
+    // What reads the values from now on: a value that comes from no node is reported there, and called after it.
+    void set_reader(Span span, std::string_view input) {
+        reader_ = span;
+        reader_name_ = input;
+    }
     void refuse(ir::Value value, std::string_view what);
     void differs(Span span, std::string_view text);
     // The node of the graph that the value comes from.
@@ -91,7 +97,7 @@ private:
     Ref coordinates(std::uint32_t index);
     Ref unpacked_normal(ir::Value value);
     Ref world_normal(ir::Value value);
-    std::string picture_input(const graph::MaterialProperty& property);
+    Argument picture_input(const graph::MaterialProperty& property);
     void describe(Element& input, const graph::Property& property) const;
 
     graph::Session& session_;
@@ -103,12 +109,14 @@ private:
     Element graph_{};
     Names names_{};
     std::map<std::uint32_t, Ref> values_{};
-    std::map<std::string, Ref> nodes_{};   // by what they are
-    std::map<std::string, Ref> turned_{};  // by turned coordinates: what they were
-    std::map<std::string, Ref> inputs_{};  // by the property's name
-    ir::Value current_{};                  // what the next node is called after
-    std::string wanted_{};                 // unless this is its name
+    std::map<std::string, Ref> nodes_{};                // by what they are
+    std::map<std::string, Ref> turned_{};               // by turned coordinates: what they were
+    std::map<std::string, std::vector<Ref>> joined_{};  // by the name of the node: its components
+    std::map<std::string, Ref> inputs_{};               // by the property's name
+    ir::Value current_{};                               // what the next node is called after
+    std::string wanted_{};                              // unless this is its name
     Span reader_{};
+    std::string reader_name_{};
     std::set<std::string> reported_{};
 };
 

@@ -51,18 +51,21 @@ std::optional<Place> place_of(const NodeWriter& writer, ir::Value value) {
 
 Ref NodeWriter::turned(const Ref& coordinates) {
     if (const auto known = turned_.find(coordinates.name); known != turned_.end()) return known->second;
-    const Ref v = node("subtract", "float",
-                       {{.name = "in1", .value = {.numbers = {1}}, .type = "float"},
-                        {.name = "in2", .value = component(coordinates, 1), .type = "float"}});
-    const Ref made = join({component(coordinates, 0), v});
+    const Ref across = component(coordinates, 0), down = component(coordinates, 1);
+    wanted_ = coordinates.name + "_v";
+    const Ref v = combine("subtract", {.numbers = {1}}, down);
+    wanted_ = coordinates.name + "_turned";
+    const Ref made = join({across, v});
+    wanted_.clear();
     if (!made.is_number()) turned_[made.name] = coordinates;
     return made;
 }
 
-std::string NodeWriter::picture_input(const graph::MaterialProperty& property) {
+Argument NodeWriter::picture_input(const graph::MaterialProperty& property) {
     const graph::Property& own = *property.property;
+    const std::string colorspace = own.usage == TextureUsage::Color ? "srgb_texture" : "";
     Ref& known = inputs_[own.name];
-    if (!known.name.empty()) return known.name;
+    if (!known.name.empty()) return {.name = "file", .value = known, .type = known.type, .colorspace = colorspace};
     namespace fs = std::filesystem;
     std::string file;
     if (property.is_file) {
@@ -75,12 +78,12 @@ std::string NodeWriter::picture_input(const graph::MaterialProperty& property) {
     known = {.kind = Ref::Kind::Input, .name = names_.unique(own.name), .type = "filename"};
     Element input{.category = "input"};
     input.add("name", known.name).add("type", "filename").add("value", file);
-    if (own.usage == TextureUsage::Color) input.add("colorspace", "srgb_texture");
+    if (!colorspace.empty()) input.add("colorspace", colorspace);
     describe(input, own);
     const auto first_node = std::find_if(graph_.children.begin(), graph_.children.end(),
                                          [](const Element& each) { return each.category != "input"; });
     graph_.children.insert(first_node, std::move(input));
-    return known.name;
+    return {.name = "file", .value = known, .type = known.type, .colorspace = colorspace};
 }
 
 // The picture of a texture at coordinates of the graph.
@@ -92,7 +95,9 @@ Ref NodeWriter::picture(ir::Value texture, ir::Value at, std::string type) {
             if (lowered_.property_globals[i].texture && lowered_.property_globals[i].texture.index == inst.data)
                 property = &material_.properties[i];
     if (!property || inst.type.kind != ir::Kind::Texture2D) {
-        refuse(at, "this texture");
+        refuse(at, inst.op == ir::Op::Global && !property
+                       ? fmt::format("the texture '{}'", module_.globals[inst.data].name)
+                       : "a texture that is no picture of two dimensions, or is chosen by a condition");
         return {.numbers = {0, 0, 0, 0}};
     }
     const graph::Property& own = *property->property;
@@ -100,8 +105,8 @@ Ref NodeWriter::picture(ir::Value texture, ir::Value at, std::string type) {
     const Sampler& sampler = own.sampler;
     if (type.empty()) type = own.usage == TextureUsage::Color ? "color4" : "vector4";
     const bool repeats = sampler.wrap == Wrap::Repeat;
-    std::vector<Argument> arguments;
-    std::vector<std::pair<std::string, std::string>> words = {{"file", picture_input(*property)}};
+    std::vector<Argument> arguments = {picture_input(*property)};
+    std::vector<std::pair<std::string, std::string>> words;
     std::string category = "image";
     const ir::Value before = current_;
     if (const auto place = place_of(*this, at);

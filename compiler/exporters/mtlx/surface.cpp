@@ -15,7 +15,20 @@ struct InputRow {
 };
 constexpr InputRow kInputs[] = {
 #define MTLX_INPUT(shader, member, input, type, otherwise, form) {shader, #member, #input, type, otherwise, Form::form},
+#define MTLX_DETAIL(shader, input, of)
 #include "compiler/exporters/mtlx/surfaces.def"
+#undef MTLX_DETAIL
+#undef MTLX_INPUT
+};
+// An input that only matters if another one has a value, and whose default is not that of graphs.
+struct DetailRow {
+    std::string_view shader, input, of;
+};
+constexpr DetailRow kDetails[] = {
+#define MTLX_INPUT(shader, member, input, type, otherwise, form)
+#define MTLX_DETAIL(shader, input, of) {shader, #input, #of},
+#include "compiler/exporters/mtlx/surfaces.def"
+#undef MTLX_DETAIL
 #undef MTLX_INPUT
 };
 // What the kind of the surface decides.
@@ -59,7 +72,7 @@ public:
         if (shader_ == "UsdPreviewSurface")
             add({.name = "useSpecularWorkflow", .value = {.numbers = {1}}, .type = "integer"});
         for (const InputRow& row : kInputs)
-            if (row.shader == shader_) add_row(row);
+            if (row.shader == shader_ && matters(row.input)) add_row(row);
         if (shader_ == "UsdPreviewSurface") add_tangent_normal();
         add_alpha();
         report_render_state();
@@ -86,7 +99,7 @@ private:
         return std::nullopt;
     }
 
-    // Every input that the graph gives must be one of the shader's.
+    // An input of a lighting model that is not the shader's.
     void check_stated() {
         for (const graph::PortValue& port : graph_.surface) {
             std::string name = port.name;
@@ -98,16 +111,25 @@ private:
                 std::find(std::begin(kAlphaInputs), std::end(kAlphaInputs), name) != std::end(kAlphaInputs) ||
                 (shader_ == "UsdPreviewSurface" && name == "normalWS");
             if (!is_known)
-                session_.diagnostics.report(
-                    Code::NoCounterpart, port.name_span,
-                    fmt::format("the surface input '{}': '{}' has no such input", port.name, shader_));
+                writer_.differs(port.name_span,
+                                fmt::format("'{}' is left out: '{}' has no such input", port.name, shader_));
         }
+    }
+
+    bool matters(std::string_view input) const {
+        const auto row = std::find_if(std::begin(kDetails), std::end(kDetails), [&](const DetailRow& each) {
+            return each.shader == shader_ && each.input == input;
+        });
+        const std::vector<Element>& added = parts_.shader.children;
+        return row == std::end(kDetails) || std::any_of(added.begin(), added.end(), [&](const Element& each) {
+                   return each.attributes[0].second == row->of;
+               });
     }
 
     void add_row(const InputRow& row) {
         const auto found = member(row.member);
         if (!found) return;
-        writer_.set_reader(span_of(row.member));
+        writer_.set_reader(span_of(row.member), row.input);
         if (row.form == Form::Normal && writer_.semantic(*found) == "geometryNormalWS") return;
         Ref value = writer_.value(*found);
         if (row.form == Form::Inverse) value = inverse(value);
@@ -132,7 +154,7 @@ private:
     void add_tangent_normal() {
         const auto found = member("normalWS");
         if (!found || writer_.semantic(*found) == "geometryNormalWS") return;
-        writer_.set_reader(span_of("normalWS"));
+        writer_.set_reader(span_of("normalWS"), "normal");
         const auto tangent = writer_.tangent_normal(*found);
         if (!tangent) return writer_.refuse(*found, "a normal that is not in tangent space");
         add({.name = "normal", .value = *tangent, .type = "vector3"});
@@ -146,7 +168,7 @@ private:
                                         "a surface that adds or multiplies");
         const auto alpha_value = member("alpha"), clip_value = member("alphaClip");
         if (!alpha_value || !clip_value) return;
-        writer_.set_reader(span_of("alpha"));
+        writer_.set_reader(span_of("alpha"), "alpha");
         Ref alpha = writer_.value(*alpha_value);
         const bool is_cutout = kind == SurfaceKind::Cutout;
         const auto clip = [&] { return writer_.value(*clip_value); };
@@ -179,6 +201,9 @@ private:
         if (graph_.render.cull != Cull::Back) writer_.differs(graph_.render.span, "no side of a surface is left out");
         for (const graph::ExtraPass& pass : graph_.passes)
             writer_.differs(pass.name_span, fmt::format("the pass '{}' is left out", pass.name));
+        for (const graph::Node& node : graph_.nodes)
+            if (node.stage == graph::NodeStage::Vertex)
+                writer_.differs(node.span, fmt::format("'{}' is computed at each pixel", node.id));
         for (const graph::PortValue& port : graph_.vertex)
             writer_.differs(port.name_span, fmt::format("the vertex output '{}' is left out", port.name));
     }
@@ -187,6 +212,7 @@ private:
         argument.value = writer_.as(argument.value, argument.type);
         if (argument.value.is_number()) return NodeWriter::write_input(parts_.shader, argument);
         // An output reads nodes only.
+        writer_.set_reader({}, argument.name);
         if (argument.value.kind == Ref::Kind::Input)
             argument.value =
                 writer_.node("dot", argument.type, {{.name = "in", .value = argument.value, .type = argument.type}});

@@ -34,6 +34,7 @@ Ref NodeWriter::semantic_value(ir::Value value) {
     if (name == "uv1") return turned(coordinates(1));
     if (name == "viewDirWS")
         return combine("multiply", node("viewdirection", "vector3", {}, {{"space", "world"}}), {.numbers = {-1}});
+    if (name == "time") return node("time", "float", {});
     for (const Value& each : kValues) {
         if (each.semantic != name) continue;
         std::vector<std::pair<std::string, std::string>> words;
@@ -58,7 +59,6 @@ Ref NodeWriter::global_value(ir::Value value) {
             return number(property.chosen);
         }
     }
-    if (global.name == "time") return node("time", "float", {});
     refuse(value, fmt::format("'{}'", global.name));
     return number(0);
 }
@@ -74,8 +74,8 @@ void NodeWriter::describe(Element& input, const graph::Property& property) const
 }
 
 Ref NodeWriter::property_value(const graph::Property& property) {
+    if (const auto made = inputs_.find(property.name); made != inputs_.end()) return made->second;
     Ref& known = inputs_[property.name];
-    if (!known.name.empty()) return known;
     const bool is_color = property.type == PropertyType::Color;
     unsigned width = 1;
     if (property.type == PropertyType::Float2) width = 2;
@@ -87,17 +87,28 @@ Ref NodeWriter::property_value(const graph::Property& property) {
             fmt::format("the property '{}', which holds a matrix, a gradient or a curve", property.name));
         return known = {.kind = Ref::Kind::Input, .name = property.name, .type = "float"};
     }
-    if (property.type == PropertyType::Int || property.type == PropertyType::Bool ||
-        property.type == PropertyType::Enum)
-        differs(property.name_span, fmt::format("'{}' is a float", property.name));
-    known = {.kind = Ref::Kind::Input, .name = names_.unique(property.name), .type = type_word(width, is_color)};
+    std::string type = type_word(width, is_color);
+    if (property.type == PropertyType::Int || property.type == PropertyType::Enum) type = "integer";
+    if (property.type == PropertyType::Bool) type = "boolean";
+    known = {.kind = Ref::Kind::Input, .name = names_.unique(property.name), .type = type};
     Element input{.category = "input"};
     input.add("name", known.name).add("type", known.type);
-    input.add("value", numbers_text({property.value.begin(), property.value.begin() + width}));
+    const std::string number = numbers_text({property.value.begin(), property.value.begin() + width});
+    input.add("value", type == "boolean" ? (property.value[0] != 0 ? "true" : "false") : number);
+    if (property.type == PropertyType::Enum) {
+        std::string words, values;
+        for (std::size_t i = 0; i < property.values.size(); ++i) {
+            words += (i == 0 ? "" : ", ") + property.values[i];
+            values += fmt::format("{}{}", i == 0 ? "" : ", ", i);
+        }
+        input.add("enum", words).add("enumvalues", values);
+    }
     describe(input, property);
     const auto first_node = std::find_if(graph_.children.begin(), graph_.children.end(),
                                          [](const Element& each) { return each.category != "input"; });
     graph_.children.insert(first_node, std::move(input));
+    // Arithmetic takes floats.
+    if (type == "integer" || type == "boolean") known = as(known, "float");
     return known;
 }
 
