@@ -72,26 +72,9 @@ bool is_letter(char c) {
 bool is_digit(char c) {
     return c >= '0' && c <= '9';
 }
-char upper(char c) {
-    return c >= 'a' && c <= 'z' ? static_cast<char>(c - 32) : c;
-}
-char lower(char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
-}
 bool is_of_link(char c) {
     return is_letter(c) || is_digit(c) || c == '_' || c == '$' || c == '@' || c == '.';
 }
-
-std::string_view trimmed(std::string_view text) {
-    while (text.starts_with(' ')) text.remove_prefix(1);
-    while (text.ends_with(' ')) text.remove_suffix(1);
-    return text;
-}
-
-// Words of the node language, which no name may be.
-constexpr std::string_view kReserved[] = {"true",  "false", "if",  "else",  "for",    "return",
-                                          "const", "in",    "out", "inout", "struct", "enum",
-                                          "void",  "uint",  "int", "bool",  "half",   "float"};
 
 }  // namespace
 
@@ -189,6 +172,12 @@ Term expression(std::string text, Type type) {
         !is_digit(made.base[5]))
         return made;
     const std::string_view inner = std::string_view(made.base).substr(7, made.base.size() - 8);
+    // "float2(a, b) * float2(c)" is no such call.
+    int depth = 0;
+    for (const char c : inner) {
+        depth += c == '(' ? 1 : c == ')' ? -1 : 0;
+        if (depth < 0) return made;
+    }
     const std::vector<std::string> arguments = arguments_of(inner);
     std::string joined;
     for (const std::string& each : arguments) joined += (joined.empty() ? "" : ", ") + each;
@@ -293,125 +282,6 @@ Term converted(const Term& term, Type type, bool may_stay_number) {
     std::vector<Term::Part> parts = parts_of(term);
     for (std::size_t i = from; i < to; ++i) parts.push_back({i == 3 ? "1" : "0", 1});
     return of_parts(term, type, std::move(parts));
-}
-
-std::string digits(double number) {
-    return shortest(static_cast<float>(number));
-}
-
-Precedence precedence_of(std::string_view text) {
-    Precedence lowest = kPrimary;
-    int depth = 0;
-    bool is_operand = false;  // something stands to the left
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        const char c = text[i], next = i + 1 < text.size() ? text[i + 1] : '\0';
-        if (c == '(' || c == '[') ++depth;
-        if (c == ')' || c == ']') --depth;
-        if (c == ' ') continue;
-        Precedence found = kPrimary;
-        if (depth == 0) {
-            const bool is_exponent = i > 1 && (text[i - 1] == 'e' || text[i - 1] == 'E') && is_digit(next) &&
-                                     (is_digit(text[i - 2]) || text[i - 2] == '.');
-            if (c == '?') found = kChoice;
-            if (c == '|' && next == '|') found = kOr;
-            if (c == '&' && next == '&') found = kAnd;
-            if ((c == '=' || c == '!') && next == '=') found = kEqual;
-            if (c == '<' || c == '>') found = kCompare;
-            if ((c == '+' || c == '-') && !is_exponent) found = is_operand ? kSum : kUnary;
-            if (c == '*' || c == '/' || c == '%') found = kProduct;
-            if (c == '!' && next != '=') found = kUnary;
-            if ((found == kEqual || found == kOr || found == kAnd || found == kCompare) && (next == '=' || next == c))
-                ++i;
-        }
-        if (found != kPrimary) {
-            if (!(found == kUnary && lowest != kPrimary)) lowest = std::min(lowest, found);
-            is_operand = false;
-        } else {
-            is_operand = true;
-        }
-    }
-    return lowest;
-}
-
-std::string at_least(std::string_view expression, Precedence precedence) {
-    if (precedence_of(expression) >= precedence) return std::string(expression);
-    return "(" + std::string(expression) + ")";
-}
-
-std::string bracketed(const std::string& text, std::string_view before, std::string_view after) {
-    while (before.ends_with(' ')) before.remove_suffix(1);
-    while (after.starts_with(' ')) after.remove_prefix(1);
-    const auto strength = [](char c) {
-        if (c == '+' || c == '-') return kSum;
-        if (c == '*' || c == '/' || c == '%') return kProduct;
-        if (c == '!') return kUnary;
-        if (c == '=' || c == '<' || c == '>') return kCompare;
-        if (c == '&') return kAnd;
-        if (c == '|') return kOr;
-        if (c == '.' || c == '[') return kPrimary;
-        return kChoice;
-    };
-    const char left = before.empty() ? ' ' : before.back(), right = after.empty() ? ' ' : after.front();
-    int needed = std::max<int>(strength(right), strength(left));
-    if (std::string_view("-/%*=<>").find(left) != std::string_view::npos) ++needed;
-    if (left == '?' || right == '?' || (left == ':' && precedence_of(text) == kChoice))
-        needed = std::max<int>(needed, kOr);
-    if (needed > kChoice && text.starts_with("-") && strength(left) > kChoice) return "(" + text + ")";
-    return at_least(text, static_cast<Precedence>(std::min<int>(needed, kPrimary)));
-}
-
-std::vector<std::string> arguments_of(std::string_view list) {
-    std::vector<std::string> made;
-    int depth = 0;
-    std::size_t begin = 0;
-    for (std::size_t i = 0; i <= list.size(); ++i) {
-        if (i < list.size() && (list[i] == '(' || list[i] == '{' || list[i] == '[')) ++depth;
-        if (i < list.size() && (list[i] == ')' || list[i] == '}' || list[i] == ']')) --depth;
-        if (i < list.size() && (list[i] != ',' || depth > 0)) continue;
-        const std::string_view part = trimmed(list.substr(begin, i - begin));
-        if (!part.empty()) made.emplace_back(part);
-        begin = i + 1;
-    }
-    return made;
-}
-
-std::string camel_case(std::string_view name) {
-    std::string made;
-    bool starts_word = false;
-    for (const char c : name) {
-        if (!is_letter(c) && !is_digit(c)) {
-            starts_word = !made.empty();
-            continue;
-        }
-        made += starts_word ? upper(c) : c;
-        starts_word = false;
-    }
-    // The first word in small letters: "UV" -> "uv", "HSVShift" -> "hsvShift", "MainTex" -> "mainTex".
-    std::size_t capitals = 0;
-    while (capitals < made.size() && made[capitals] >= 'A' && made[capitals] <= 'Z') ++capitals;
-    if (capitals > 1 && capitals < made.size() && is_letter(made[capitals])) --capitals;
-    for (std::size_t i = 0; i < std::max<std::size_t>(capitals, 1) && i < made.size(); ++i) made[i] = lower(made[i]);
-    if (!made.empty() && is_digit(made[0])) made = "n" + made;
-    return made;
-}
-
-std::string pascal_case(std::string_view name) {
-    std::string made;
-    bool starts_word = true;
-    for (const char c : name) {
-        if (is_letter(c) || is_digit(c)) made += starts_word ? upper(c) : c;
-        starts_word = !is_letter(c) && !is_digit(c);
-    }
-    return made;
-}
-
-std::string Names::unique(std::string_view wanted, std::string_view otherwise) {
-    std::string base(wanted.empty() ? otherwise : wanted);
-    if (std::ranges::find(kReserved, base) != std::end(kReserved)) base += "Value";
-    std::string made = base;
-    for (int i = 2; taken_.contains(made); ++i) made = base + (is_digit(base.back()) ? "_" : "") + std::to_string(i);
-    taken_.insert(made);
-    return made;
 }
 
 }  // namespace patina::importers::terms

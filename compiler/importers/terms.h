@@ -12,6 +12,7 @@
 #include <string_view>
 #include <vector>
 
+#include "compiler/importers/expression_text.h"
 #include "compiler/importers/graph_writer.h"
 
 namespace patina::importers::terms {
@@ -61,31 +62,5 @@ Term converted(const Term& term, Type type, bool may_stay_number = false);
 Term swizzled(const Term& term, std::string_view components);
 // The same texture coordinates, with v counted from the other side.
 Term flipped(const Term& term);
-
-// --- text of expressions
-
-enum Precedence { kChoice, kOr, kAnd, kEqual, kCompare, kSum, kProduct, kUnary, kPrimary };
-Precedence precedence_of(std::string_view expression);
-// In brackets, if it binds less strongly than that.
-std::string at_least(std::string_view expression, Precedence precedence);
-// In brackets, if an operator before or after it binds more strongly.
-std::string bracketed(const std::string& text, std::string_view before, std::string_view after);
-std::string digits(double number);  // "0.5"
-// The arguments of a call at the outer level: "a, f(b, c)" -> "a", "f(b, c)".
-std::vector<std::string> arguments_of(std::string_view list);
-
-// --- names
-
-std::string camel_case(std::string_view name);   // "Tiling And Offset", "tiling_and_offset" -> "tilingAndOffset"
-std::string pascal_case(std::string_view name);  // "tiling_and_offset" -> "TilingAndOffset"; may be empty
-
-// Each name once: "mask", "mask2", "mask3".
-class Names {
-public:
-    std::string unique(std::string_view wanted, std::string_view otherwise);
-
-private:
-    std::set<std::string, std::less<>> taken_;
-};
 
 }  // namespace patina::importers::terms

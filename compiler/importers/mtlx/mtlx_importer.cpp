@@ -168,6 +168,7 @@ Imported read(const importers::Source& source, const Options& options) {
         } else if (shader->category == "shaderref") {
             legacy = *shader;
             legacy.category = shader->attribute("node");
+            legacy.attributes.emplace_back("type", "surfaceshader");
             shader = &legacy;
         }
         Scope* scope = &maker.document_scope();
@@ -189,17 +190,17 @@ Imported read(const importers::Source& source, const Options& options) {
         graphs.push_back({.name = name + ".graph.json", .text = json});
     }
     report_unread(import, document.root, "");
-    import.has_refused |= std::ranges::any_of(import.remarks, [](const Remark& each) { return each.kind == Remark::Kind::LeftOut;
-});
-std::ranges::stable_sort(import.remarks, {}, [](const Remark& each) { return std::pair(each.line, each.column); });
-made.graphs = std::move(graphs);
-for (TextFile& each : import.files) made.graphs.push_back(std::move(each));
-made.remarks = std::move(import.remarks);
-made.has_refused = import.has_refused;
-return made;
-}  // namespace
+    const auto is_left_out = [](const Remark& each) { return each.kind == Remark::Kind::LeftOut; };
+    import.has_refused |= std::ranges::any_of(import.remarks, is_left_out);
+    std::ranges::stable_sort(import.remarks, {}, [](const Remark& each) { return std::pair(each.line, each.column); });
+    made.graphs = std::move(graphs);
+    for (TextFile& each : import.files) made.graphs.push_back(std::move(each));
+    made.remarks = std::move(import.remarks);
+    made.has_refused = import.has_refused;
+    return made;
+}
 
-}  // namespace patina::importers
+}  // namespace
 
 Importer mtlx_importer() {
     return {.name = "materialx",

@@ -117,6 +117,19 @@ Term GraphMaker::filled(Scope& scope, const Element& node, const NodeRule& rule,
     const bool is_whole = places.size() == 1 && text.starts_with('{') && text.find('}') + 1 == text.size();
     if (is_whole) return terms[0];
     if (auto made = product(text, terms)) return *made;
+    // Numbers stand for vectors, but not if all operands do: "float4(0, 0, 0, 0) + 1".
+    const std::size_t width = terms::is_vector(type) ? terms::width(type) : 1;
+    const auto is_wide = [&](const Term& each) { return terms::width(each.type) == width; };
+    if (node.type() != "surfaceshader" && width > 1 && std::ranges::none_of(terms, is_wide)) {
+        for (std::size_t i = 0; i < terms.size(); ++i) {
+            const Port* const port = rule.input(places[i].second.name);
+            const Type stated = type_of_word(port && !port->type.empty() ? port->type : node.type());
+            if (!terms[i].is_constant() || !places[i].second.components.empty() || terms::width(stated) != width)
+                continue;
+            terms[i] = terms::converted(terms[i], stated);
+            break;
+        }
+    }
     // A line that would get too long gets names for its longest parts.
     for (;;) {
         std::size_t length = text.size(), longest = terms.size();
@@ -174,7 +187,9 @@ std::optional<Term> apply_rule(GraphMaker& maker, Scope& scope, const Element& n
         if (each.output == output || (each.output == "out" && !wanted)) wanted = &each;
         if (each.output == "$") count(each.text, counts);
     }
-    if (!wanted) return maker.magenta(node, Type::Float, fmt::format("it has no output '{}'", output));
+    if (!wanted)
+        return maker.magenta(node, type == Type::None ? Type::Float : type,
+                             fmt::format("it has no output '{}'", output));
     count(wanted->text, counts);
     if (wanted->output != "out") {
         type = Type::Float;  // one channel of several
@@ -183,7 +198,7 @@ std::optional<Term> apply_rule(GraphMaker& maker, Scope& scope, const Element& n
     Term self;
     for (const Statement& each : rule->statements) {
         if (each.output != "$") continue;
-        self = maker.filled(scope, node, *rule, each.text, Type::None, counts);
+        self = maker.filled(scope, node, *rule, each.text, Type::None, counts, self);
         if (self.is_constant() || self.is_link()) continue;
         self.name = terms::camel_case(node.name());
         if (self.name.empty()) self.name = terms::camel_case(node.category);

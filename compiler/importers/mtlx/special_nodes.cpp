@@ -85,36 +85,46 @@ Term usd_texture(const At& at) {
     return channel_of(made, at.output, at.node.type());
 }
 
+// Coordinates as KHR_texture_transform moves them, with v from the top.
+Term gltf_coordinates(const At& at) {
+    Term coordinates = at.is_set("texcoord")
+                           ? at.input("texcoord", "vector2", "@UV0")
+                           : at.maker.geometry(at.word("uvindex") == "1" ? "UV1" : "UV0", Type::Float2);
+    const Term scale = at.input("scale", "vector2", "1"), offset = at.input("offset", "vector2", "0"),
+               turn = at.input("rotate", "float", "0");
+    if (scale.is_all(1) && offset.is_all(0) && turn.is_all(0)) return coordinates;
+    std::string text = terms::flipped(coordinates).text();
+    if (!scale.is_all(1))
+        text = terms::at_least(text, terms::kProduct) + " * " + terms::at_least(scale.text(), terms::kUnary);
+    if (!turn.is_all(0)) text = fmt::format("Rotate({}, -radians({}), 0)", text, turn.text());
+    if (!offset.is_all(0)) text += " + " + terms::at_least(offset.text(), terms::kProduct);
+    Term moved = terms::expression(text, Type::Float2);
+    moved.name = terms::camel_case(at.node.name()) + "Uv";
+    for (const std::set<std::size_t>& each : {coordinates.sources, scale.sources, offset.sources, turn.sources})
+        moved.sources.insert(each.begin(), each.end());
+    moved = at.maker.named(moved);
+    moved.from_top = moved.base;
+    if (at.is_set("pivot") || at.is_set("operationorder"))
+        at.maker.approximate(at.node, "its coordinates are moved as glTF says, about the upper left corner");
+    return moved;
+}
+
 Term gltf_image(const At& at) {
     if (at.word("file").empty()) return without_file(at);
-    const bool is_second = at.word("uvindex") == "1";
-    Term coordinates = at.maker.geometry(is_second ? "UV1" : "UV0", Type::Float2);
-    if (at.is_set("scale") || at.is_set("offset") || at.is_set("rotate")) {
-        // As KHR_texture_transform, with v from the top.
-        const Term scale = at.input("scale", "vector2", "1"), offset = at.input("offset", "vector2", "0"),
-                   turn = at.input("rotate", "float", "0");
-        std::string text = coordinates.from_top;
-        if (!scale.is_all(1)) text += " * " + terms::at_least(scale.text(), terms::kUnary);
-        if (!turn.is_all(0)) text = fmt::format("Rotate({}, -radians({}), 0)", text, turn.text());
-        if (!offset.is_all(0)) text += " + " + terms::at_least(offset.text(), terms::kProduct);
-        Term moved = terms::expression(text, Type::Float2);
-        moved.name = terms::camel_case(at.node.name()) + "Uv";
-        coordinates = terms::flipped(coordinates);
-        coordinates = at.maker.named(moved);
-        coordinates.from_top = coordinates.base;
-        at.maker.approximate(at.node, "its coordinates are moved as glTF says");
-    }
-    const Term texel = at.maker.sampled(at.scope, at.node, coordinates);
-    if (at.node.category != "gltf_colorimage") return texel_as(texel, at.node.type());
-    Term made = texel;
-    for (const std::string_view factor : {"color", "geomcolor"}) {
-        if (!at.is_set(factor)) continue;
-        const Term value = at.input(factor, "color4", "1");
+    const Term texel = at.maker.sampled(at.scope, at.node, gltf_coordinates(at));
+    const bool is_color = at.node.category == "gltf_colorimage";
+    Term made = is_color ? texel : texel_as(texel, at.node.type());
+    for (const std::string_view factor : {"factor", "color", "geomcolor"}) {
+        if (!at.is_set(factor) || is_color == (factor == "factor")) continue;
+        const Term value = at.input(factor, is_color ? "color4" : at.node.type(), "1");
+        const std::set<std::size_t> sources = made.sources;
         made = terms::expression(fmt::format("{} * {}", made.text(), terms::at_least(value.text(), terms::kUnary)),
-                                 Type::Float4);
+                                 made.type);
         made.is_color = true;
+        made.sources = sources;
+        made.sources.insert(value.sources.begin(), value.sources.end());
     }
-    made.sources = texel.sources;
+    if (!is_color) return made;
     made.name = terms::camel_case(at.node.name()) + "Color";
     return channel_of(made.is_link() ? made : at.maker.named(made), at.output, at.node.type());
 }
@@ -131,6 +141,45 @@ Term triplanar(const At& at) {
                normal = at.input("normal", "vector3", "@Nobject");
     made.inputs = {{"texture", text(texture)}, {"position", position.value()}, {"normal", normal.value()}};
     Term term = terms::link(at.maker.add_node(at.node, std::move(made)), Type::Float4);
+    term.is_color = true;
+    return texel_as(term, at.node.type());
+}
+
+// A node that blends turned pieces of a picture; its texture, or nothing.
+std::optional<GraphNode> hexagons(const At& at, std::string_view node, std::string_view filter) {
+    const std::string texture = at.maker.texture(at.scope, at.node, "file", "repeat", filter);
+    if (texture.empty()) return {};
+    at.maker.approximate(at.node, "other hexagons, which are all of one size");
+    Term place = terms::flipped(at.input("texcoord", "vector2", "@UV0"));
+    const Term tiling = at.input("tiling", "vector2", "1", true), turn = at.input("rotation", "float", "1");
+    if (!tiling.is_all(1)) {
+        const std::set<std::size_t> sources = place.sources;
+        place = terms::expression(fmt::format("{} * {}", terms::at_least(place.text(), terms::kProduct),
+                                              terms::at_least(tiling.text(), terms::kUnary)),
+                                  Type::Float2);
+        place.sources = sources;
+        place.sources.insert(tiling.sources.begin(), tiling.sources.end());
+    }
+    GraphNode made{.id = {}, .node = std::string(node), .inputs = {{"texture", text(texture)}}};
+    if (place.text() != "@uv0") made.inputs.push_back({"uv", place.value()});
+    made.inputs.push_back({"density", number(3.4641016F)});  // in each repetition, 2 sqrt(3)
+    Term largest =
+        terms::expression(fmt::format("{} * 3.1415927", terms::at_least(turn.text(), terms::kProduct)), Type::Float);
+    if (turn.is_constant()) largest = terms::number_term(turn.numbers[0] * 3.1415927);
+    made.inputs.push_back({"rotation", largest.value()});
+    at.maker.written(place, "the node of the hexagons");
+    at.maker.written(turn, "the node of the hexagons");
+    return made;
+}
+
+Term hextiledimage(const At& at) {
+    if (at.word("file").empty()) return without_file(at);
+    auto made = hexagons(at, "HexTiling", "linear");
+    if (!made) return at.maker.magenta(at.node, at.type(), "its picture cannot be read");
+    const Term contrast = at.input("falloffcontrast", "float", "0.5");
+    made->inputs.push_back({"contrast", contrast.value()});
+    at.maker.written(contrast, "the node of the hexagons");
+    Term term = terms::link(at.maker.add_node(at.node, std::move(*made)), Type::Float4);
     term.is_color = true;
     return texel_as(term, at.node.type());
 }
@@ -168,8 +217,8 @@ Term mesh_value(const At& at) {
 
 Term convert(const At& at) {
     const Term value = at.input("in", "float", "0");
-    // A grey has an alpha of 1.
-    if (at.node.type() == "color4" && terms::width(value.type) == 1)
+    // A grey has an alpha of 1, before version 1.39.
+    if (at.node.type() == "color4" && terms::width(value.type) == 1 && at.maker.import().document.version < 1.385)
         return terms::converted(terms::converted(value, Type::Float3), Type::Float4);
     const Term made = terms::converted(value, at.type());
     return made.type == Type::None
@@ -270,16 +319,119 @@ Term normalmap(const At& at) {
     return to_world(at, std::move(made));
 }
 
+Term hextilednormalmap(const At& at) {
+    if (at.word("file").empty()) return at.maker.geometry("Nworld", Type::Float3);
+    auto made = hexagons(at, "HexTilingNormal", "normal");
+    if (!made) return at.maker.magenta(at.node, at.type(), "its picture cannot be read");
+    const Term strength = at.input("strength", "float", "1");
+    if (!strength.is_all(1)) made->inputs.push_back({"strength", strength.value()});
+    at.maker.written(strength, "the node of the hexagons");
+    return to_world(at, terms::link(at.maker.add_node(at.node, std::move(*made)), Type::Float3));
+}
+
 Term gltf_normalmap(const At& at) {
     if (at.word("file").empty()) return at.maker.geometry("Nworld", Type::Float3);
     Term texel = terms::link("", Type::Float4);
     const std::string texture = at.maker.texture(at.scope, at.node, "file", "repeat", "normal");
     if (texture.empty()) return at.maker.geometry("Nworld", Type::Float3);
     texel.base = texture;
-    texel.from_top = at.word("uvindex") == "1" ? "@uv1" : "@uv0";
-    if (at.is_set("scale") || at.is_set("offset") || at.is_set("rotate"))
-        at.maker.approximate(at.node, "its coordinates are not moved");
+    texel.from_top = terms::flipped(gltf_coordinates(at)).text();
     return to_world(at, at.maker.sampled_normal(at.node, texel, terms::number_term(1)));
+}
+
+// Steps that change nothing are left out.
+Term colorcorrect(const At& at) {
+    const Term whole = at.input("in", at.node.type(), "1");
+    const bool has_alpha = at.type() == Type::Float4;
+    Term made = has_alpha ? terms::swizzled(whole, "rgb") : whole;
+    const auto number = [&](std::string_view name, std::string_view otherwise) {
+        return at.input(name, "float", otherwise);
+    };
+    // The text has "$" where the colour so far stands.
+    const auto step = [&](bool changes, std::string text, std::initializer_list<const Term*> of) {
+        if (!changes) return;
+        std::set<std::size_t> sources = made.sources;
+        for (const Term* each : of) sources.insert(each->sources.begin(), each->sources.end());
+        made.name = terms::camel_case(at.node.name());
+        if (text.find('$') != text.rfind('$')) made = at.maker.named(made);
+        for (std::size_t place = 0; (place = text.find('$', place)) != text.npos;) {
+            const std::string own = terms::bracketed(made.text(), std::string_view(text).substr(0, place),
+                                                     std::string_view(text).substr(place + 1));
+            text.replace(place, 1, own);
+            place += own.size();
+        }
+        made = terms::expression(text, Type::Float3);
+        made.sources = sources;
+    };
+    const Term hue = number("hue", "0"), saturation = number("saturation", "1"), gamma = number("gamma", "1"),
+               lift = number("lift", "0"), gain = number("gain", "1"), contrast = number("contrast", "1"),
+               pivot = number("contrastpivot", "0.5"), exposure = number("exposure", "0");
+    const auto factor = [](const Term& term) { return terms::at_least(term.text(), terms::kUnary); };
+    step(!hue.is_all(0), fmt::format("HsvAdjust($, {}, 1, 1)", hue.text()), {&hue});
+    step(!saturation.is_all(1),
+         fmt::format("lerp(float3(dot($, float3(0.2722287, 0.6740818, 0.0536895))), $, {})", saturation.text()),
+         {&saturation});
+    step(!gamma.is_all(1), fmt::format("sign($) * pow(abs($), 1 / {})", factor(gamma)), {&gamma});
+    step(!lift.is_all(0), fmt::format("$ * (1 - {}) + {}", terms::at_least(lift.text(), terms::kProduct), lift.text()),
+         {&lift});
+    step(!gain.is_all(1), fmt::format("$ * {}", factor(gain)), {&gain});
+    step(!contrast.is_all(1),
+         fmt::format("($ - {0}) * {1} + {0}", terms::at_least(pivot.text(), terms::kProduct), factor(contrast)),
+         {&contrast, &pivot});
+    step(!exposure.is_all(0), fmt::format("$ * exp2({})", exposure.text()), {&exposure});
+    if (!has_alpha) return made;
+    Term joined =
+        terms::expression(fmt::format("float4({}, {})", made.text(), terms::swizzled(whole, "a").text()), Type::Float4);
+    joined.sources = made.sources;
+    joined.is_color = true;
+    return joined;
+}
+
+// A chain: each interval goes from the colours before it to its own.
+Term ramp(const At& at) {
+    const std::string kind = at.word("type"), how = at.word("interpolation");
+    const int count = std::clamp(std::atoi(at.is_set("num_intervals") ? at.word("num_intervals").c_str() : "2"), 1, 10);
+    Term coordinates = at.input("texcoord", "vector2", "@UV0");
+    Term made, place;
+    place.type = Type::Float;
+    if (kind.empty() || kind == "0") {
+        place = terms::swizzled(coordinates, "x");
+    } else {
+        coordinates = at.maker.named(coordinates);
+        const std::string at_text = coordinates.text();
+        std::string text = fmt::format("atan2({0}.x - 0.5, {0}.y - 0.5) / 6.28319 + 0.5", at_text);
+        if (kind == "2") text = fmt::format("1.414 * distance({}, 0.5)", at_text);
+        if (kind == "3") text = fmt::format("2 * max(abs({0}.x - 0.5), abs({0}.y - 0.5))", at_text);
+        place = terms::expression(text, Type::Float);
+        place.sources = coordinates.sources;
+    }
+    place.name = terms::camel_case(at.node.name()) + "At";
+    place = at.maker.named(place);
+    const auto color = [&](int i) {
+        return at.input(fmt::format("color{}", i), "color4", i == 1 ? "0,0,0,1" : "1,1,1,1");
+    };
+    const auto interval = [&](int i) { return at.input(fmt::format("interval{}", i), "float", i == 1 ? "0" : "1"); };
+    made = color(1);
+    for (int i = 2; i <= count; ++i) {
+        const Term low = interval(i - 1), high = interval(i), next = color(i);
+        std::string weight = fmt::format("smoothstep({}, {}, {})", low.text(), high.text(), place.text());
+        if (how == "0")
+            weight = fmt::format("saturate(({0} - {1}) / ({2} - {1}))", place.text(),
+                                 terms::at_least(low.text(), terms::kProduct),
+                                 terms::at_least(high.text(), terms::kProduct));
+        if (how == "2") weight = fmt::format("step({}, {})", high.text(), place.text());
+        std::set<std::size_t> sources = made.sources;
+        for (const std::set<std::size_t>& each : {low.sources, high.sources, next.sources, place.sources})
+            sources.insert(each.begin(), each.end());
+        if (i > 2) {
+            made.name = terms::camel_case(at.node.name());
+            made = at.maker.named(made);
+        }
+        made = terms::expression(fmt::format("lerp({}, {}, {})", made.text(), next.text(), weight), Type::Float4);
+        made.sources = sources;
+        made.is_color = true;
+    }
+    return made;
 }
 
 using Make = Term (*)(const At&);
@@ -296,6 +448,8 @@ constexpr Row kRows[] = {
     {"gltf_colorimage", gltf_image},
     {"gltf_normalmap", gltf_normalmap},
     {"triplanarprojection", triplanar},
+    {"hextiledimage", hextiledimage},
+    {"hextilednormalmap", hextilednormalmap},
     {"texcoord", texcoord},
     {"geompropvalue", mesh_value},
     {"geompropvalueuniform", mesh_value},
@@ -305,6 +459,8 @@ constexpr Row kRows[] = {
     {"extract", extract},
     {"switch", switched},
     {"normalmap", normalmap},
+    {"colorcorrect", colorcorrect},
+    {"ramp", ramp},
 };
 
 }  // namespace

@@ -38,7 +38,8 @@ void GraphMaker::make_surface(Scope& scope, const Element& shader) {
     file_.workflow = surface->workflow;
     file_.lighting = surface->lighting;
     std::map<std::string, std::size_t> counts;
-    std::set<std::string> carried = {"alpha", "alpha_mode", "alpha_cutoff", "opacityThreshold", "useSpecularWorkflow"};
+    std::set<std::string> carried = {"alpha",       "alpha_mode",         "alpha_cutoff", "opacityThreshold",
+                                     "opacityMode", "useSpecularWorkflow"};
     for (const Statement& each : surface->rule.statements) count(each.text, counts);
     Term alpha;
     for (const Statement& each : surface->rule.statements) {
@@ -104,8 +105,11 @@ void GraphMaker::make_surface(Scope& scope, const Element& shader) {
                 cutoff = input(scope, shader, {.name = "alpha_cutoff", .type = "float", .otherwise = "0.5"});
         }
     } else if (alpha.type != Type::None) {
-        mode = shader.category == "UsdPreviewSurface" ? "transparent" : "fade";
-        if (shader.category == "UsdPreviewSurface" && is_set(scope, shader, "opacityThreshold")) {
+        // "presence": where the surface is; else it is glass, whose highlights stay.
+        const bool is_usd = shader.category == "UsdPreviewSurface";
+        const std::string usd_mode = word_of(scope, shader, "opacityMode");
+        mode = is_usd && usd_mode != "1" && usd_mode != "presence" ? "transparent" : "fade";
+        if (is_usd && is_set(scope, shader, "opacityThreshold")) {
             cutoff = input(scope, shader, {.name = "opacityThreshold", .type = "float", .otherwise = "0"});
             if (!cutoff.is_all(0)) mode = "cutout";
         }

@@ -32,29 +32,6 @@ std::optional<std::string_view> inside_call(std::string_view text) {
     return {};
 }
 
-// In brackets, if an operator beside it binds more strongly.
-std::string bracketed(const std::string& text, std::string_view before, std::string_view after) {
-    while (before.ends_with(' ')) before.remove_suffix(1);
-    while (after.starts_with(' ')) after.remove_prefix(1);
-    const auto strength = [](char c) {
-        if (c == '+' || c == '-') return kSum;
-        if (c == '*' || c == '/' || c == '%') return kProduct;
-        if (c == '!') return kUnary;
-        if (c == '=' || c == '<' || c == '>') return kCompare;
-        if (c == '&') return kAnd;
-        if (c == '|') return kOr;
-        if (c == '.' || c == '[') return kPrimary;
-        return kChoice;
-    };
-    const char left = before.empty() ? ' ' : before.back(), right = after.empty() ? ' ' : after.front();
-    int needed = std::max<int>(strength(right), strength(left));
-    if (std::string_view("-/%*=<>").find(left) != std::string_view::npos) ++needed;
-    if (left == '?' || right == '?' || (left == ':' && precedence_of(text) == kChoice))
-        needed = std::max<int>(needed, kOr);
-    if (needed > kChoice && text.starts_with("-") && strength(left) > kChoice) return "(" + text + ")";
-    return at_least(text, static_cast<Precedence>(std::min<int>(needed, kPrimary)));
-}
-
 bool is_constant_of(const Term& term, double value) {
     return term.is_constant() && std::ranges::all_of(term.numbers, [&](double each) { return each == value; });
 }

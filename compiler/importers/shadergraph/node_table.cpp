@@ -163,19 +163,4 @@ std::string fill_settings(std::string& text, const Node& node, const NodeFacts& 
     return {};
 }
 
-std::vector<std::string> arguments_of(std::string_view list) {
-    std::vector<std::string> made;
-    int depth = 0;
-    std::size_t begin = 0;
-    for (std::size_t i = 0; i <= list.size(); ++i) {
-        if (i < list.size() && (list[i] == '(' || list[i] == '{' || list[i] == '[')) ++depth;
-        if (i < list.size() && (list[i] == ')' || list[i] == '}' || list[i] == ']')) --depth;
-        if (i < list.size() && (list[i] != ',' || depth > 0)) continue;
-        const std::string_view part = trimmed(list.substr(begin, i - begin));
-        if (!part.empty()) made.push_back(std::string(part));
-        begin = i + 1;
-    }
-    return made;
-}
-
 }  // namespace patina::importers::shadergraph

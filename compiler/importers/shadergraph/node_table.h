@@ -35,7 +35,4 @@ std::vector<std::string_view> classes_in_table();  // each once, in order
 // then, else empty.
 std::string fill_settings(std::string& text, const Node& node, const NodeFacts& facts);
 
-// The arguments of a call at the outer level: "a, f(b, c)" -> "a", "f(b, c)".
-std::vector<std::string> arguments_of(std::string_view list);
-
 }  // namespace patina::importers::shadergraph

@@ -7,9 +7,8 @@
 #include <vector>
 
 #include "compiler/importers/importer.h"
-#include "compiler/importers/shadergraph/names.h"
 #include "compiler/importers/shadergraph/read/shader_graph.h"
-#include "compiler/importers/shadergraph/values/types.h"
+#include "compiler/importers/shadergraph/values/term.h"
 #include "compiler/importers/unity_assets.h"
 #include "patina/patina.h"
 

@@ -76,54 +76,10 @@ void Term::add_nodes(const Term& part) {
         if (std::ranges::find(nodes, node) == nodes.end()) nodes.push_back(node);
 }
 
-std::string digits(double number) {
-    return shortest(static_cast<float>(number));
-}
-
 // IEC 61966-2-1. Values above 1 go on as the engine's function does.
 double linear(double srgb) {
     if (srgb <= 0.04045) return srgb / 12.92;
     return srgb < 1 ? std::pow((srgb + 0.055) / 1.055, 2.4) : std::pow(srgb, 2.2);
-}
-
-Precedence precedence_of(std::string_view text) {
-    Precedence lowest = kPrimary;
-    int depth = 0;
-    bool is_operand = false;  // something stands to the left
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        const char c = text[i], next = i + 1 < text.size() ? text[i + 1] : '\0';
-        if (c == '(' || c == '[') ++depth;
-        if (c == ')' || c == ']') --depth;
-        if (c == ' ') continue;
-        Precedence found = kPrimary;
-        if (depth == 0) {
-            const bool is_exponent = i > 0 && (text[i - 1] == 'e' || text[i - 1] == 'E') && next >= '0' &&
-                                     next <= '9' && i > 1 && text[i - 2] >= '0' && text[i - 2] <= '9';
-            if (c == '?') found = kChoice;
-            if (c == '|' && next == '|') found = kOr;
-            if (c == '&' && next == '&') found = kAnd;
-            if ((c == '=' || c == '!') && next == '=') found = kEqual;
-            if (c == '<' || c == '>') found = kCompare;
-            if ((c == '+' || c == '-') && !is_exponent) found = is_operand ? kSum : kUnary;
-            if (c == '*' || c == '/' || c == '%') found = kProduct;
-            if (c == '!' && next != '=') found = kUnary;
-            if ((found == kEqual || found == kOr || found == kAnd || found == kCompare) && (next == '=' || next == c))
-                ++i;
-        }
-        if (found != kPrimary) {
-            // A sign before a number belongs to it.
-            if (!(found == kUnary && lowest != kPrimary)) lowest = std::min(lowest, found);
-            is_operand = false;
-        } else {
-            is_operand = true;
-        }
-    }
-    return lowest;
-}
-
-std::string at_least(std::string_view expression, Precedence precedence) {
-    if (precedence_of(expression) >= precedence) return std::string(expression);
-    return "(" + std::string(expression) + ")";
 }
 
 std::string Term::text() const {

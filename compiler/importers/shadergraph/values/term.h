@@ -12,10 +12,22 @@
 #include <string_view>
 #include <vector>
 
+#include "compiler/importers/expression_text.h"
 #include "compiler/importers/graph_writer.h"
 #include "compiler/importers/shadergraph/values/types.h"
 
 namespace patina::importers::shadergraph {
+
+using terms::arguments_of;
+using terms::at_least;
+using terms::bracketed;
+using terms::camel_case;
+using terms::digits;
+using terms::identifier;
+using terms::Names;
+using terms::Precedence;
+using terms::precedence_of;
+using enum terms::Precedence;
 
 struct Gradient {
     struct Key {
@@ -77,13 +89,6 @@ Term vector_term(Type type, std::span<const Term> arguments);
 // The same texture coordinates, with v counted from the other side.
 Term flipped(const Term& term);
 
-// --- text of expressions
-
-enum Precedence { kChoice, kOr, kAnd, kEqual, kCompare, kSum, kProduct, kUnary, kPrimary };
-Precedence precedence_of(std::string_view expression);
-// In brackets, if it binds less strongly than that.
-std::string at_least(std::string_view expression, Precedence precedence);
-std::string digits(double number);  // "0.5"
-double linear(double srgb);         // a component of a colour
+double linear(double srgb);  // a component of a colour
 
 }  // namespace patina::importers::shadergraph

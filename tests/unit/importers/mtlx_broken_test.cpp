@@ -1,0 +1,133 @@
+// MaterialX documents that are broken, hostile or of another time: each is refused at its place, or imported with a
+// remark.
+#include <random>
+#include <regex>
+
+#include "tests/unit/importers/mtlx_document.h"
+
+namespace patina::importers {
+namespace {
+
+TEST(BrokenMtlx, BrokenFilesAreReportedAtTheirPlace) {
+    const std::string good = material(R"(<gltf_pbr name="shader" type="surfaceshader"/>)");
+    const auto error = [&](const std::string& text) { return import_text(text).error; };
+    for (const std::string& text : {good.substr(0, good.size() / 2), std::string("nonsense"), good + "</x>",
+                                    std::string("<materialx version=\"1.38\"><a b=></materialx>")})
+        EXPECT_TRUE(std::regex_search(error(text), std::regex("x\\.mtlx:[0-9]+:[0-9]+: "))) << error(text);
+    EXPECT_NE(error("").find("the file is empty"), std::string::npos);
+    EXPECT_NE(error("<a/>").find("x.mtlx:1:1: the outermost element is 'a'"), std::string::npos) << error("<a/>");
+    EXPECT_NE(error(document("")).find("no material and no surface shader"), std::string::npos);
+    std::string deep;
+    for (int i = 0; i < 5000; ++i) deep += "<a>";
+    for (int i = 0; i < 5000; ++i) deep += "</a>";
+    EXPECT_NE(error(document(deep)).find("nested more than 32 deep"), std::string::npos);
+    const std::string circle =
+        one_node(R"(<add name="tested" type="float"><input name="in1" type="float" nodename="other"/></add>
+<add name="other" type="float"><input name="in1" type="float" nodename="tested"/></add>)",
+                 "float");
+    EXPECT_TRUE(std::regex_search(error(circle), std::regex("x\\.mtlx:3:1: 'tested' reads itself"))) << error(circle);
+    EXPECT_NE(error(document("<a name=\"x\" name=\"y\"/>")).find("two attributes 'name'"), std::string::npos);
+}
+
+TEST(BrokenMtlx, EntitiesOfADocumentTypeAreNotExpanded) {
+    std::string text =
+        "<?xml version=\"1.0\"?>\n<!DOCTYPE x [<!ENTITY a \"aaaaaaaaaa\"><!ENTITY b \"&a;&a;&a;&a;\"><!ENTITY c "
+        "\"&b;&b;&b;&b;\">]>\n";
+    const std::string good = material(
+        R"(<gltf_pbr name="shader" type="surfaceshader"><input name="base_color" type="color3" value="&c;"/></gltf_pbr>)");
+    const Imported made = import_text(text + good.substr(good.find('\n') + 1));
+    EXPECT_NE(remarks(made, Remark::Kind::LeftOut).find("'&c;' is no number"), std::string::npos) << made.error;
+}
+
+TEST(BrokenMtlx, WhatIsMissingIsSaid) {
+    Imported made = import_text(one_node(R"(<nodeofthefuture name="tested" type="color3"/>)", "color3"));
+    EXPECT_NE(remarks(made, Remark::Kind::LeftOut).find("nodeofthefuture 'tested': 'nodeofthefuture' is no node"),
+              std::string::npos)
+        << remarks(made, Remark::Kind::LeftOut);
+    EXPECT_NE(text_of(made).find("\"float3(1, 0, 1)\""), std::string::npos) << text_of(made);
+    EXPECT_NE(text_of(made).find("\"note\": \"not imported: 'nodeofthefuture' is no node"), std::string::npos)
+        << text_of(made);
+    EXPECT_TRUE(made.has_refused);
+    expect_compiles(made, "future");
+    made = import_text(one_node("", "color3"));
+    EXPECT_NE(remarks(made, Remark::Kind::LeftOut).find("it reads 'tested', which is not there"), std::string::npos);
+    made = import_text(one_node(
+        R"(<constant name="tested" type="float"><input name="value" type="float" value="nan"/></constant>)", "float"));
+    EXPECT_NE(remarks(made, Remark::Kind::LeftOut).find("'nan' is no number"), std::string::npos);
+    made = import_text(
+        one_node(R"(<constant name="tested" type="float"/><constant name="tested" type="float"/>)", "float"));
+    EXPECT_NE(remarks(made, Remark::Kind::LeftOut).find("a second element has this name"), std::string::npos);
+    made = import_text(document(R"(<gltf_pbr name="paint" type="surfaceshader"/>)", "version=\"2.5\""));
+    EXPECT_NE(remarks(made, Remark::Kind::Changed).find("it is 2.5"), std::string::npos);
+    made = import_text(one_node(
+        R"(<image name="tested" type="color3"><input name="file" type="filename" value="no.png"/></image>)", "color3"));
+    EXPECT_NE(remarks(made, Remark::Kind::Changed).find("the picture 'no.png' is not there"), std::string::npos);
+    made = import_text(material(R"(<lama_surface name="shader" type="surfaceshader"/>)"));
+    EXPECT_NE(remarks(made, Remark::Kind::LeftOut).find("'lama_surface' is no surface shader"), std::string::npos);
+    expect_compiles(made, "unknown shader");
+}
+
+TEST(BrokenMtlx, DefinitionsThatUseOneAnotherTwiceEnd) {
+    std::string text;
+    for (int i = 0; i < 40; ++i)
+        text += fmt::format(
+            R"(<nodedef name="ND_{0}" node="level{0}"><input name="in" type="float" value="0"/><output name="out" type="float"/></nodedef>
+<nodegraph name="NG_{0}" nodedef="ND_{0}"><level{1} name="a" type="float"><input name="in" type="float" interfacename="in"/></level{1}><level{1} name="b" type="float"><input name="in" type="float" nodename="a"/></level{1}><output name="out" type="float" nodename="b"/></nodegraph>)",
+            i, i + 1);
+    const Imported made = import_text(one_node(text + R"(<level0 name="tested" type="float"/>)", "float"));
+    EXPECT_TRUE(made.has_refused);
+    EXPECT_LT(made.graphs.empty() ? 0 : made.graphs[0].text.size(), 8u << 20);
+}
+
+// Whatever is changed in a file: it is imported or refused, and an import is a graph.
+TEST(BrokenMtlx, MutationsDoNotCrash) {
+    save("planks.png", "no picture");
+    std::mt19937 random(19);
+    const std::string seeds[] = {
+        material(
+            R"(<gltf_pbr name="shader" type="surfaceshader"><input name="base_color" type="color3" nodegraph="grain" output="color"/><input name="roughness" type="float" nodegraph="grain" output="gloss"/></gltf_pbr>)",
+            std::string(kWood)),
+        one_node(
+            sources() +
+                R"(<worleynoise3d name="n" type="vector3"/><switch name="tested" type="color3"><input name="in1" type="color3" nodename="source_color3"/><input name="which" type="float" nodename="source_float"/></switch>)",
+            "color3"),
+        one_node(
+            R"(<nodedef name="ND_t" node="twice"><input name="in" type="float" value="0.25"/><output name="out" type="float"/></nodedef>
+<nodegraph name="NG_t" nodedef="ND_t"><place2d name="p" type="vector2"/><extract name="e" type="float"><input name="in" type="vector2" nodename="p"/><input name="index" type="integer" value="1"/></extract><output name="out" type="float" nodename="e"/></nodegraph><twice name="tested" type="float"/>)",
+            "float")};
+    std::size_t imported = 0;
+    for (int i = 0; i < 3000; ++i) {
+        std::string text = seeds[random() % 3];
+        // The word in the quotes that end behind a place, and the place.
+        const auto word_at = [&](std::size_t at) {
+            const std::size_t begin = std::min(text.find("=\"", at), text.size() - 2) + 2,
+                              end = std::min(text.find('"', begin), text.size());
+            return std::pair(begin, end - begin);
+        };
+        for (int edits = 1 + static_cast<int>(random() % 3); edits > 0; --edits) {
+            const std::size_t at = random() % text.size(), count = 1 + random() % 12;
+            switch (random() % 12) {
+                case 0: text[at] = static_cast<char>(random() % 256); break;
+                case 1: text.erase(at, count); break;
+                case 2: text.insert(at, text.substr(random() % text.size(), count)); break;
+                default: {
+                    const auto [begin, length] = word_at(at);
+                    const auto [from, size] = word_at(random() % text.size());
+                    text.replace(begin, length, std::string(text, from, size));
+                    break;
+                }
+                case 3:
+                    text[std::min(text.find_first_of("0123456789\"", at), text.size() - 1)] =
+                        static_cast<char>('0' + random() % 10);
+                    break;
+            }
+        }
+        const Imported made = import_text(text);
+        EXPECT_EQ(made.error.empty(), !made.graphs.empty());
+        if (made.error.empty()) ++imported;
+    }
+    EXPECT_GT(imported, 500u);
+}
+
+}  // namespace
+}  // namespace patina::importers
