@@ -21,6 +21,10 @@ bool asks_for_picture(std::string_view word) {
     return word.starts_with("--picture");
 }
 
+bool asks_for_sheet(std::string_view word) {
+    return word.starts_with("--sheet");
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -29,6 +33,7 @@ int main(int argc, char** argv) {
     Home home = command ? command->home : Home::Patina;
     if (first == "check" && std::any_of(argv, argv + argc, may_name_scenes)) home = Home::Render;
     if (first == "diff" && std::any_of(argv, argv + argc, asks_for_picture)) home = Home::Render;
+    if (first == "nodes" && std::any_of(argv, argv + argc, asks_for_sheet)) home = Home::Render;
     if (home != Home::Patina) return static_cast<int>(turn_into(home, argv));
     Program program;
 #define COMMAND(name, home, summary)                \

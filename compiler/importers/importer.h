@@ -1,4 +1,4 @@
-// The room `importers` turns materials of other programs into graph files. It needs no GPU and compiles nothing.
+// The room `importers` turns materials of other programs into graph files. It needs no GPU.
 //
 // The seam for importers. This folder holds this interface, the list of importers (importers.cpp), graph_writer.h,
 // which all of them write graphs with, and unity_assets.h, which those of Unity's formats share. To add one: write a

@@ -97,7 +97,7 @@ Declaration declaration_of(const Property& property) {
     if (kind == "Color") return color_declaration(property);
     if (kind == "Keyword") return keyword_declaration(property);
     if (kind == "Boolean") return {.type = "bool", .value = flag(flag_of(property.json, "m_Value"))};
-    if (kind.starts_with("Vector") && kind.size() == 7) {
+    if (is_vector(type_of_property(kind))) {
         const std::size_t count = width(type_of_property(kind));
         const std::vector<double> value = vector_of(property.json, "m_Value", count);
         return {.type = fmt::format("float{}", count), .value = list(std::vector<float>(value.begin(), value.end()))};
@@ -209,14 +209,15 @@ void GraphMaker::read_blackboard() {
 
 Term GraphMaker::property_term(std::size_t index) {
     const Property* found = property(node(index).refers);
-    if (!found) {
+    const Type type = found ? type_of_property(found->kind) : Type::None;
+    if (type == Type::None) {
         Term made = number_term(0);
         approximate(index, "the graph has no such property: it is 0");
         for (const Slot& slot : node(index).slots)
             if (!slot.is_input && is_value(type_of(index, slot))) made = converted(made, type_of(index, slot));
         return made;
     }
-    const Type type = type_of_property(found->kind);
+    if (type == Type::VirtualTexture) return {.type = type};
     const std::string name = "$" + property_name(*found);
     if (type == Type::Gradient) {
         Term made = link(name, type);

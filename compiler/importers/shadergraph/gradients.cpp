@@ -77,7 +77,11 @@ void make_gradient(GraphMaker& maker, std::size_t node) {
 }
 
 void make_sample_gradient(GraphMaker& maker, std::size_t node) {
-    const Term gradient = maker.input(node, 0);
+    Term gradient = maker.input(node, 0);
+    if (gradient.type != Type::Gradient) {
+        maker.approximate(node, "it has no slot for its gradient: it is magenta");
+        gradient = stand_in(Type::Gradient);
+    }
     std::vector<Term> time = {maker.input(node, 1)};
     maker.shorten(node, time, 0);
     GraphNode made{.id = {}, .node = "SampleGradient", .inputs = {{"gradient", gradient.value()}}};

@@ -15,40 +15,6 @@ bool is_short(const Term& term) {
            std::ranges::all_of(term.parts, [](const Term::Part& part) { return precedence_of(part.text) == kPrimary; });
 }
 
-// What stands for a value that cannot be imported, so that it is seen.
-Term magenta(Type type) {
-    switch (type) {
-        case Type::Float2: return constant({1, 0});
-        case Type::Float3: return constant({1, 0, 1});
-        case Type::Float4: return constant({1, 0, 1, 1});
-        case Type::Bool: return flag_term(false);
-        case Type::Matrix2:
-        case Type::Matrix3:
-        case Type::Matrix4: {
-            Term made{.type = type};
-            const std::size_t rows = width(type);
-            for (std::size_t i = 0; i < rows * rows; ++i) made.numbers.push_back(i % (rows + 1) == 0 ? 1 : 0);
-            return made;
-        }
-        case Type::Gradient: {
-            Term made{.type = type};
-            made.gradient = std::make_shared<const Gradient>(
-                Gradient{.colors = {{.time = 0, .value = {1, 0, 1}}}, .alphas = {{.time = 0, .value = {1}}}});
-            return made;
-        }
-        case Type::None:
-        case Type::Float:
-        case Type::Texture2D:
-        case Type::Texture2DArray:
-        case Type::Texture3D:
-        case Type::Cubemap:
-        case Type::Sampler:
-        case Type::Connection:
-        case Type::VirtualTexture: break;
-    }
-    return number_term(1);
-}
-
 }  // namespace
 
 GraphMaker::GraphMaker(Project& project, const ShaderGraph& graph, std::string name)
@@ -65,7 +31,7 @@ GraphMaker::GraphMaker(Project& project, const ShaderGraph& graph, std::string n
             ids_.take(camel_case(std::string_view(block.name).substr(0, hash)));
 }
 
-void GraphMaker::make() {
+std::string GraphMaker::make() {
     file_.name = name_;
     for (const ShaderGraph::Problem& problem : graph_.problems)
         remark(Remark::Kind::Changed, problem.part, problem.text, problem.place);
@@ -79,7 +45,9 @@ void GraphMaker::make() {
     finish_textures();
     drop_unread();
     make_layout();
+    std::string error = refuse_invalid();
     report_nodes();
+    return error;
 }
 
 // Nodes that an output depends on, each after what it reads. There are no circles.
@@ -154,7 +122,7 @@ std::optional<Term> GraphMaker::linked_term(std::size_t index, int slot) const {
     const auto found = terms_.find(edge->second);
     if (found != terms_.end()) return found->second;
     const Slot* from = node(edge->second.first).slot(edge->second.second);
-    return magenta(from ? type_of(edge->second.first, *from) : Type::Float);
+    return stand_in(from ? type_of(edge->second.first, *from) : Type::Float);
 }
 
 Term GraphMaker::input(std::size_t index, int slot_id, bool may_stay_number) {
@@ -170,7 +138,7 @@ Term GraphMaker::input(std::size_t index, int slot_id, bool may_stay_number) {
         if (made.type != Type::None || type == Type::None) return made;
         approximate(index, fmt::format("the input '{}' takes {} and is connected to {}: it has a constant", slot->name,
                                        word(type), word(term->type)));
-        return is_texture(type) ? texture_constant(index, type, nullptr, "", 0) : magenta(type);
+        return is_texture(type) ? texture_constant(index, type, nullptr, "", 0) : stand_in(type);
     }
     const Json* json = slot->json;
     Term made;
@@ -203,6 +171,11 @@ Term GraphMaker::input(std::size_t index, int slot_id, bool may_stay_number) {
         made = texture_constant(index, type, json, "m_Texture", 0);
     } else if (type == Type::Cubemap) {
         made = texture_constant(index, type, json, "m_Cubemap", 0);
+    } else if (type == Type::None) {
+        approximate(index, fmt::format("the input '{}' is of the class '{}', which this importer does not know: it "
+                                       "has a constant",
+                                       slot->name, slot->kind));
+        return stand_in(type);
     } else {
         made.type = type;
         if (type == Type::Gradient)
@@ -229,6 +202,7 @@ Term GraphMaker::named(const Term& term) {
     const auto [found, is_new] = named_.try_emplace(whole.base);
     if (is_new) {
         const std::string id = add_node(*term.owner, {.id = {}, .expression = whole.base});
+        types_[id] = term.swizzle.empty() ? term.type : vector_type(std::max<std::size_t>(term.base_width, 1));
         found->second = link(id, whole.type);
         found->second.owner = term.owner;
         written(term, fmt::format("the node '{}'", id));
@@ -276,11 +250,12 @@ void GraphMaker::refuse(std::size_t index, std::string reason) {
     for (const Slot& slot : node(index).slots) {
         if (slot.is_input || !is_used(index, slot.id)) continue;
         const Type type = type_of(index, slot);
-        Term value = magenta(type);
+        Term value = stand_in(type);
         if (is_value(type)) {
             // A node, so that the place is seen in the graph, too.
             const std::string id = add_node(
                 index, {.id = {}, .expression = value.text(), .more = {{"note", text("not imported: " + reason)}}});
+            types_[id] = type;
             value = link(id, type);
         } else if (is_texture(type)) {
             value = texture_constant(index, type, nullptr, "", 0);

@@ -7,6 +7,7 @@
 //   blackboard.cpp       properties, keywords, inputs of sub-graphs
 //   textures.cpp         textures and samplers
 //   surface.cpp          what the target gets, and its settings
+//   refusals.cpp         what the compiler would refuse of the result
 //   layout.cpp           positions, groups, notes; the remarks of nodes
 //   code/                custom functions
 //   values/              types, and values as text
@@ -31,7 +32,8 @@ class GraphMaker {
 public:
     GraphMaker(Project& project, const ShaderGraph& graph, std::string name);
 
-    void make();
+    // Empty, or why there is no graph.
+    std::string make();
     GraphFile& file() { return file_; }
     SubgraphPorts& ports() { return ports_; }
 
@@ -98,10 +100,13 @@ private:
     void read_blackboard();
     void finish_textures();
     void make_surface();
+    Term block_value(const Block& block, Type type);
     void add_pinned(std::string id, const Block& block);
     void make_outputs();
     void drop_unread();
     void make_layout();
+    std::string refuse_invalid();
+    bool has_constant_for(const Diagnostic& wrong);  // in the place of what is wrong; false: there is no such place
     void report_nodes();
     bool is_half(std::size_t node) const;
     std::string part_of(std::size_t node) const;
@@ -125,6 +130,7 @@ private:
     std::map<std::string, Term, std::less<>> named_{};  // by text
     std::vector<Outcome> outcomes_{};
     std::map<std::string, std::size_t> owners_{};         // id -> node, for the layout
+    std::map<std::string, Type> types_{};                 // of expressions: id -> what those who read it expect
     bool has_uv_ = false, has_uv1_ = false;               // something reads these nodes
     std::map<std::string, std::string> properties_{};     // id of the property -> name
     std::map<std::string, TextureUse> textures_{};        // by name of the property

@@ -134,11 +134,11 @@ void GraphMaker::report_nodes() {
     for (const std::size_t each : order_) is_read[each] = true;
     for (const Block& block : graph_.blocks) is_output[block.node] = true;
     for (std::size_t i = 0; i < graph_.nodes.size(); ++i) {
-        if (is_output[i]) continue;  // its inputs have remarks
         const Outcome& outcome = outcomes_[i];
+        if (is_output[i] && outcome.text.empty()) continue;  // its inputs have remarks
         std::string what = !is_read[i] ? "nothing reads it" : outcome.where.empty() ? "its value" : outcome.where;
         if (!outcome.text.empty())
-            what = outcome.kind == Remark::Kind::LeftOut ? outcome.text : what + ": " + outcome.text;
+            what = outcome.kind == Remark::Kind::LeftOut || is_output[i] ? outcome.text : what + ": " + outcome.text;
         remark(outcome.kind, part_of(i), std::move(what), node(i).place);
     }
 }

@@ -49,9 +49,10 @@ SubgraphPorts Project::read_graph(const std::string& path, const std::string& na
         file_names.unique(file_word(name), "graph") + (graph.is_subgraph ? ".subgraph.json" : ".graph.json");
     open_.push_back(path);
     GraphMaker maker(*this, graph, name);
-    maker.make();
+    std::string error = maker.make();
     open_.pop_back();
     std::string json = write_graph(maker.file());
+    if (!error.empty() && !json.empty()) return {.error = std::move(error)};
     if (json.empty()) return {.error = fmt::format("{}: a name in it is not UTF-8", path)};
     SubgraphPorts ports = maker.ports();
     files.push_back({.name = own, .text = std::move(json)});

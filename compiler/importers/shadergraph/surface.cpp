@@ -13,32 +13,34 @@ namespace {
 
 struct BlockRow {
     std::string_view block, input;
+    Type type;
     double otherwise;  // the input's own default, which is not written; below 0: it is always written
 };
 constexpr BlockRow kLit[] = {
-    {"BaseColor", "baseColor", -1},
-    {"SpriteColor", "baseColor", -1},
-    {"NormalTS", "normalTS", -1},
-    {"NormalOS", "normalOS", -1},
-    {"NormalWS", "normalWS", -1},
-    {"Metallic", "metallic", 0},
-    {"Specular", "specular", -1},
-    {"Smoothness", "smoothness", 0.5},
-    {"Occlusion", "occlusion", 1},
-    {"Emission", "emission", 0},
-    {"Alpha", "alpha", 1},
-    {"AlphaClipThreshold", "alphaClip", 0.5},
-    {"AmbientOcclusion", "occlusion", 1},
+    {"BaseColor", "baseColor", Type::Float3, -1},
+    {"SpriteColor", "baseColor", Type::Float4, -1},
+    {"NormalTS", "normalTS", Type::Float3, -1},
+    {"NormalOS", "normalOS", Type::Float3, -1},
+    {"NormalWS", "normalWS", Type::Float3, -1},
+    {"Metallic", "metallic", Type::Float, 0},
+    {"Specular", "specular", Type::Float3, -1},
+    {"Smoothness", "smoothness", Type::Float, 0.5},
+    {"Occlusion", "occlusion", Type::Float, 1},
+    {"Emission", "emission", Type::Float3, 0},
+    {"Alpha", "alpha", Type::Float, 1},
+    {"AlphaClipThreshold", "alphaClip", Type::Float, 0.5},
+    {"AmbientOcclusion", "occlusion", Type::Float, 1},
 };
 constexpr BlockRow kUnlit[] = {
-    {"BaseColor", "color", -1},
-    {"SpriteColor", "color", -1},
-    {"FullscreenColor", "color", -1},
-    {"Alpha", "alpha", 1},
-    {"AlphaClipThreshold", "alphaClip", 0.5},
+    {"BaseColor", "color", Type::Float3, -1},
+    {"SpriteColor", "color", Type::Float4, -1},
+    {"FullscreenColor", "color", Type::Float3, -1},
+    {"Alpha", "alpha", Type::Float, 1},
+    {"AlphaClipThreshold", "alphaClip", Type::Float, 0.5},
 };
-constexpr BlockRow kVertex[] = {
-    {"Position", "positionOS", -1}, {"Normal", "normalOS", -1}, {"Tangent", "tangentOS", -1}};
+constexpr BlockRow kVertex[] = {{"Position", "positionOS", Type::Float3, -1},
+                                {"Normal", "normalOS", Type::Float3, -1},
+                                {"Tangent", "tangentOS", Type::Float3, -1}};
 
 const BlockRow* row_of(std::span<const BlockRow> rows, std::string_view block) {
     const auto found = std::ranges::find(rows, block, &BlockRow::block);
@@ -52,10 +54,18 @@ Value output_value(const Term& term) {
 
 }  // namespace
 
+Term GraphMaker::block_value(const Block& block, Type type) {
+    const Term made = input(block.node, block.slot);
+    if (Term value = converted(made, type); value.type != Type::None) return value;
+    approximate(block.node, fmt::format("it takes {} and has {}: it is a constant", word(type), word(made.type)));
+    return stand_in(type);
+}
+
 void GraphMaker::add_pinned(std::string id, const Block& block) {
     const Term term = input(block.node, block.slot);
     written(term, fmt::format("the node '{}'", id));
     owners_[id] = block.node;
+    types_[id] = term.type;
     file_.nodes.push_back({.id = std::move(id), .expression = term.text(), .more = {{"stage", text("vertex")}}});
 }
 
@@ -87,7 +97,7 @@ void GraphMaker::make_surface() {
             } else if (!row) {
                 remark(Remark::Kind::Changed, part, "the vertex block of a graph has no such value", block.place);
             } else {
-                const Term term = input(block.node, block.slot);
+                const Term term = block_value(block, row->type);
                 written(term, fmt::format("'vertex.{}'", row->input));
                 vertex.push_back({std::string(row->input), term.value()});
                 remark(Remark::Kind::Taken, part, fmt::format("'vertex.{}'", row->input), block.place);
@@ -103,7 +113,7 @@ void GraphMaker::make_surface() {
                    block.place);
             continue;
         }
-        Term term = input(block.node, block.slot);
+        Term term = block_value(block, row->type);
         std::string key(row->input);
         if (settings.is_specular && key == "smoothness") key = "glossiness";
         if (block.name == "SpriteColor") {  // a colour with its alpha

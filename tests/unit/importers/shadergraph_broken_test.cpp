@@ -169,6 +169,105 @@ TEST(BrokenShaderGraph, AnEdgeOfTheWrongTypeGivesAConstant) {
     expect_compiles(made, "a number as a texture");
 }
 
+TEST(BrokenShaderGraph, AnInputOfAnUnknownClassIsAConstant) {
+    ShaderGraphText graph = painted();
+    graph.nodes.back().slots[1].kind = "Future";
+    Imported made = import_graph(graph);
+    EXPECT_NE(remarks(made, Remark::Kind::Changed).find("the input 'S1' is of the class 'Future'"), std::string::npos)
+        << remarks(made, Remark::Kind::Changed);
+    expect_compiles(made, "an unknown slot");
+
+    graph = painted();
+    graph.properties[0].kind = "Future";
+    made = import_graph(graph);
+    EXPECT_NE(remarks(made, Remark::Kind::Changed).find("the graph has no such property"), std::string::npos)
+        << remarks(made, Remark::Kind::Changed);
+    expect_compiles(made, "an unknown property");
+
+    made = import_graph(one_node({.id = "g",
+                                  .kind = "SampleGradient",
+                                  .slots = {{.id = 0, .kind = "Vector1", .value = "0.5"},
+                                            {.id = 1, .kind = "Vector1", .value = "0.5"},
+                                            out(2, "Vector4")}},
+                                 2));
+    EXPECT_NE(remarks(made, Remark::Kind::Changed).find("it has no slot for its gradient"), std::string::npos)
+        << remarks(made, Remark::Kind::Changed);
+    expect_compiles(made, "a number as a gradient");
+}
+
+// The surface has inputs of its own types, whatever the file says of its blocks.
+TEST(BrokenShaderGraph, BlocksHaveTheTypesOfTheSurface) {
+    for (const std::string kind :
+         {"UV", "Position", "ScreenPosition", "Vector1", "Boolean", "SamplerState", "Future"}) {
+        ShaderGraphText graph;
+        graph.blocks = {{"SurfaceDescription.BaseColor", kind}, {"SurfaceDescription.Alpha", kind}};
+        if (kind == "Vector1") graph.blocks[0].value = graph.blocks[1].value = "0.5";
+        graph.target = R"("m_SurfaceType":1)";
+        const Imported made = import_graph(graph);
+        expect_compiles(made, kind);
+        if (kind == "SamplerState") {
+            EXPECT_NE(remarks(made, Remark::Kind::Changed).find("it takes float3 and has SamplerState"),
+                      std::string::npos)
+                << remarks(made, Remark::Kind::Changed);
+        }
+    }
+}
+
+// Slots of other types than the node has: what that gives is no graph, so the node is refused with the reason.
+TEST(BrokenShaderGraph, WhatWouldBeNoGraphIsRefused) {
+    ShaderGraphText graph = doubled();
+    graph.nodes.push_back({.id = "size",
+                           .kind = "Vector2Node",
+                           .slots = {{.id = 1, .kind = "Vector1", .value = "0.5"},
+                                     {.id = 2, .kind = "Vector1", .value = "0.25"},
+                                     out(0, "Vector2")}});
+    graph.nodes.push_back({.id = "uv", .kind = "UVNode", .slots = {out(0, "Vector4")}});
+    graph.nodes.push_back({.id = "sum", .kind = "AddNode", .slots = {{0, "Vector4"}, {1}, out(2)}, .name = "Sum"});
+    graph.edges.push_back({"uv", 0, "sum", 0});
+    graph.edges.push_back({"size", 0, "sum", 1});
+    graph.edges[5] = {"sum", 2, "output", 1};
+    Imported made = import_graph(graph);
+    EXPECT_TRUE(made.has_refused);
+    EXPECT_NE(remarks(made, Remark::Kind::LeftOut)
+                  .find("'outputs.result': the graph would not be valid: '+' cannot be applied to float4 and float2"),
+              std::string::npos)
+        << remarks(made, Remark::Kind::LeftOut) << made.error;
+    EXPECT_NE(text_of(made, "x.subgraph.json").find("{ \"result\": \"= float3(1, 0, 1)\" }"), std::string::npos)
+        << text_of(made, "x.subgraph.json");
+
+    // In the input of a node, and in an expression that two others read.
+    const ShaderGraphText outer{
+        .nodes = {{.id = "noise",
+                   .kind = "NoiseNode",
+                   .slots = {{0, "Vector2"}, {.id = 1, .kind = "Vector1", .value = "5.0"}, out(2, "Vector1")},
+                   .name = "Noise"}}};
+    graph.nodes.push_back(outer.nodes[0]);
+    graph.outputs.clear();
+    graph.dropdowns.clear();
+    graph.edges = {{"uv", 0, "sum", 0}, {"size", 0, "sum", 1}, {"sum", 2, "noise", 0}, {"noise", 2, "BaseColor"}};
+    made = import_graph(graph);
+    EXPECT_NE(remarks(made, Remark::Kind::LeftOut).find("node 'Noise': the graph would not be valid: '+' cannot"),
+              std::string::npos)
+        << remarks(made, Remark::Kind::LeftOut);
+    expect_compiles(made, "a sum of two sizes as an input");
+
+    graph.edges.push_back({"sum", 2, "BaseColor"});
+    graph.edges[3] = {"noise", 2, "Alpha"};
+    graph.blocks.push_back({"SurfaceDescription.Alpha", "Vector1", "1.0"});
+    graph.target = R"("m_SurfaceType":1)";
+    made = import_graph(graph);
+    EXPECT_NE(remarks(made, Remark::Kind::LeftOut).find("node 'Sum': the graph would not be valid: '+' cannot"),
+              std::string::npos)
+        << remarks(made, Remark::Kind::LeftOut);
+    expect_compiles(made, "a sum of two sizes that is read twice");
+
+    graph.edges = {{"uv", 0, "sum", 0}, {"size", 0, "sum", 1}, {"sum", 2, "BaseColor"}};
+    made = import_graph(graph);
+    EXPECT_NE(remarks(made, Remark::Kind::LeftOut).find("cannot be applied to float4 and float2"), std::string::npos)
+        << remarks(made, Remark::Kind::LeftOut);
+    expect_compiles(made, "a sum of two sizes");
+}
+
 TEST(BrokenShaderGraph, HugeNumbersAreNumbers) {
     ShaderGraphText graph = painted();
     graph.properties[2].value = "1e300";
@@ -198,7 +297,12 @@ TEST(BrokenShaderGraph, MutationsDoNotCrash) {
         }
         const Imported made = import_text(text);
         EXPECT_EQ(made.error.empty(), !made.graphs.empty());
-        if (made.error.empty()) ++imported;
+        if (!made.error.empty()) continue;
+        ++imported;
+        // A sub-graph alone is no material.
+        if (made.graphs.back().name.ends_with(".graph.json") && imported % 4 == 0) {
+            EXPECT_TRUE(compiled(made, made.graphs.back().name).ok) << text;
+        }
     }
     EXPECT_GT(imported, 500u);
 }

@@ -129,6 +129,39 @@ Term flag_term(bool value) {
     return {.type = Type::Bool, .numbers = {value ? 1.0 : 0.0}};
 }
 
+Term stand_in(Type type) {
+    switch (type) {
+        case Type::Float2: return constant({1, 0});
+        case Type::Float3: return constant({1, 0, 1});
+        case Type::Float4: return constant({1, 0, 1, 1});
+        case Type::Bool: return flag_term(false);
+        case Type::Matrix2:
+        case Type::Matrix3:
+        case Type::Matrix4: {
+            Term made{.type = type};
+            const std::size_t rows = width(type);
+            for (std::size_t i = 0; i < rows * rows; ++i) made.numbers.push_back(i % (rows + 1) == 0 ? 1 : 0);
+            return made;
+        }
+        case Type::Gradient: {
+            Term made{.type = type};
+            made.gradient = std::make_shared<const Gradient>(
+                Gradient{.colors = {{.time = 0, .value = {1, 0, 1}}}, .alphas = {{.time = 0, .value = {1}}}});
+            return made;
+        }
+        case Type::None:
+        case Type::Float:
+        case Type::Texture2D:
+        case Type::Texture2DArray:
+        case Type::Texture3D:
+        case Type::Cubemap:
+        case Type::Sampler:
+        case Type::Connection:
+        case Type::VirtualTexture: break;
+    }
+    return number_term(1);
+}
+
 Term link(std::string text, Type type) {
     return {.type = type, .base = std::move(text)};
 }
