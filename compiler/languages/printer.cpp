@@ -188,7 +188,10 @@ void print_function(Writer& w, FunctionId id, const EntryPoint* entry) {
         print_comment(w, function.comment, function.origin);
         Body(w, id, entry).print();
     };
-    if (w.options.kept)
+    // Much is pasted into a long entry function, of the material too: its text is seldom asked for again.
+    constexpr std::size_t kLong = 100;  // instructions
+    const bool is_pasted = entry && w.module[id].insts.size() > kLong;
+    if (w.options.kept && !is_pasted)
         print_kept(w, id, entry, print);
     else
         print();
