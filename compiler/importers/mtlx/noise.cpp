@@ -22,49 +22,50 @@ const Code kCode[] = {
     {"noise2d",
      "noise2d",
      {kHash, kFade, kGradient2, kNoise},
-     "/// test: Noise2D(float2(0.3, 0.45)) == 0.162413265756003\n"
-     "/// test: Noise2D(float2(-1.25, 7.75)) == -0.4147391876220703\n"},
+     "/// test: MaterialXNoise2D(float2(0.3, 0.45)) == 0.162413265756003\n"
+     "/// test: MaterialXNoise2D(float2(-1.25, 7.75)) == -0.4147391876220703\n"},
     {"noise2d vector",
      "noise2d-vector",
      {kHash, kFade, kGradient2, kNoise},
-     "/// test: Noise2DVector(float2(-1.25, 7.75)) == float3(-0.4147391876220703, -0.14888044281005858, "
+     "/// test: MaterialXNoise2DVector(float2(-1.25, 7.75)) == float3(-0.4147391876220703, -0.14888044281005858, "
      "-0.5882948593139649)\n"},
     {"noise3d",
      "noise3d",
      {kHash, kFade, kGradient3, kNoise},
-     "/// test: Noise3D(float3(0.3, 0.45, 0.7)) == 0.2226468976867436\n"
-     "/// test: Noise3D(float3(-1.25, 7.75, 2.5)) == -0.03380419921875\n"},
+     "/// test: MaterialXNoise3D(float3(0.3, 0.45, 0.7)) == 0.2226468976867436\n"
+     "/// test: MaterialXNoise3D(float3(-1.25, 7.75, 2.5)) == -0.03380419921875\n"},
     {"noise3d vector",
      "noise3d-vector",
      {kHash, kFade, kGradient3, kNoise},
-     "/// test: Noise3DVector(float3(-1.25, 7.75, 2.5)) == float3(-0.03380419921875, -0.35291280555725096, "
+     "/// test: MaterialXNoise3DVector(float3(-1.25, 7.75, 2.5)) == float3(-0.03380419921875, -0.35291280555725096, "
      "0.31253197765350343)\n"},
     {"fractal2d",
      "fractal2d",
      {kHash, kFade, kGradient2, kFractal},
-     "/// test: Fractal2D(float2(0.3, 0.45), 3, 2, 0.5) == 0.26213917358883493\n"},
+     "/// test: MaterialXFractal2D(float2(0.3, 0.45), 3, 2, 0.5) == 0.26213917358883493\n"},
     {"fractal2d vector",
      "fractal2d-vector",
      {kHash, kFade, kGradient2, kFractal},
-     "/// test: Fractal2DVector(float2(0.3, 0.45), 3, 2, 0.5) == float3(0.26213917358883493, 0.9559134228479428, "
+     "/// test: MaterialXFractal2DVector(float2(0.3, 0.45), 3, 2, 0.5) == float3(0.26213917358883493, "
+     "0.9559134228479428, "
      "-0.41040932322394513)\n"},
     {"fractal3d",
      "fractal3d",
      {kHash, kFade, kGradient3, kFractal},
-     "/// test: Fractal3D(float3(0.3, 0.45, 0.7), 4, 2, 0.5) == 0.29472767090639446\n"},
+     "/// test: MaterialXFractal3D(float3(0.3, 0.45, 0.7), 4, 2, 0.5) == 0.29472767090639446\n"},
     {"fractal3d vector",
      "fractal3d-vector",
      {kHash, kFade, kGradient3, kFractal},
-     "/// test: Fractal3DVector(float3(0.3, 0.45, 0.7), 3, 2, 0.5) == float3(0.2960960272982469, "
+     "/// test: MaterialXFractal3DVector(float3(0.3, 0.45, 0.7), 3, 2, 0.5) == float3(0.2960960272982469, "
      "-0.8020272276767495, -0.05610100081413897)\n"},
     {"cellnoise2d",
      "cellnoise2d",
      {kHash, kFraction, kCell},
-     "/// test: CellNoise2D(float2(-1.25, 7.75)) == 0.06009313721677594\n"},
+     "/// test: MaterialXCellNoise2D(float2(-1.25, 7.75)) == 0.06009313721677594\n"},
     {"cellnoise3d",
      "cellnoise3d",
      {kHash, kFraction, kCell},
-     "/// test: CellNoise3D(float3(-1.25, 7.75, 2.5)) == 0.4837402348601586\n"},
+     "/// test: MaterialXCellNoise3D(float3(-1.25, 7.75, 2.5)) == 0.4837402348601586\n"},
     {"worleynoise2d", "worleynoise2d", {kHash, kFraction, kWorley2}},
     {"worleynoise3d", "worleynoise3d", {kHash, kHash4, kFraction, kWorley3}},
 };

@@ -1,7 +1,8 @@
 // The noise of MaterialX's standard library in the node language: gradient noise by Perlin, "Improving Noise", SIGGRAPH
 // 2002, and random points of cells by Worley, "A Cellular Texture Basis Function", SIGGRAPH 1996, both over the hash
 // "lookup3" of Bob Jenkins, 2006. An import writes the parts that it uses into files beside the graph, so that the
-// pictures are those of other programs: the library's own noise has another hash.
+// pictures are those of other programs: the library's own noise has another hash. An export knows the functions by
+// their names (compiler/exporters/mtlx/noise.cpp).
 #pragma once
 
 #include <string_view>
@@ -127,7 +128,7 @@ inline constexpr std::string_view kNoise = R"(
 /// Gradient noise of MaterialX, between about -1 and 1<each>.
 ///
 <tests>[node("MaterialX/Noise <N>D< V>")]
-<T> Noise<N>D<V>(float<N> position) {
+<T> MaterialXNoise<N>D<V>(float<N> position) {
     return <noise(position)>;
 }
 )";
@@ -135,7 +136,7 @@ inline constexpr std::string_view kFractal = R"(
 /// Layers of MaterialX's gradient noise<each>.
 ///
 <tests>[node("MaterialX/Fractal <N>D< V>")]
-<T> Fractal<N>D<V>(float<N> position, int octaves = 3, float lacunarity = 2, float diminish = 0.5) {
+<T> MaterialXFractal<N>D<V>(float<N> position, int octaves = 3, float lacunarity = 2, float diminish = 0.5) {
     <T> sum = 0;
     float amplitude = 1;
     float<N> at = position;
@@ -151,7 +152,7 @@ inline constexpr std::string_view kCell = R"(
 /// A random number of each cell, from 0 to 1.
 ///
 <tests>[node("MaterialX/Cell Noise <N>D")]
-float CellNoise<N>D(float<N> position) {
+float MaterialXCellNoise<N>D(float<N> position) {
     float<N> cell = floor(position);
     return FractionOf(HashOf<N>(<cell>));
 }
@@ -159,10 +160,10 @@ float CellNoise<N>D(float<N> position) {
 inline constexpr std::string_view kWorley2 = R"(
 /// The distances to the three nearest of random points, one in each cell.
 ///
-/// test: WorleyNoise2D(float2(0.3, 7.75), 1) == float3(0.25901410601997904, 0.43569279520638743, 1.036798050937848)
-/// test: WorleyNoise2D(float2(-1.25, 0.5), 0.5) == float3(0.4675893427607417, 0.9702049701445509, 0.989115425674556)
+/// test: MaterialXWorleyNoise2D(float2(0.3, 7.75), 1) == float3(0.25901410601997904, 0.43569279520638743, 1.036798050937848)
+/// test: MaterialXWorleyNoise2D(float2(-1.25, 0.5), 0.5) == float3(0.4675893427607417, 0.9702049701445509, 0.989115425674556)
 [node("MaterialX/Worley Noise 2D")]
-float3 WorleyNoise2D(float2 position, float jitter = 1) {
+float3 MaterialXWorleyNoise2D(float2 position, float jitter = 1) {
     float2 corner = floor(position);
     float2 d = position - corner;
     float3 nearest = 1e6;
@@ -183,9 +184,9 @@ float3 WorleyNoise2D(float2 position, float jitter = 1) {
 inline constexpr std::string_view kWorley3 = R"(
 /// The distances to the three nearest of random points, one in each cell.
 ///
-/// test: WorleyNoise3D(float3(0.3, 7.75, -2.5), 1) == float3(0.23488026447724053, 0.4027931237885559, 0.818188452501073)
+/// test: MaterialXWorleyNoise3D(float3(0.3, 7.75, -2.5), 1) == float3(0.23488026447724053, 0.4027931237885559, 0.818188452501073)
 [node("MaterialX/Worley Noise 3D")]
-float3 WorleyNoise3D(float3 position, float jitter = 1) {
+float3 MaterialXWorleyNoise3D(float3 position, float jitter = 1) {
     float3 corner = floor(position);
     float3 d = position - corner;
     float3 nearest = 1e6;
