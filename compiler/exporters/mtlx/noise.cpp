@@ -1,5 +1,5 @@
-// Noise of MaterialX, which an import has written as files of nodes (compiler/importers/mtlx/noise_code.h): the functions
-// are known by their names.
+// Noise of MaterialX, which an import has written as files of nodes (compiler/importers/mtlx/noise_code.h): the
+// functions are known by their names.
 #include <algorithm>
 
 #include "compiler/base/text.h"
