@@ -181,7 +181,7 @@ endforeach()
 # knows no other importer. Only the graph writer and the list of importers may include more.
 file(GLOB files ${ROOT}/compiler/importers/*.h ${ROOT}/compiler/importers/*.cpp)
 foreach(file IN LISTS files)
-  check_includes(${file} "^(compiler/(importers|base|format|json)|patina)/|^runtime/picture/image\\.h$")
+  check_includes(${file} "^(compiler/(importers|base|format|json)|patina)/|^runtime/(picture/image|lighting/studio_lights)\\.h$")
 endforeach()
 file(GLOB folders LIST_DIRECTORIES true ${ROOT}/compiler/importers/*)
 foreach(folder IN LISTS folders)

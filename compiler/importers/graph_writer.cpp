@@ -5,6 +5,7 @@
 #include "compiler/base/text.h"
 #include "compiler/format/canonical_form.h"
 #include "compiler/json/json_text.h"
+#include "runtime/lighting/studio_lights.h"
 
 namespace patina::importers {
 namespace {
@@ -150,10 +151,14 @@ Value list(std::span<const float> numbers) {
     return list_of(numbers);
 }
 
-Value list(std::initializer_list<Value> values) {
+Value list(std::span<const Value> values) {
     Text made('[');
     for (const Value& each : values) made.element(each);
     return made.value();
+}
+
+Value list(std::initializer_list<Value> values) {
+    return list(std::span(values.begin(), values.size()));
 }
 
 Value object(std::span<const Member> members) {
@@ -164,6 +169,14 @@ Value object(std::span<const Member> members) {
 
 std::string write_graph(const GraphFile& graph) {
     return in_canonical_form(unformatted(graph));
+}
+
+Value default_lights() {
+    std::vector<Value> lights;
+    for (const runtime::StudioLight& each : runtime::kStudioLights)
+        lights.push_back(object(std::vector<Member>{
+            {"type", text("directional")}, {"direction", list(each.direction)}, {"color", list(each.color)}}));
+    return list(lights);
 }
 
 std::string write_scene(std::string_view comment, std::span<const Member> members) {

@@ -34,6 +34,7 @@ Value flag(bool value);
 Value text(std::string_view value);
 Value list(std::span<const double> numbers);
 Value list(std::span<const float> numbers);
+Value list(std::span<const Value> values);
 Value list(std::initializer_list<Value> values);
 Value object(std::span<const Member> members);
 
@@ -68,6 +69,9 @@ struct GraphFile {
 
 // Empty if the text cannot be JSON: a name or comment is not UTF-8.
 std::string write_graph(const GraphFile& graph);
+
+// Lights of a scene: those of `patina render`, whose studio lights what has none.
+Value default_lights();
 
 // A scene: `members` are all keys but "patina" and "kind".
 std::string write_scene(std::string_view comment, std::span<const Member> members);

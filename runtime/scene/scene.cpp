@@ -5,13 +5,16 @@
 #include <limits>
 #include <numbers>
 
+#include "runtime/lighting/studio_lights.h"
+
 namespace patina::runtime {
+
 std::vector<Light> default_lights() {
-    return {
-        {.direction = {-0.6f, 0.8f, 0.8f}, .color = glm::vec3(0.41f, 0.395f, 0.375f)},
-        {.direction = {0.9f, 0.1f, 0.5f}, .color = glm::vec3(0.042f, 0.053f, 0.07f)},
-        {.direction = {0.5f, 0.5f, -0.8f}, .color = glm::vec3(0.155f)},
-    };
+    std::vector<Light> lights;
+    for (const StudioLight& each : kStudioLights)
+        lights.push_back({.direction = {each.direction[0], each.direction[1], each.direction[2]},
+                          .color = {each.color[0], each.color[1], each.color[2]}});
+    return lights;
 }
 
 Camera default_camera(std::string_view mesh) {

@@ -452,7 +452,8 @@ Ref NodeWriter::made(ir::Value value) {
     } else if (callee(value) == kToWorld) {
         found = world_normal(value);
     } else {
-        found = arithmetic(value);
+        found = noise(value);
+        if (!found) found = arithmetic(value);
         if (!found) found = composed(value);
         if (!found) found = parts(value);
     }

@@ -9,6 +9,7 @@
 //   conditions.cpp    choices: MaterialX compares and chooses in one node
 //   values.cpp        properties, and values of the mesh and of the engine
 //   pictures.cpp      pictures and normal maps
+//   noise.cpp         noise that was imported
 #pragma once
 
 #include <map>
@@ -97,6 +98,7 @@ private:
     Ref coordinates(std::uint32_t index);
     Ref unpacked_normal(ir::Value value);
     Ref world_normal(ir::Value value);
+    std::optional<Ref> noise(ir::Value value);
     Argument picture_input(const graph::MaterialProperty& property);
     void describe(Element& input, const graph::Property& property) const;
 
@@ -112,9 +114,10 @@ private:
     std::map<std::string, Ref> nodes_{};                // by what they are
     std::map<std::string, Ref> turned_{};               // by turned coordinates: what they were
     std::map<std::string, std::vector<Ref>> joined_{};  // by the name of the node: its components
-    std::map<std::string, Ref> inputs_{};               // by the property's name
-    ir::Value current_{};                               // what the next node is called after
-    std::string wanted_{};                              // unless this is its name
+    std::map<std::string, Ref> whole_{};   // by the name of the node that makes a float of it: a whole number
+    std::map<std::string, Ref> inputs_{};  // by the property's name
+    ir::Value current_{};                  // what the next node is called after
+    std::string wanted_{};                 // unless this is its name
     Span reader_{};
     std::string reader_name_{};
     std::set<std::string> reported_{};

@@ -108,7 +108,11 @@ Ref NodeWriter::property_value(const graph::Property& property) {
                                          [](const Element& each) { return each.category != "input"; });
     graph_.children.insert(first_node, std::move(input));
     // Arithmetic takes floats.
-    if (type == "integer" || type == "boolean") known = as(known, "float");
+    if (type == "integer" || type == "boolean") {
+        const Ref whole = known;
+        known = as(whole, "float");
+        whole_[known.name] = whole;
+    }
     return known;
 }
 

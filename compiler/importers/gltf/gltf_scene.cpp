@@ -133,22 +133,6 @@ Value light_value(const ModelLight& light, const Extent& extent) {
     return object(members);
 }
 
-// Those of `patina render`, whose studio lights what the file does not.
-Value default_lights() {
-    const auto light = [](const glm::vec3& direction, const glm::vec3& color) {
-        return object(std::vector<Member>{
-            {"type", text("directional")}, {"direction", vector(direction)}, {"color", vector(color)}});
-    };
-    return list({light({-0.6f, 0.8f, 0.8f}, {0.41f, 0.395f, 0.375f}),
-                 light({0.9f, 0.1f, 0.5f}, {0.042f, 0.053f, 0.07f}), light({0.5f, 0.5f, -0.8f}, glm::vec3(0.155f))});
-}
-
-Value all_of(const std::vector<Value>& values) {
-    std::string json;
-    for (const Value& each : values) json += (json.empty() ? "[" : ", ") + each.json;
-    return {json + "]"};
-}
-
 // A word for an object: "Blue glass" is "Blue_glass".
 std::string identifier(std::string_view name, std::set<std::string>& taken) {
     std::string made;
@@ -186,7 +170,7 @@ std::string scene_text(const Context& context, const GltfModel& model, const Sce
         for (const ModelLight& light : model.lights) {
             if (lights.size() < kMostSceneLights) lights.push_back(light_value(light, extent));
         }
-        members.push_back({"lights", all_of(lights)});
+        members.push_back({"lights", list(lights)});
     }
     std::set<std::size_t> used(wish.materials.begin(), wish.materials.end());
     std::vector<Value> materials, objects;
@@ -207,8 +191,8 @@ std::string scene_text(const Context& context, const GltfModel& model, const Sce
                                                      {"mesh", text(mesh)},
                                                      {"material", text(names[wish.materials[i]])}}));
     }
-    if (!materials.empty()) members.push_back({"materials", all_of(materials)});
-    if (!objects.empty()) members.push_back({"objects", all_of(objects)});
+    if (!materials.empty()) members.push_back({"materials", list(materials)});
+    if (!objects.empty()) members.push_back({"objects", list(objects)});
     return write_scene("", members);
 }
 

@@ -12,24 +12,96 @@
 namespace patina::importers::mtlx {
 namespace {
 
+// `tests`: what a template does not say, for the function's own numbers.
 struct Code {
     std::string_view kind, file;
     std::initializer_list<std::string_view> parts;
+    std::string_view tests{};
 };
 const Code kCode[] = {
-    {"noise2d", "noise2d", {kHash, kFade, kGradient2, kNoise2}},
-    {"noise2d vector", "noise2d-vector", {kHash, kFade, kGradient2, kNoise2Vector}},
-    {"noise3d", "noise3d", {kHash, kFade, kGradient3, kNoise3}},
-    {"noise3d vector", "noise3d-vector", {kHash, kFade, kGradient3, kNoise3Vector}},
-    {"fractal2d", "fractal2d", {kHash, kFade, kGradient2, kFractal2}},
-    {"fractal2d vector", "fractal2d-vector", {kHash, kFade, kGradient2, kFractal2Vector}},
-    {"fractal3d", "fractal3d", {kHash, kFade, kGradient3, kFractal3}},
-    {"fractal3d vector", "fractal3d-vector", {kHash, kFade, kGradient3, kFractal3Vector}},
-    {"cellnoise2d", "cellnoise2d", {kHash, kFraction, kCell2}},
-    {"cellnoise3d", "cellnoise3d", {kHash, kFraction, kCell3}},
+    {"noise2d",
+     "noise2d",
+     {kHash, kFade, kGradient2, kNoise},
+     "/// test: MaterialXNoise2D(float2(0.3, 0.45)) == 0.162413265756003\n"
+     "/// test: MaterialXNoise2D(float2(-1.25, 7.75)) == -0.4147391876220703\n"},
+    {"noise2d vector",
+     "noise2d-vector",
+     {kHash, kFade, kGradient2, kNoise},
+     "/// test: MaterialXNoise2DVector(float2(-1.25, 7.75)) == float3(-0.4147391876220703, -0.14888044281005858, "
+     "-0.5882948593139649)\n"},
+    {"noise3d",
+     "noise3d",
+     {kHash, kFade, kGradient3, kNoise},
+     "/// test: MaterialXNoise3D(float3(0.3, 0.45, 0.7)) == 0.2226468976867436\n"
+     "/// test: MaterialXNoise3D(float3(-1.25, 7.75, 2.5)) == -0.03380419921875\n"},
+    {"noise3d vector",
+     "noise3d-vector",
+     {kHash, kFade, kGradient3, kNoise},
+     "/// test: MaterialXNoise3DVector(float3(-1.25, 7.75, 2.5)) == float3(-0.03380419921875, -0.35291280555725096, "
+     "0.31253197765350343)\n"},
+    {"fractal2d",
+     "fractal2d",
+     {kHash, kFade, kGradient2, kFractal},
+     "/// test: MaterialXFractal2D(float2(0.3, 0.45), 3, 2, 0.5) == 0.26213917358883493\n"},
+    {"fractal2d vector",
+     "fractal2d-vector",
+     {kHash, kFade, kGradient2, kFractal},
+     "/// test: MaterialXFractal2DVector(float2(0.3, 0.45), 3, 2, 0.5) == float3(0.26213917358883493, "
+     "0.9559134228479428, "
+     "-0.41040932322394513)\n"},
+    {"fractal3d",
+     "fractal3d",
+     {kHash, kFade, kGradient3, kFractal},
+     "/// test: MaterialXFractal3D(float3(0.3, 0.45, 0.7), 4, 2, 0.5) == 0.29472767090639446\n"},
+    {"fractal3d vector",
+     "fractal3d-vector",
+     {kHash, kFade, kGradient3, kFractal},
+     "/// test: MaterialXFractal3DVector(float3(0.3, 0.45, 0.7), 3, 2, 0.5) == float3(0.2960960272982469, "
+     "-0.8020272276767495, -0.05610100081413897)\n"},
+    {"cellnoise2d",
+     "cellnoise2d",
+     {kHash, kFraction, kCell},
+     "/// test: MaterialXCellNoise2D(float2(-1.25, 7.75)) == 0.06009313721677594\n"},
+    {"cellnoise3d",
+     "cellnoise3d",
+     {kHash, kFraction, kCell},
+     "/// test: MaterialXCellNoise3D(float3(-1.25, 7.75, 2.5)) == 0.4837402348601586\n"},
     {"worleynoise2d", "worleynoise2d", {kHash, kFraction, kWorley2}},
     {"worleynoise3d", "worleynoise3d", {kHash, kHash4, kFraction, kWorley3}},
 };
+
+void replace_all(std::string& text, std::string_view what, std::string_view by) {
+    for (std::size_t at = 0; (at = text.find(what, at)) != text.npos; at += by.size())
+        text.replace(at, what.size(), by);
+}
+
+// The gradient noise at a place, in each channel of a vector another one.
+std::string noise_at(std::string_view place, std::string_view dimensions, bool is_vector) {
+    std::string made;
+    for (const int shift : {0, 8, 16})
+        if (is_vector || shift == 0)
+            made += fmt::format("{}Gradient{}({}, {}u)", shift > 0 ? ", " : "", dimensions, place, shift);
+    return is_vector ? "float3(" + made + ")" : made;
+}
+
+std::string text_of(const Code& code) {
+    std::string text =
+        "// Noise of MaterialX: Perlin 2002 and Worley 1996 over the hash lookup3 of Bob Jenkins, 2006.\n";
+    for (const std::string_view part : code.parts) text += part;
+    const bool is_vector = code.kind.ends_with(" vector");
+    const std::string_view dimensions = code.kind.find("2d") != code.kind.npos ? "2" : "3";
+    replace_all(text, "<noise(position)>", noise_at("position", dimensions, is_vector));
+    replace_all(text, "<noise(at)>", noise_at("at", dimensions, is_vector));
+    replace_all(text, "<tests>", code.tests);
+    replace_all(text, "<each>", is_vector ? ", another one in each channel" : "");
+    replace_all(text, "<cell>",
+                dimensions == "2" ? "int(cell.x), int(cell.y)" : "int(cell.x), int(cell.y), int(cell.z)");
+    replace_all(text, "<N>", dimensions);
+    replace_all(text, "<T>", is_vector ? "float3" : "float");
+    replace_all(text, "<V>", is_vector ? "Vector" : "");
+    replace_all(text, "< V>", is_vector ? " Vector" : "");
+    return text;
+}
 
 Port position_port(bool is_flat) {
     if (is_flat) return {.name = "texcoord", .type = "vector2", .otherwise = "@UV0"};
@@ -158,10 +230,7 @@ std::string GraphMaker::noise_file(std::string_view kind) {
     if (!file.empty()) return file;
     const auto code = std::ranges::find(kCode, kind, &Code::kind);
     file = import_.file_names.unique(code->file, "noise") + ".node.hlsl";
-    std::string text =
-        "// Noise of MaterialX: Perlin 2002 and Worley 1996 over the hash lookup3 of Bob Jenkins, 2006.\n";
-    for (const std::string_view part : code->parts) text += part;
-    import_.files.push_back({.name = file, .text = std::move(text)});
+    import_.files.push_back({.name = file, .text = text_of(*code)});
     return file;
 }
 

@@ -341,8 +341,8 @@ Term gltf_normalmap(const At& at) {
 
 // Steps that change nothing are left out.
 Term colorcorrect(const At& at) {
-    const Term whole = at.input("in", at.node.type(), "1");
     const bool has_alpha = at.type() == Type::Float4;
+    const Term whole = at.input("in", at.node.type(), has_alpha ? "1,1,1,0" : "1");
     Term made = has_alpha ? terms::swizzled(whole, "rgb") : whole;
     const auto number = [&](std::string_view name, std::string_view otherwise) {
         return at.input(name, "float", otherwise);

@@ -153,13 +153,10 @@ std::string scene_of(const std::string& name, const std::string& graph, const st
     std::vector<Member> material = {{"name", text(name)}, {"graph", text(graph)}};
     if (!values.empty()) material.push_back({"set", object(values)});
     const std::vector<Member> ball = {{"id", text("ball")}, {"mesh", text("sphere")}, {"material", text(name)}};
-    const std::vector<Member> light = {{"type", text("directional")},
-                                       {"direction", list({number(-0.6), number(0.8), number(0.8)})},
-                                       {"color", number(0.6)}};
     const std::vector<Member> camera = {{"position", list({number(0.0), number(0.0), number(5.0)})}};
     return write_scene("", std::vector<Member>{{"name", text(name)},
                                                {"camera", object(camera)},
-                                               {"lights", list({object(light)})},
+                                               {"lights", default_lights()},
                                                {"materials", list({object(material)})},
                                                {"objects", list({object(ball)})}});
 }

@@ -293,6 +293,20 @@ TEST(MtlxImport, EachRowOfTheTableCompilesWithItsDefaults) {
     }
 }
 
+// Equal numbers stand for a vector, but not where components are read.
+TEST(MtlxImport, CoordinatesMayBeNumbers) {
+    for (const auto& [node, type] :
+         {std::pair("checkerboard", "color3"), std::pair("grid", "color3"), std::pair("tiledcircles", "color3"),
+          std::pair("ramp4", "color3"), std::pair("circle", "float"), std::pair("line", "float")}) {
+        const Imported made = import_text(one_node(
+            fmt::format(
+                R"(<{0} name="tested" type="{1}"><input name="texcoord" type="vector2" value="0.5,0.5"/></{0}>)", node,
+                type),
+            type));
+        expect_compiles(made, node, false);
+    }
+}
+
 TEST(MtlxImport, NodesWithFunctionsOfTheirOwnCompile) {
     save("t.png", "no picture");
     const std::string file = R"(<input name="file" type="filename" value="t.png"/>)";

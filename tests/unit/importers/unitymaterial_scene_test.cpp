@@ -43,7 +43,9 @@ constexpr std::string_view kScene = R"({
   "name": "x",
   "camera": { "position": [0, 0, 5] },
   "lights": [
-    { "type": "directional", "direction": [-0.6, 0.8, 0.8], "color": 0.6 }
+    { "type": "directional", "direction": [-0.6, 0.8, 0.8], "color": [0.41, 0.395, 0.375] },
+    { "type": "directional", "direction": [0.9, 0.1, 0.5], "color": [0.042, 0.053, 0.07] },
+    { "type": "directional", "direction": [0.5, 0.5, -0.8], "color": [0.155, 0.155, 0.155] }
   ],
   "materials": [
     {
