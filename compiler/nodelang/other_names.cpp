@@ -101,6 +101,28 @@ constexpr OtherName kOtherNames[] = {
     {"ObjSpaceViewDir", "", "the direction to the camera is '@viewDirWS', in world space"},
     {"WorldSpaceLightDir", "@light.direction", "of unit length"},
     {"UnityWorldSpaceLightDir", "@light.direction", "of unit length"},
+    // Unity's Shader Graph: nodes that are no nodes here
+    {"Boolean", "", "write 'true' or 'false' at the port, or declare a property of the type 'bool'"},
+    {"Property", "", "a graph reads a property by its name: '$_Tint'"},
+    {"Keyword", "", "a keyword is a property with \"as\": \"variant\""},
+    {"Dropdown", "", "a choice is a property of the type 'enum'; of a sub-graph, it is an input of the type 'int'"},
+    {"SubGraph", "", "a sub-graph is a file: \"node\": \"./name.subgraph.json\""},
+    {"Sub-graph", "", "a sub-graph is a file: \"node\": \"./name.subgraph.json\""},
+    {"CustomFunction", "", "a function of your own is a file: \"node\": \"./name.node.hlsl\""},
+    {"CustomInterpolator", "", "a value of each vertex is a node with \"stage\": \"vertex\""},
+    {"SamplerState", "", "a sampler belongs to the property of a texture: \"sampler\": { \"wrap\": \"clamp\" }"},
+    {"Texture2DAsset", "", "a texture is a property of the type 'texture2d', with the file as its default"},
+    {"Texture2DArrayAsset", "", "a texture is a property of the type 'texture2dArray', with the file as its default"},
+    {"Texture3DAsset", "", "a texture is a property of the type 'texture3d', with the file as its default"},
+    {"CubemapAsset", "", "a texture is a property of the type 'textureCube', with the file as its default"},
+    {"MatrixTranspose", "transpose(m)"},
+    {"MatrixDeterminant", "determinant(m)"},
+    {"Preview", "", "'patina render --node NAME' shows the value of a node"},
+    {"BranchOnInputConnection", "",
+     "no input knows whether it is connected: give a sub-graph an input of the type 'bool'"},
+    {"VertexID", "", "the number of a vertex is not known to a graph"},
+    {"InstanceID", "", "the number of an instance is not known to a graph"},
+    {"EyeIndex", "0", "a graph is drawn for one eye"},
     // C and C++
     {"fabs", "abs"},
     {"fmin", "min"},
@@ -157,6 +179,15 @@ const OtherName* find_other(std::string_view word) {
     return found == std::end(kOtherNames) ? nullptr : found;
 }
 
+// The same, or one that differs in capitals, spaces and _ alone: people write the names of nodes in several ways.
+const OtherName* find_alike(std::string_view word) {
+    if (const OtherName* row = find_other(word)) return row;
+    const std::string plain = spelled_alike(word);
+    const auto found = std::find_if(std::begin(kOtherNames), std::end(kOtherNames),
+                                    [&](const OtherName& row) { return spelled_alike(row.other) == plain; });
+    return found == std::end(kOtherNames) ? nullptr : found;
+}
+
 }  // namespace
 
 std::span<const OtherName> other_names() {
@@ -189,7 +220,7 @@ std::string node_advice(std::string_view word, std::span<const std::string_view>
                         const Declarations& declarations) {
     if (const FunctionDecl* node = known_as(declarations, word))
         return fmt::format("'{}' is the node '{}' here", word, node->name);
-    if (const OtherName* row = find_other(word)) {
+    if (const OtherName* row = find_alike(word)) {
         if (row->own.empty()) return std::string(row->remark);
         if (declarations.function(row->own))
             return fmt::format("'{}' is the node '{}' here{}", word, row->own, remark_of(*row));

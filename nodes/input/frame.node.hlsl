@@ -52,7 +52,7 @@ float3 ObjectPosition(
 ///
 /// test: Constant(0.5) == 0.5
 /// test: Constant(float3(1, 2, 3)) == float3(1, 2, 3)
-[node("Input/Constant")] [also("Float", "Value", "Vector1", "Vector2", "Vector3", "Vector4")]
+[node("Input/Constant")] [also("Float", "Integer", "Slider", "Value", "Vector1", "Vector2", "Vector3", "Vector4")]
 floatN Constant(
     floatN value = 0  ///< the value
 ) {

@@ -33,7 +33,9 @@ enum SurfaceSpace {
 /// The sets of texture coordinates.
 enum UvChannel {
     UV0,  ///< the first set
-    UV1   ///< the second set: often used for baked light
+    UV1,  ///< the second set: often used for baked light
+    UV2,  ///< the third set
+    UV3   ///< the fourth set
 };
 
 /// The position of this point of the surface. In tangent space, whose origin it is, the position is zero.
@@ -157,15 +159,22 @@ float3 ViewVector(
 
 /// The mesh's texture coordinates: (0, 0) is a picture's upper left corner.
 ///
-/// test: UV(UV0, float2(1, 2), float2(3, 4)) == float2(1, 2)
-/// test: UV(UV1, float2(1, 2), float2(3, 4)) == float2(3, 4)
+/// test: UV(UV0, float2(1, 2), float2(3, 4), 0, 0) == float2(1, 2)
+/// test: UV(UV1, float2(1, 2), float2(3, 4), 0, 0) == float2(3, 4)
+/// test: UV(UV2, 0, 0, float2(5, 6), float2(7, 8)) == float2(5, 6)
+/// test: UV(UV3, 0, 0, float2(5, 6), float2(7, 8)) == float2(7, 8)
 [node("Input/UV")] [also("TexCoord", "TextureCoordinate")]
 float2 UV(
     const UvChannel channel = UV0,  ///< which set
     [hidden] float2 first = uv0,    ///< the first set
-    [hidden] float2 second = uv1    ///< the second set
+    [hidden] float2 second = uv1,   ///< the second set
+    [hidden] float2 third = uv2,    ///< the third set
+    [hidden] float2 fourth = uv3    ///< the fourth set
 ) {
-    return channel == UV0 ? first : second;
+    if (channel == UV1) { return second; }
+    if (channel == UV2) { return third; }
+    if (channel == UV3) { return fourth; }
+    return first;
 }
 
 /// The vertex colour of the mesh, linear; white if the mesh has none.

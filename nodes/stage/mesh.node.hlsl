@@ -11,6 +11,10 @@
 [attribute] [uv] float2 uv0;
 /// Second texture coordinates.
 [attribute] [uv] float2 uv1;
+/// Third texture coordinates.
+[attribute] [uv] float2 uv2;
+/// Fourth texture coordinates.
+[attribute] [uv] float2 uv3;
 /// Vertex colour, linear.
 [attribute] float4 vertexColor;
 

@@ -10,7 +10,7 @@ enum MatrixAxis {
 /// Makes matrices of four vectors.
 ///
 /// The smaller ones are the upper left parts of the large one.
-[node("Math/Matrix/Matrix Construction")] [also("CreateMatrix", "MakeMatrix")]
+[node("Math/Matrix/Matrix Construction")] [also("CreateMatrix", "MakeMatrix", "Matrix2x2", "Matrix3x3", "Matrix4x4")]
 float4x4 MatrixConstruction(
     float4 m0 = float4(1, 0, 0, 0),      ///< first vector
     float4 m1 = float4(0, 1, 0, 0),      ///< second vector
@@ -52,8 +52,18 @@ enum TransformationKind {
     WorldToObject,  ///< its inverse
     WorldToView,    ///< from the world to the camera (view matrix)
     WorldToClip,    ///< from the world to clip space (view-projection matrix)
-    ClipToWorld     ///< its inverse
+    ClipToWorld,    ///< its inverse
+    ViewToWorld,    ///< from the camera to the world
+    ViewToClip,     ///< from the camera to clip space (projection matrix)
+    ClipToView      ///< its inverse
 };
+
+/// The inverse of a matrix that only turns and moves, as a camera does: it turns back, and moves the origin back.
+float4x4 InverseOfRigid(float4x4 rigid) {
+    float3 back = -mul(float4(mul(rigid, float4(0, 0, 0, 1)).xyz, 0), rigid).xyz;
+    float4x4 turned = transpose(rigid);
+    return float4x4(float4(turned[0].xyz, back.x), float4(turned[1].xyz, back.y), float4(turned[2].xyz, back.z), float4(0, 0, 0, 1));
+}
 
 /// A matrix of the object or of the camera. It transforms columns: mul(M, v).
 [node("Input/Matrix/Transformation Matrix")] [also("TransformMatrix", "ModelMatrix", "ViewMatrix")] [inFloat]
@@ -65,5 +75,8 @@ float4x4 TransformationMatrix(
     if (kind == WorldToView) made = worldToView;
     if (kind == WorldToClip) made = worldToClip;
     if (kind == ClipToWorld) made = clipToWorld;
+    if (kind == ViewToWorld) made = InverseOfRigid(worldToView);
+    if (kind == ViewToClip) made = mul(worldToClip, InverseOfRigid(worldToView));
+    if (kind == ClipToView) made = mul(worldToView, clipToWorld);
     return made;
 }

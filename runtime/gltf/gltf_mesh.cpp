@@ -108,8 +108,10 @@ private:
 
     // A tangent without a normal has no meaning.
     void take_attributes() {
-        take<2>("TEXCOORD_0", [](Vertex& v, const glm::vec2& uv) { v.uv0 = v.uv1 = uv; });
+        take<2>("TEXCOORD_0", [](Vertex& v, const glm::vec2& uv) { v.uv0 = v.uv1 = v.uv2 = v.uv3 = uv; });
         take<2>("TEXCOORD_1", [](Vertex& v, const glm::vec2& uv) { v.uv1 = uv; });
+        take<2>("TEXCOORD_2", [](Vertex& v, const glm::vec2& uv) { v.uv2 = uv; });
+        take<2>("TEXCOORD_3", [](Vertex& v, const glm::vec2& uv) { v.uv3 = uv; });
         take<4>(
             "COLOR_0", [](Vertex& v, const glm::vec4& color) { v.color = color; }, 1);
         take<3>("NORMAL", [](Vertex& v, const glm::vec3& normal) { v.normal = normal; });

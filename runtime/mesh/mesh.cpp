@@ -30,7 +30,8 @@ void add_grid(Mesh& mesh, int columns, int rows, VertexAt vertex) {
     for (int j = 0; j <= rows; j++)
         for (int i = 0; i <= columns; i++) {
             mesh.vertices.push_back(vertex(i, j));
-            mesh.vertices.back().uv1 = mesh.vertices.back().uv0;
+            Vertex& added = mesh.vertices.back();
+            added.uv1 = added.uv2 = added.uv3 = added.uv0;
         }
 
     auto add_triangle = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {

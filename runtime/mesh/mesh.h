@@ -23,7 +23,8 @@ struct Vertex {
     glm::vec4 tangent;  // unit xyz; w is the bitangent's sign, 1 or -1
     glm::vec2 uv0;
     glm::vec4 color = glm::vec4(1);
-    glm::vec2 uv1{0};  // of lightmaps, and what a material reads as uv1; the preview meshes have uv0 here
+    // What a material reads as uv1 to uv3; lightmaps read the first of them. The preview meshes have uv0 here.
+    glm::vec2 uv1{0}, uv2{0}, uv3{0};
 };
 
 struct Mesh {

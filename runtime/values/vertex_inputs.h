@@ -17,7 +17,7 @@ struct VertexSource {
     unsigned components = 0;
 };
 
-// uv2 and uv3 read uv0: meshes have two sets. Null: no mesh has such an input.
+// Null: no mesh has such an input.
 inline const VertexSource* vertex_source(std::string_view name) {
     static constexpr VertexSource kSources[] = {
         {"positionOS", offsetof(Vertex, position), 3},
@@ -26,8 +26,8 @@ inline const VertexSource* vertex_source(std::string_view name) {
         {"vertexColor", offsetof(Vertex, color), 4},
         {"uv0", offsetof(Vertex, uv0), 2},
         {"uv1", offsetof(Vertex, uv1), 2},
-        {"uv2", offsetof(Vertex, uv0), 2},
-        {"uv3", offsetof(Vertex, uv0), 2},
+        {"uv2", offsetof(Vertex, uv2), 2},
+        {"uv3", offsetof(Vertex, uv3), 2},
     };
     for (const VertexSource& source : kSources)
         if (source.name == name) return &source;

@@ -70,7 +70,7 @@ TEST(Engines, MistakesInTheFileAreReportedAtTheirPlaces) {
     };
     EXPECT_EQ(faults_of(text), "");
     std::string faults = with("\"matrices\"", "\"matrixes\"");
-    EXPECT_TRUE(has(faults, "nodes/engines/broken/engine.json:31:4: error:")) << faults;
+    EXPECT_TRUE(has(faults, "nodes/engines/broken/engine.json:33:4: error:")) << faults;
     EXPECT_TRUE(has(faults, "'matrixes'")) << faults;
     EXPECT_TRUE(has(faults, "did you mean 'matrices'?")) << faults;
     faults = with("\"rows\"", "\"row\"");

@@ -131,6 +131,27 @@ TEST_F(ValuesTest, TheObjectsMatrixIsTheOneThatPlacesIt) {
                  "float4(mul(m, float4(@positionOS, 1)).xyz - @positionWS, 1)", {0, 0, 0, 1});
 }
 
+TEST_F(ValuesTest, TheCamerasMatricesAreInversesOfEachOther) {
+    const auto matrix = [](const std::string& id, const std::string& kind) {
+        return R"({ "id": ")" + id + R"(", "node": "TransformationMatrix", "in": { "kind": ")" + kind + "\" } },\n";
+    };
+    expect_value("", matrix("m", "ViewToWorld"), "float4(mul(m, float4(@positionVS, 1)).xyz - @positionWS, 1)",
+                 {0, 0, 0, 1});
+    expect_value("", matrix("p", "ViewToClip") + matrix("c", "WorldToClip"),
+                 "float4((mul(p, float4(@positionVS, 1)) - mul(c, float4(@positionWS, 1))).xyw, 1)", {0, 0, 0, 1});
+    expect_value("", matrix("p", "ViewToClip") + matrix("v", "ClipToView"), "mul(v, mul(p, float4(1, 2, -3, 1)))",
+                 {1, 2, -3, 1});
+}
+
+TEST_F(ValuesTest, APointIsSeenAtItsPixel) {
+    const std::string seen = R"({ "id": "s", "node": "Transform", "in": { "vector": "@positionOS", "to": "Screen" } },
+)";
+    expect_value("", seen, "float4(s.xy - @screenUV, 0, 1)", {0, 0, 0, 1});
+    expect_value("", seen + R"({ "id": "w", "node": "Transform", "in": { "vector": "s", "from": "Screen" } },
+)",
+                 "float4(w - @positionWS, 1)", {0, 0, 0, 1});
+}
+
 // As vectors are: where a node computes in halves, and reads or makes a matrix of floats.
 TEST_F(ValuesTest, AMatrixOfFloatsIsConvertedToHalves) {
     const std::string half = R"(, "precision": "half" },

@@ -15,7 +15,7 @@ namespace patina::importers::gltf {
 struct MaterialUse {
     std::string name{};                       // of its files
     bool has_colors = false;                  // a mesh has vertex colours
-    std::array<bool, 2> lacks_coordinates{};  // by set: a mesh has no such texture coordinates
+    std::array<bool, 4> lacks_coordinates{};  // by set: a mesh has no such texture coordinates
     bool is_scaled = false;                   // a node has a scale other than 1
     bool is_stretched = false;                // with different factors along its axes
 };

@@ -36,8 +36,9 @@ void report_meshes(const Context& context) {
             Object primitive(context.report, &primitives->elements[k],
                              fmt::format("{}.primitives[{}]", mesh.path(), k));
             Object attributes = primitive.child("attributes");
-            for (const std::string_view name : {"POSITION", "NORMAL", "TANGENT", "TEXCOORD_0", "TEXCOORD_1", "COLOR_0",
-                                                "JOINTS_0", "WEIGHTS_0", "JOINTS_1", "WEIGHTS_1"})
+            for (const std::string_view name :
+                 {"POSITION", "NORMAL", "TANGENT", "TEXCOORD_0", "TEXCOORD_1", "TEXCOORD_2", "TEXCOORD_3", "COLOR_0",
+                  "JOINTS_0", "WEIGHTS_0", "JOINTS_1", "WEIGHTS_1"})
                 attributes.taken(name, "read from the file");
             attributes.rest();
             for (const std::string_view key : {"indices", "mode", "targets"})

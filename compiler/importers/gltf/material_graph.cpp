@@ -140,17 +140,18 @@ std::string MaterialGraph::coordinates(Object& info) {
         set = *other;
         transform.taken("texCoord", fmt::format("@uv{}", set));
     }
-    if (set > 1) {
-        const std::string why = "@uv1: there are two sets of texture coordinates";
+    if (set > 3) {
+        const std::string why = "@uv3: there are four sets of texture coordinates";
         info.changed("texCoord", why);
         transform.changed("texCoord", why);
     }
-    if (lacks_coordinates[set == 0 ? 0 : 1])
-        context().report.add(Remark::Kind::Changed, info.path(),
-                             fmt::format("a mesh that shows it has no TEXCOORD_{}: there the texture is read at (0, 0)",
-                                         set == 0 ? 0 : 1),
-                             info.json());
-    const std::string uv = set == 0 ? "@uv0" : "@uv1";
+    const std::size_t read = std::min<std::size_t>(static_cast<std::size_t>(set), 3);
+    if (lacks_coordinates[read])
+        context().report.add(
+            Remark::Kind::Changed, info.path(),
+            fmt::format("a mesh that shows it has no TEXCOORD_{}: there the texture is read at (0, 0)", read),
+            info.json());
+    const std::string uv = fmt::format("@uv{}", read);
     constexpr double kFar = 1e6;
     const auto scale = transform.numbers("scale", 2, -kFar, kFar);
     const auto offset = transform.numbers("offset", 2, -kFar, kFar);

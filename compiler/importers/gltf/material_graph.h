@@ -65,7 +65,7 @@ public:
     const Context& context() const { return *context_; }
     GraphFile graph{};
     std::map<std::size_t, std::vector<std::string>> packed{};  // texture -> the numbers that the material reads of it
-    std::array<bool, 2> lacks_coordinates{};  // by set: a mesh that shows the material has no such coordinates
+    std::array<bool, 4> lacks_coordinates{};  // by set: a mesh that shows the material has no such coordinates
 
 private:
     bool is_zero(Object& from, const Slot& slot, double factor);

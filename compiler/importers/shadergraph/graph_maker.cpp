@@ -24,8 +24,7 @@ GraphMaker::GraphMaker(Project& project, const ShaderGraph& graph, std::string n
       dynamic_types_(graph.nodes.size()),
       outcomes_(graph.nodes.size()) {
     // Names that nodes get which do not come from one node.
-    ids_.take("uv");
-    ids_.take("uv1");
+    for (const char* each : {"uv", "uv1", "uv2", "uv3"}) ids_.take(each);
     for (const Block& block : graph.blocks)
         if (const std::size_t hash = block.name.find('#'); block.is_vertex && hash != block.name.npos)
             ids_.take(camel_case(std::string_view(block.name).substr(0, hash)));

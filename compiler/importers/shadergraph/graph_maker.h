@@ -14,6 +14,7 @@
 //   read/                the file, and files that it names
 #pragma once
 
+#include <array>
 #include <map>
 #include <set>
 #include <span>
@@ -131,7 +132,7 @@ private:
     std::vector<Outcome> outcomes_{};
     std::map<std::string, std::size_t> owners_{};         // id -> node, for the layout
     std::map<std::string, Type> types_{};                 // of expressions: id -> what those who read it expect
-    bool has_uv_ = false, has_uv1_ = false;               // something reads these nodes
+    std::array<bool, 4> reads_uv_{};                      // by set: something reads the node of its coordinates
     std::map<std::string, std::string> properties_{};     // id of the property -> name
     std::map<std::string, TextureUse> textures_{};        // by name of the property
     std::map<std::string, std::string> texture_names_{};  // GUID -> property

@@ -29,6 +29,11 @@ std::set<std::string_view> words_of(std::string_view text) {
     return made;
 }
 
+// The id of the node with texture coordinates of a set.
+std::string uv_node(std::size_t set) {
+    return set == 0 ? "uv" : fmt::format("uv{}", set);
+}
+
 Value place(double x, double y) {
     return list({number(std::round(x)), number(std::round(y))});
 }
@@ -52,8 +57,7 @@ void GraphMaker::drop_unread() {
         const std::set<std::string_view> words = words_of(texts.back());
         texts.pop_back();
         for (const std::string_view word : words) {
-            has_uv_ |= word == "uv";
-            has_uv1_ |= word == "uv1";
+            for (std::size_t set = 0; set < reads_uv_.size(); ++set) reads_uv_[set] |= word == uv_node(set);
             const auto found = unread.find(word);
             if (found == unread.end()) continue;
             texts.push_back(found->second->expression);
@@ -69,11 +73,11 @@ void GraphMaker::drop_unread() {
 }
 
 void GraphMaker::make_layout() {
-    for (const bool is_second : {true, false})
-        if (is_second ? has_uv1_ : has_uv_)
+    for (std::size_t set = reads_uv_.size(); set-- > 0;)
+        if (reads_uv_[set])
             file_.nodes.insert(file_.nodes.begin(),
-                               {.id = is_second ? "uv1" : "uv",
-                                .expression = fmt::format("float2(@{0}.x, 1 - @{0}.y)", is_second ? "uv1" : "uv0"),
+                               {.id = uv_node(set),
+                                .expression = fmt::format("float2(@uv{0}.x, 1 - @uv{0}.y)", set),
                                 .more = {{"note", text("v counts from the bottom, as in the shader graph")}}});
     // Nodes of a group stay together, in the order in which the groups begin.
     std::vector<std::string> order;

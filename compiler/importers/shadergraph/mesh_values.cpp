@@ -23,9 +23,10 @@ constexpr Bound kBound[] = {
 }  // namespace
 
 Term GraphMaker::coordinates(std::size_t index, int channel) {
-    const std::string_view set = channel == 0 ? "0" : "1";
-    if (channel > 1) approximate(index, "there are two sets of texture coordinates: it reads the second");
-    const std::string name = channel == 0 ? "uv" : "uv1";
+    if (channel < 0 || channel > 3)
+        approximate(index, "there are four sets of texture coordinates: it reads the first or the last one");
+    const int set = std::clamp(channel, 0, 3);
+    const std::string name = set == 0 ? "uv" : fmt::format("uv{}", set);
     Term made = expression(fmt::format("float4({}, 0, 1)", name), Type::Float4);
     made.parts = {{name, 2}, {"0", 1}, {"1", 1}};
     made.from_top = fmt::format("@uv{}", set);

@@ -48,7 +48,19 @@ void matrix4(GraphMaker& maker, std::size_t node) {
 }
 
 void engine_matrix(GraphMaker& maker, std::size_t node) {
-    maker.refuse(node, "the matrices of the engine are not values of a graph: transform the vector instead");
+    static constexpr std::string_view kKinds[] = {"ObjectToWorld", "WorldToObject", "WorldToView", "ViewToWorld",
+                                                  "ViewToClip",    "ClipToView",    "WorldToClip", "ClipToWorld"};
+    const Json* json = maker.node(node).json;
+    const int kind = member(json, "m_MatrixType") ? whole_of(json, "m_MatrixType") : whole_of(json, "m_matrix");
+    if (kind < 0 || kind >= static_cast<int>(std::size(kKinds))) {
+        maker.refuse(node, fmt::format("its matrix is {}, which this importer does not know", kind));
+        return;
+    }
+    GraphNode made{.id = {}, .node = "TransformationMatrix"};
+    if (kind > 0) made.inputs.push_back({"kind", text(kKinds[kind])});
+    // The engine's depth in clip space depends on the device.
+    if (kind > 3) maker.approximate(node, "in clip space, the depth is 0 at the near plane and 1 at the far one");
+    maker.set(node, 0, link(maker.add_node(node, std::move(made)), Type::Matrix4));
 }
 
 void sampler_state(GraphMaker& maker, std::size_t node) {

@@ -10,6 +10,8 @@
 [foreign("v.tangent")] [gives("tangentOS")] float4 meshTangent;
 [foreign("v.texcoord.xy")] [gives("uv0")] float2 meshUv0;
 [foreign("v.texcoord1.xy")] [gives("uv1")] float2 meshUv1;
+[foreign("v.texcoord2.xy")] [gives("uv2")] float2 meshUv2;
+[foreign("v.texcoord3.xy")] [gives("uv3")] float2 meshUv3;
 [foreign("v.color")] [gives("vertexColor")] float4 meshColor;
 
 [foreign] [gives("objectToWorld")] float4x4 unity_ObjectToWorld;

@@ -148,5 +148,26 @@ TEST(OtherNames, LeadToWhatTheyMean) {
         EXPECT_NE(advice_for(word).find(meant), std::string::npos) << word << ": " << advice_for(word);
 }
 
+// Nodes of other programs that are no nodes here, however their names are written.
+TEST(OtherNames, OfNodesLeadToWhatStandsForThem) {
+    const std::pair<std::string_view, std::string_view> kMeant[] = {{"Matrix Transpose", "transpose(m)"},
+                                                                    {"matrix_determinant", "determinant(m)"},
+                                                                    {"Boolean", "'true' or 'false'"},
+                                                                    {"Sub-graph", "./name.subgraph.json"},
+                                                                    {"Sub Graph", "./name.subgraph.json"},
+                                                                    {"Custom Function", "./name.node.hlsl"},
+                                                                    {"Texture 2D Asset", "'texture2d'"},
+                                                                    {"Keyword", "\"as\": \"variant\""},
+                                                                    {"Sampler State", "\"sampler\""},
+                                                                    {"Sample Virtual Texture", "virtual texture"},
+                                                                    {"Integer", "'Constant'"},
+                                                                    {"Matrix 4x4", "'MatrixConstruction'"}};
+    const std::vector<std::string_view> known = library().declarations.function_names();
+    for (const auto& [word, meant] : kMeant) {
+        const std::string said = node_advice(word, known, library().declarations);
+        EXPECT_NE(said.find(meant), std::string::npos) << word << ": " << said;
+    }
+}
+
 }  // namespace
 }  // namespace patina::nodelang

@@ -360,6 +360,16 @@ TEST(GltfMaterial, ATextureIsTransformedAsTheSpecificationSays) {
     EXPECT_NE(plain.find(R"("node": "TilingOffset", "in": { "uv": "@uv1", "tiling": [2, 3] })"), plain.npos) << plain;
 }
 
+TEST(GltfMaterial, FourSetsOfCoordinatesAreRead) {
+    const std::pair<std::string, std::string> sets[] = {{"2", "@uv2"}, {"3", "@uv3"}, {"4", "@uv3"}, {"900", "@uv3"}};
+    for (const auto& [set, read] : sets) {
+        const std::string text = graph_of(
+            {.materials = R"([{"pbrMetallicRoughness":{"baseColorTexture":{"index":0,"texCoord":)" + set + "}}}]",
+             .textures = kTexture});
+        EXPECT_NE(text.find(R"("uv": ")" + read + "\""), text.npos) << text;
+    }
+}
+
 TEST(GltfMaterial, SamplersAreThePropertys) {
     const auto sampler = [](const std::string& members) {
         return graph_of({.materials = R"([{"pbrMetallicRoughness":{"baseColorTexture":{"index":0}}}])",

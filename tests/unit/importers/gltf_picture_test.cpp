@@ -104,11 +104,16 @@ TEST(GltfPicture, TexturesStandUpright) {
     expect_pixel(image, 12, 12, {1, 1, 1});
 }
 
-TEST(GltfPicture, TheSecondCoordinatesAreTurnedByHalf) {
-    const Image image =
-        picture_of_model({.materials = unlit(R"("baseColorTexture":{"index":0,"texCoord":1})"), .textures = kQuarters});
-    expect_pixel(image, 3, 3, {1, 1, 1});
-    expect_pixel(image, 12, 12, {1, 0, 0});
+TEST(GltfPicture, FurtherCoordinatesAreTurnedByHalf) {
+    for (const std::string set : {"1", "2", "3"}) {
+        const Image image = picture_of_model(
+            {.materials = unlit(R"("baseColorTexture":{"index":0,"texCoord":)" + set + "}"),
+             .meshes = R"([{"primitives":[{"attributes":{"POSITION":0,"NORMAL":1,"TEXCOORD_0":2,"TEXCOORD_)" + set +
+                       R"(":3},"indices":5,"material":0}]}])",
+             .textures = kQuarters});
+        expect_pixel(image, 3, 3, {1, 1, 1});
+        expect_pixel(image, 12, 12, {1, 0, 0});
+    }
 }
 
 // "utilizes only the lower left quadrant of the source image, rotated clockwise": the blue texel alone.

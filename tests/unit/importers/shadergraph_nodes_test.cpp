@@ -195,9 +195,8 @@ ShaderGraphText graph_of(const Slots& slots, const std::string& settings, std::s
 
 // One of its outputs is a value that only the engine has.
 bool has_refused_row(const std::string& kind) {
-    return kind == "TransformationMatrixNode" || std::any_of(rows().begin(), rows().end(), [&](const Row& row) {
-               return row.kind == kind && row.remark.starts_with("!");
-           });
+    return std::any_of(rows().begin(), rows().end(),
+                       [&](const Row& row) { return row.kind == kind && row.remark.starts_with("!"); });
 }
 
 // About the numbers of this test, and not about what the importer makes of a node.
@@ -286,6 +285,45 @@ TEST(ShaderGraphTable, AValueOfTheFutureIsRefusedByName) {
             ++count;
         }
     EXPECT_GT(count, 30u);
+}
+
+// What a node is after its import, with no input connected.
+std::string imported_node(const std::string& kind, const std::string& settings) {
+    const auto slots =
+        std::find_if(std::begin(kSlots), std::end(kSlots), [&](const Slots& each) { return each.kind == kind; });
+    return text_of(import_graph(graph_of(*slots, settings, 0, 1)));
+}
+
+TEST(ShaderGraphTable, EachMatrixOfTheEngineIsANode) {
+    const char* kinds[] = {"",           "WorldToObject", "WorldToView", "ViewToWorld",
+                           "ViewToClip", "ClipToView",    "WorldToClip", "ClipToWorld"};
+    for (std::size_t i = 0; i < std::size(kinds); ++i)
+        for (const char* setting : {"m_MatrixType", "m_matrix"}) {
+            const std::string text = imported_node("TransformationMatrixNode", fmt::format("\"{}\":{}", setting, i));
+            const std::string input = i == 0 ? "" : fmt::format(R"(, "in": {{ "kind": "{}" }})", kinds[i]);
+            EXPECT_NE(text.find(R"("node": "TransformationMatrix")" + input + " }"), std::string::npos) << text;
+        }
+}
+
+// v counts from the bottom in the engine, and on the screen, too.
+TEST(ShaderGraphTable, PointsGoToTheScreenAndBack) {
+    const std::string to = imported_node("TransformNode", R"("m_Conversion":{"from":0,"to":5})");
+    EXPECT_NE(to.find(R"("node": "Transform", "in": { "vector": [0.5, 0.25, 0.75], "to": "Screen" })"),
+              std::string::npos)
+        << to;
+    EXPECT_NE(to.find("float3(it.x, 1 - it.y, it.z)"), std::string::npos) << to;
+    const std::string from = imported_node("TransformNode", R"("m_Conversion":{"from":5,"to":1})");
+    EXPECT_NE(from.find(R"("from": "Screen", "to": "View" })"), std::string::npos) << from;
+}
+
+TEST(ShaderGraphTable, EachSetOfTextureCoordinatesIsRead) {
+    for (int set = 0; set < 4; ++set) {
+        const std::string text = imported_node("UVNode", fmt::format("\"m_OutputChannel\":{}", set));
+        const std::string name = set == 0 ? "uv" : fmt::format("uv{}", set);
+        EXPECT_NE(text.find(fmt::format("\"id\": \"{}\"", name)), std::string::npos) << text;
+        EXPECT_NE(text.find(fmt::format("\"expr\": \"float2(@uv{0}.x, 1 - @uv{0}.y)\"", set)), std::string::npos)
+            << text;
+    }
 }
 
 // If a file lacks a setting, the setting has Unity's default.
