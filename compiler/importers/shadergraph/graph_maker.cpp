@@ -15,6 +15,9 @@ bool is_short(const Term& term) {
            std::ranges::all_of(term.parts, [](const Term::Part& part) { return precedence_of(part.text) == kPrimary; });
 }
 
+// What a slot for a sampler has if nothing is connected.
+constexpr std::string_view kNoSampler = "trilinearRepeat";
+
 // What stands for a value that cannot be imported, so that it is seen.
 Term magenta(Type type) {
     switch (type) {
@@ -36,13 +39,13 @@ Term magenta(Type type) {
                 Gradient{.colors = {{.time = 0, .value = {1, 0, 1}}}, .alphas = {{.time = 0, .value = {1}}}});
             return made;
         }
+        case Type::Sampler: return link(std::string(kNoSampler), type);
         case Type::None:
         case Type::Float:
         case Type::Texture2D:
         case Type::Texture2DArray:
         case Type::Texture3D:
         case Type::Cubemap:
-        case Type::Sampler:
         case Type::Connection:
         case Type::VirtualTexture: break;
     }
@@ -60,6 +63,8 @@ GraphMaker::GraphMaker(Project& project, const ShaderGraph& graph, std::string n
     // Names that nodes get which do not come from one node.
     ids_.take("uv");
     ids_.take("uv1");
+    // A node of such a name would hide the sampler.
+    for (const NamedSampler& each : kNamedSamplers) ids_.take(std::string(each.name));
     for (const Block& block : graph.blocks)
         if (const std::size_t hash = block.name.find('#'); block.is_vertex && hash != block.name.npos)
             ids_.take(camel_case(std::string_view(block.name).substr(0, hash)));
@@ -203,6 +208,8 @@ Term GraphMaker::input(std::size_t index, int slot_id, bool may_stay_number) {
         made = texture_constant(index, type, json, "m_Texture", 0);
     } else if (type == Type::Cubemap) {
         made = texture_constant(index, type, json, "m_Cubemap", 0);
+    } else if (type == Type::Sampler) {
+        made = link(std::string(kNoSampler), type);
     } else {
         made.type = type;
         if (type == Type::Gradient)
