@@ -4,6 +4,8 @@
 
 #include "compiler/base/text.h"
 #include "compiler/emit/constant_value.h"
+#include "compiler/emit/operations/operations.h"
+#include "compiler/emit/operations/textures.h"
 
 namespace patina::emit {
 
@@ -102,6 +104,21 @@ Typed default_value(Emitter& emitter, const Expr& expr, const Declarations& home
                    expr.span, "the default");
 }
 
+namespace {
+
+// "SamplerState sampler = texture.sampler": the index of the parameter before it that is the texture.
+std::optional<std::size_t> texture_of_default(const FunctionDecl& function, std::size_t param) {
+    const Expr* const initial = function.params[param].initial;
+    const bool is_sampler = initial && initial->kind == Expr::Kind::Member && initial->text == "sampler" &&
+                            initial->args[0]->kind == Expr::Kind::Name;
+    for (std::size_t i = 0; is_sampler && i < param; ++i) {
+        if (function.params[i].name == initial->args[0]->text) return i;
+    }
+    return {};
+}
+
+}  // namespace
+
 bool gather_arguments(Emitter& emitter, const FunctionDecl& function, const Declarations& home,
                       std::span<const Expr* const> arguments, Scope& scope, Span span,
                       std::vector<Argument>& gathered) {
@@ -120,8 +137,16 @@ bool gather_arguments(Emitter& emitter, const FunctionDecl& function, const Decl
         if (param.is_const) {
             argument = const_argument(emitter, param, home, given ? *given : *param.initial, given ? scope : outside);
             good = good && argument.constant.has_value();
+        } else if (const std::optional<std::size_t> texture = given ? std::nullopt : texture_of_default(function, i)) {
+            // An argument that is no texture is reported when it is converted.
+            const Typed& read = gathered[*texture].value;
+            if (is_texture(emitter, read.type))
+                argument.value = member(emitter, read, "sampler", param.initial->span, scope);
+            continue;
         } else if (given) {
-            argument.value = primary(emitter, expression(emitter, *given, scope), scope, given->span);
+            argument.value = param.type.name == "SamplerState"
+                                 ? sampler_value(emitter, *given, scope)
+                                 : primary(emitter, expression(emitter, *given, scope), scope, given->span);
         } else {
             const bool generic = param.type.name == "floatN";
             const OpenPort port{.call = span, .function = function.name, .port = param.name};

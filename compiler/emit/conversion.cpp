@@ -92,7 +92,10 @@ bool unify(Emitter& emitter, std::span<Typed> operands, Scope& scope, Span span,
     for (const Typed& operand : operands) {
         if (!operand.ok()) return false;
         if (!operand.type.is_numeric()) {
-            emitter.diagnostics.report(Code::BadOperand, span, op, emitter.module.type_name(operand.type));
+            DiagnosticRecord& record =
+                emitter.diagnostics.report(Code::BadOperand, span, op, emitter.module.type_name(operand.type));
+            if (operand.type.kind == ir::Kind::Sampler && op == "?:")
+                record.note("read the texture with each of the samplers, and choose between the two texels");
             return false;
         }
     }

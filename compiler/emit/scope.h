@@ -56,6 +56,8 @@ public:
     virtual ~Environment() = default;
     // If there is no such thing, each of these reports it and returns a Typed that is not ok().
     virtual Typed name(const Expr& expr, Scope& scope) = 0;
+    // As name(), where a sampler is wanted.
+    virtual Typed sampler(const Expr& expr, Scope& scope) { return name(expr, scope); }
     virtual Typed property(const Expr& expr, Scope& scope) = 0;
     virtual Typed semantic(std::string_view name, Span span, Scope& scope) = 0;
     virtual Typed file(const Expr& expr, Scope& scope) = 0;

@@ -78,8 +78,8 @@ struct Property {
     std::string swizzle;                         // "bgra": four of r, g, b, a, 0 and 1; empty: as the file has them
     Span handedness_span, swizzle_span;
     std::array<int, 2> grid{1, 1};  // of a texture2dArray and a texture3d: columns and rows of layers in the picture
-    Sampler sampler;
-    std::string shared_sampler;  // the name of the sampler that it shares with others; empty: it has its own
+    Sampler sampler;                // of a texture; or the default of a sampler
+    std::string shared_sampler;     // the name of that; empty: a texture has its own
     Span sampler_span;
     Binding binding = Binding::Uniform;  // Specialization and Variant: bool and enum
     Span binding_span;

@@ -85,7 +85,7 @@ constexpr std::array kProperty = {
     KeyInfo{"name", "the name in the shader; a graph reads it as $name", ObjectKind::Free, true},
     KeyInfo{"type",
             "float, float2, float3, float4, color, int, bool, enum, float2x2, float3x3, float4x4, gradient, curve, "
-            "texture2d, textureCube, texture2dArray or texture3d",
+            "texture2d, textureCube, texture2dArray, texture3d or sampler",
             ObjectKind::Free, true},
     KeyInfo{"usage", "of a texture: color (sRGB), data (linear) or normal (a tangent-space normal map)"},
     KeyInfo{"handedness", "of a normal map: opengl (green is up, +y) or directx (green is down)"},
@@ -118,7 +118,7 @@ constexpr std::array kInput = {
     KeyInfo{"name", "an identifier", ObjectKind::Free, true},
     KeyInfo{"type",
             "float, float2, float3, float4, color, color3, int, bool, float2x2, float3x3, float4x4, gradient, curve, "
-            "texture2d, textureCube, texture2dArray or texture3d",
+            "texture2d, textureCube, texture2dArray, texture3d or sampler",
             ObjectKind::Free, true},
     KeyInfo{"default", "the value if the input is not connected; without a default the input is required"},
     KeyInfo{"range", "[low, high]: a value outside is a warning"},

@@ -81,6 +81,8 @@ void check_range(Reading& reading, Span span, double value, const std::array<dou
 
 // The keys of a property that is a texture: "usage", "sampler" and so on (read_texture_keys.cpp).
 void read_texture_keys(Reading& reading, const Json& json, Property& property);
+// The name of a sampler: of a property that is one, or of one that textures share.
+void read_named_sampler(Reading& reading, const Json& json, Property& property);
 
 // The numbers of a value that is more than a vector (read_keys.cpp). Those of a gradient or a curve are what the array
 // in the struct of the node library holds, and those of a matrix go row by row. Nothing after an error.

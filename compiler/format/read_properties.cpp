@@ -28,7 +28,8 @@ std::size_t ranged_count(PropertyType type) {
         case PropertyType::Texture2D:
         case PropertyType::TextureCube:
         case PropertyType::Texture2DArray:
-        case PropertyType::Texture3D: return 0;
+        case PropertyType::Texture3D:
+        case PropertyType::Sampler: return 0;
     }
     return 0;
 }
@@ -146,6 +147,7 @@ void read_default(Reading& reading, const Json& json, Property& property) {
         case PropertyType::TextureCube:
         case PropertyType::Texture2DArray:
         case PropertyType::Texture3D: return read_texture_default(reading, json, property);
+        case PropertyType::Sampler: return read_named_sampler(reading, json, property);
     }
 }
 
@@ -153,6 +155,7 @@ void read_default(Reading& reading, const Json& json, Property& property) {
 // nearest to them in the range), a texture that changes nothing.
 void set_implied_default(Property& property) {
     if (property.type == PropertyType::Color) property.value = {1, 1, 1, 1};
+    if (property.type == PropertyType::Sampler) property.shared_sampler = name_of(property.sampler);
     if (is_array(property.type)) property.numbers = implied_array_value(property.type);
     if (is_texture(property.type)) {
         property.texture = property.usage == TextureUsage::Normal ? "bump" : "white";
@@ -216,7 +219,9 @@ Property read_property(Reading& reading, const Json& json, UniqueNames& names) {
         reading.diagnostics.report(Code::TypeMismatch, property.binding_span, fmt::format("'{}'", shown(property.name)),
                                    to_string(property.type), "a bool or an enum");
     }
-    if (property.binding == Binding::Instance && (is_texture(property.type) || is_array(property.type))) {
+    const bool is_number =
+        !is_texture(property.type) && !is_array(property.type) && property.type != PropertyType::Sampler;
+    if (property.binding == Binding::Instance && !is_number) {
         reading.diagnostics.report(Code::TypeMismatch, property.binding_span, fmt::format("'{}'", shown(property.name)),
                                    to_string(property.type), "a number, a vector, a color, a bool or an enum");
     }

@@ -1,24 +1,13 @@
-// The keys of a property that is a texture.
+// The keys of a property that is a texture, and the words of samplers.
+#include "compiler/base/text.h"
 #include "compiler/format/read_fields.h"
-#include "compiler/format/shared_samplers.h"
+#include "compiler/format/words.h"
 
 namespace patina::graph {
 namespace {
 
-void read_shared_sampler(Reading& reading, const Json& json, Property& property) {
-    const SharedSampler* const shared = find_shared_sampler(json.string);
-    if (!shared) {
-        DiagnosticRecord& record =
-            reading.diagnostics.report(Code::UnknownWord, inside(json.span), shown(json.string), "a shared sampler");
-        suggest(reading, record, json.string, shared_sampler_names());
-        return;
-    }
-    property.sampler = shared->sampler;
-    property.shared_sampler = shared->name;
-}
-
 void read_sampler(Reading& reading, const Json& json, Property& property) {
-    if (json.kind == Json::Kind::String) return read_shared_sampler(reading, json, property);
+    if (json.kind == Json::Kind::String) return read_named_sampler(reading, json, property);
     if (json.kind != Json::Kind::Object) {
         report_type(reading, json, "'sampler'", "an object, or the name of a shared sampler: \"trilinearRepeat\"");
         return;
@@ -72,6 +61,24 @@ void read_swizzle(Reading& reading, const Json& json, Property& property) {
 }
 
 }  // namespace
+
+void report_no_sampler(Diagnostics& diagnostics, Span span, std::string_view word) {
+    DiagnosticRecord& record = diagnostics.report(Code::UnknownWord, span, shown(word), "a sampler");
+    constexpr auto kNames = sampler_names();
+    record.note(Diagnostics::suggestion(meant_by(word, kNames), kNames));
+}
+
+void read_named_sampler(Reading& reading, const Json& json, Property& property) {
+    const std::string* const text = read_string(reading, json, "a sampler");
+    if (!text) return;
+    const NamedSampler* const named = find_sampler(*text);
+    if (!named) {
+        report_no_sampler(reading.diagnostics, inside(json.span), *text);
+        return;
+    }
+    property.sampler = named->sampler;
+    property.shared_sampler = named->name;
+}
 
 void read_texture_keys(Reading& reading, const Json& json, Property& property) {
     if (const Json* usage = json.find("usage")) {

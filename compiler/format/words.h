@@ -7,8 +7,10 @@
 #include <array>
 #include <string_view>
 
+#include "compiler/base/diagnostics.h"
 #include "compiler/format/graph.h"
 #include "compiler/format/keys.h"
+#include "patina/reflection.h"
 #include "patina/words.h"
 
 namespace patina::graph {
@@ -50,6 +52,16 @@ inline constexpr std::array kSynonyms = {
     Synonym{"add", "additive"},
     Synonym{"multiplicative", "multiply"},
     Synonym{"modulate", "multiply"},
+    // samplers of Unity and of Direct3D
+    Synonym{"pointrepeat", "nearestRepeat"},
+    Synonym{"pointclamp", "nearestClamp"},
+    Synonym{"pointmirror", "nearestMirror"},
+    Synonym{"linearrepeat", "trilinearRepeat"},
+    Synonym{"linearclamp", "trilinearClamp"},
+    Synonym{"linearmirror", "trilinearMirror"},
+    Synonym{"bilinearrepeat", "trilinearRepeat"},
+    Synonym{"bilinearclamp", "trilinearClamp"},
+    Synonym{"bilinearmirror", "trilinearMirror"},
 };
 
 // The texts of an enum's words, as messages list them.
@@ -62,12 +74,22 @@ constexpr std::array<std::string_view, kWords<E>.size()> texts() {
 
 inline constexpr std::array<std::string_view, 4> kDefaultTextures = {"white", "black", "gray", "bump"};
 
+// The names of samplers, as messages list them.
+constexpr std::array<std::string_view, kNamedSamplers.size()> sampler_names() {
+    std::array<std::string_view, kNamedSamplers.size()> names{};
+    for (std::size_t i = 0; i < names.size(); ++i) names[i] = kNamedSamplers[i].name;
+    return names;
+}
+
+// Reports a word that is the name of no sampler (read_texture_keys.cpp).
+void report_no_sampler(Diagnostics& diagnostics, Span span, std::string_view word);
+
 // The types that an input of a sub-graph, a workflow or a lighting model can have.
 // As everywhere, "color" has alpha; "color3" has none.
-inline constexpr std::array<std::string_view, 17> kInputTypes = {
-    "float", "float2",    "float3",      "float4",         "color",    "color3",
-    "int",   "bool",      "float2x2",    "float3x3",       "float4x4", "gradient",
-    "curve", "texture2d", "textureCube", "texture2dArray", "texture3d"};
+inline constexpr std::array<std::string_view, 18> kInputTypes = {
+    "float", "float2",    "float3",      "float4",         "color",     "color3",
+    "int",   "bool",      "float2x2",    "float3x3",       "float4x4",  "gradient",
+    "curve", "texture2d", "textureCube", "texture2dArray", "texture3d", "sampler"};
 
 // The kind of texture that a property or an input has, as word of its type; nothing if it is none.
 constexpr std::optional<PropertyType> texture_type(std::string_view word) {

@@ -161,6 +161,16 @@ void Interpreter::set_texture(std::string_view name, std::shared_ptr<const Textu
         interpret::set_texture(impl_->machine, ir::GlobalId{index + 1}, texture);
 }
 
+void Interpreter::set_sampler(std::string_view name, const Sampler& sampler) {
+    if (!impl_->module) return;
+    const std::vector<ir::Global>& globals = impl_->module->globals;
+    for (std::uint32_t i = 0; i < globals.size(); ++i) {
+        if (globals[i].name != name || globals[i].type.kind != ir::Kind::Sampler) continue;
+        // Only its state is read.
+        impl_->machine.textures[i] = std::make_shared<const TextureData>(TextureData{.levels = {}, .sampler = sampler});
+    }
+}
+
 std::vector<TracedValue> Interpreter::trace(const QuadInputs& quad, unsigned lane) {
     if (!impl_->module) return {};
     interpret::Watcher watcher{.lane = lane};

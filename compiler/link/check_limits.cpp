@@ -29,7 +29,8 @@ void check_block(graph::Session& session, const graph::Material& material, const
     }
 }
 
-// The samplers that a stage reads, each by its texture, or by the first of those that share it, which stands before it.
+// The samplers that a stage reads, each by its texture, or by the first of those that share it, which stands before it;
+// one that nodes name stands before all textures, and is a property itself.
 std::vector<std::string_view> samplers_of(const ir::Module& stage) {
     std::set<std::uint32_t> read;
     for (const ir::Function& function : stage.functions) {
@@ -39,7 +40,9 @@ std::vector<std::string_view> samplers_of(const ir::Module& stage) {
     }
     std::vector<std::string_view> names;
     for (const std::uint32_t i : read) {
-        if (i > 0 && stage.globals[i].type.kind == ir::Kind::Sampler) names.push_back(stage.globals[i - 1].name);
+        if (stage.globals[i].type.kind != ir::Kind::Sampler) continue;
+        const bool has_texture = i > 0 && stage.globals[i - 1].type.is_texture();
+        names.push_back(stage.globals[has_texture ? i - 1 : i].name);
     }
     return names;
 }

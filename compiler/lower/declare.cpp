@@ -112,6 +112,7 @@ Type property_type(ir::Module& module, PropertyType type) {
         case PropertyType::TextureCube:
         case PropertyType::Texture2DArray:
         case PropertyType::Texture3D: return Type::of(texture_kind(type));
+        case PropertyType::Sampler: return Type::of(ir::Kind::Sampler);
     }
     return Type::error();
 }
@@ -227,9 +228,25 @@ std::vector<PropertyGlobals> declare_material(const engines::Engine& engine, con
     module.blocks.push_back(
         {.name = std::string(engine.block_name("material")), .group = ir::Group::Material, .members = {}});
     const auto block = static_cast<std::uint32_t>(module.blocks.size() - 1);
-    for (const MaterialProperty& entry : material.properties) {
+    // A sampler that nodes name follows no texture (place.cpp). Textures share those that have no other name.
+    globals.resize(material.properties.size());
+    for (std::size_t i = 0; i < globals.size(); ++i) {
+        const Property& property = *material.properties[i].property;
+        if (property.type != PropertyType::Sampler) continue;
+        // An engine whose textures bring their samplers cannot set others: equal ones are the same.
+        const bool is_fixed = material.properties[i].is_at_port || !engine.shares_samplers;
+        const auto known = shared.find(property.shared_sampler);
+        globals[i].sampler = is_fixed && known != shared.end()
+                                 ? known->second
+                                 : add_resource(module, is_fixed ? property.shared_sampler : property.name,
+                                                ir::Kind::Sampler, ir::Group::Material, property.span);
+        if (is_fixed) shared[property.shared_sampler] = globals[i].sampler;
+    }
+    for (std::size_t i = 0; i < globals.size(); ++i) {
+        const MaterialProperty& entry = material.properties[i];
         const Property& property = *entry.property;
-        PropertyGlobals& made = globals.emplace_back();
+        PropertyGlobals& made = globals[i];
+        if (property.type == PropertyType::Sampler) continue;
         if (is_keyword(property.binding)) {
             const bool is_variant = property.binding == Binding::Variant;
             if (!is_variant || (keep_variants && !entry.is_chosen)) made.keyword = add_keyword(module, entry);

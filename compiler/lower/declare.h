@@ -17,7 +17,8 @@ namespace patina::graph {
 struct PropertyGlobals {
     ir::GlobalId value;       // numeric properties
     ir::GlobalId texture;     // texture properties
-    ir::GlobalId sampler;     // declared behind its texture, or behind the first one of those that share it
+    ir::GlobalId sampler;     // of a texture: declared behind it, or behind the first one of those that share it; or
+                              // of a property that is a sampler: declared before all textures
     ir::GlobalId tiling;      // float4 scale and offset, when the property has "tiling"
     ir::GlobalId texel_size;  // float4; only if the engine fills it for the texture (keep_values.cpp)
     // For a keyword: its global; none if it is a constant, because the text is made for one value.

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "compiler/base/text.h"
+#include "compiler/format/words.h"
 #include "compiler/ir/texture_kinds.h"
 #include "compiler/lower/lowering.h"
 #include "compiler/nodelang/other_names.h"
@@ -210,9 +211,18 @@ Typed GraphScope::value_as(const PortValue& port, Type type, std::string_view wh
 
 // --- Environment
 
+Typed GraphScope::sampler(const Expr& expr, emit::Scope& scope) {
+    if (graph_.by_id.contains(expr.text) || find_sampler(expr.text)) return name(expr, scope);
+    report_no_sampler(lowering_.session.diagnostics, expr.span, expr.text);
+    return {};
+}
+
 Typed GraphScope::name(const Expr& expr, emit::Scope&) {
     const auto found = graph_.by_id.find(expr.text);
     if (found != graph_.by_id.end()) return values_[found->second];
+    if (const auto sampler = lowering_.material.property_index.find(expr.text);
+        sampler != lowering_.material.property_index.end() && find_sampler(expr.text))
+        return material_property(sampler->second);
     Diagnostics& diagnostics = lowering_.session.diagnostics;
     DiagnosticRecord& record = diagnostics.report(Code::DanglingLink, expr.span, expr.text);
     if (diagnostics.is_full()) return {};
@@ -299,7 +309,7 @@ Value GraphScope::known_value(const Property& property, double value) {
 
 // A value for a property that another graph declares differently, which has been reported.
 Typed GraphScope::stand_in(const Property& property) {
-    if (is_texture(property.type)) return {};
+    if (is_texture(property.type) || property.type == PropertyType::Sampler) return {};
     if (property.type == PropertyType::Bool || property.type == PropertyType::Enum)
         return keyword(property, known_value(property, property.value[0]));
     const Type type = type_of(property);
@@ -343,6 +353,8 @@ Typed GraphScope::material_property(std::size_t index) {
     const auto read = [&](ir::GlobalId id) { return b.emit(Op::Global, module.globals[id.index].type, {}, id.index); };
     if (is_keyword(property.binding))
         return keyword(property, globals.keyword ? read(globals.keyword) : known_value(property, chosen));
+    if (property.type == PropertyType::Sampler)
+        return {.value = read(globals.sampler), .type = Type::of(ir::Kind::Sampler)};
     if (is_texture(property.type)) {
         const Value tiling = globals.tiling ? read(globals.tiling) : Value();
         const Value texture = read(globals.texture), sampler = read(globals.sampler);

@@ -21,8 +21,8 @@ struct DerivedSlot {
     bool is_of_missing = false;  // it depends on another derived slot that cannot be made, and has that one's reason
 };
 
-// What tells the functions of sub-graphs apart. Inputs that a function cannot take (textures), or that decide what it
-// computes (bools), are part of it where their values are known.
+// What tells the functions of sub-graphs apart. Inputs that a function cannot take (textures and samplers), or that
+// decide what it computes (bools), are part of it where their values are known.
 struct SubgraphKey {
     const CheckedGraph* graph = nullptr;
     bool in_vertex_stage = false;
@@ -116,6 +116,7 @@ public:
 
     // --- Environment
     Typed name(const nodelang::Expr& expr, emit::Scope& scope) override;
+    Typed sampler(const nodelang::Expr& expr, emit::Scope& scope) override;
     Typed property(const nodelang::Expr& expr, emit::Scope& scope) override;
     Typed semantic(std::string_view name, Span span, emit::Scope& scope) override;
     Typed file(const nodelang::Expr& expr, emit::Scope& scope) override;

@@ -68,6 +68,10 @@ Value copied(const ir::Builder& from, Value value, ir::Builder& to) {
     return to.emit(inst.op, inst.type, parts, inst.data);
 }
 
+bool is_texture_or_sampler(const emit::Emitter& emitter, Type type) {
+    return type.kind == ir::Kind::Sampler || emit::is_texture(emitter, type);
+}
+
 // What is not folded stays where it is used, so that each use has its probes, and the CPU is a witness of the
 // functions. Only levels of sub-graphs that double their nodes many times have so many uses.
 constexpr std::size_t kMostUnfolded = 4096;
@@ -203,12 +207,12 @@ SubgraphArguments GraphScope::arguments_of(const GraphScope& inner) const {
         if (found == inner.inputs_.end()) continue;
         SubgraphArguments::Given& given = made.given.emplace_back();
         given = {.input = &input, .value = found->second};
-        const bool is_texture = emit::is_texture(lowering_.emitter, given.value.type);
-        if (!is_texture && given.value.type != ir::kBool) continue;
+        const bool is_resource = is_texture_or_sampler(lowering_.emitter, given.value.type);
+        if (!is_resource && given.value.type != ir::kBool) continue;
         std::vector<std::uint64_t> description = {made.given.size()};
         given.is_known = given.value.ok() && describe(*scope_.builder, given.value.value, description);
         if (given.is_known) made.known.insert(made.known.end(), description.begin(), description.end());
-        made.can_be_given = made.can_be_given && (given.is_known || !is_texture);
+        made.can_be_given = made.can_be_given && (given.is_known || !is_resource);
     }
     return made;
 }
@@ -270,7 +274,7 @@ SubgraphFunction GraphScope::subgraph_function(const GraphScope& inner, const Su
     if (!outputs.ok()) return {.has_error = true};
     const std::vector<ir::Member>& members = module.structs[outputs.type.ref].members;
     if (std::any_of(members.begin(), members.end(),
-                    [&](const ir::Member& member) { return emit::is_texture(lowering_.emitter, member.type); }))
+                    [&](const ir::Member& member) { return is_texture_or_sampler(lowering_.emitter, member.type); }))
         return {};
     builder.name(outputs.value, module.intern("outputs"));
     const Value result = members.size() == 1 ? builder.extract(outputs.value, 0) : outputs.value;

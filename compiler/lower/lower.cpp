@@ -308,8 +308,11 @@ ir::FunctionId add_function(ir::Module& module, ir::Function function) {
 }
 
 Type type_of_word(Lowering& lowering, std::string_view word, Span span) {
-    constexpr std::pair<std::string_view, std::string_view> kOthers[] = {
-        {"color", "float4"}, {"color3", "float3"}, {"gradient", "Gradient"}, {"curve", "Curve"}};
+    constexpr std::pair<std::string_view, std::string_view> kOthers[] = {{"color", "float4"},
+                                                                         {"color3", "float3"},
+                                                                         {"gradient", "Gradient"},
+                                                                         {"curve", "Curve"},
+                                                                         {"sampler", "SamplerState"}};
     const emit::Scope scope{.declarations = lowering.session.declarations};
     const std::optional<PropertyType> texture = texture_type(word);
     std::string_view name = texture ? ir::texture_kind(texture_kind(*texture))->name : word;

@@ -14,7 +14,7 @@ bool is_sampler(const ir::Global& global) {
 }
 
 // How many blocks or textures an owner has, and which number each has among them. A sampler has the number of the
-// texture before it.
+// texture before it; samplers before the first texture are numbered after all others.
 class Numbers {
 public:
     explicit Numbers(const std::map<std::string, std::uint32_t, std::less<>>* known) : known_(known) {}
@@ -58,15 +58,20 @@ std::vector<SetShifts> place_globals(ir::Module& module, const engines::Engine& 
             block.place = place(first.buffers + blocks.of(block.name), shift->buffers);
             block.matrices_by_rows = engine.matrices == MatrixOrder::Rows;
         }
-        std::uint32_t number = 0;
+        const auto texture_count = textures.count(count(module.globals, is_texture));
+        std::uint32_t number = 0, before_textures = 0;
+        bool has_texture = false;
         for (ir::Global& global : module.globals) {
             if (global.group != group || global.in_block()) continue;
             if (is_texture(global)) {
                 number = textures.of(global.name);
+                has_texture = true;
                 global.place = place(first.textures + number, shift->textures);
             }
+            if (!is_sampler(global)) continue;
             // The sampler follows its texture, or the first of those that share it.
-            if (is_sampler(global)) global.place = place(first.samplers + number, shift->samplers);
+            const std::uint32_t own = has_texture ? number : texture_count + before_textures++;
+            global.place = place(first.samplers + own, shift->samplers);
         }
     }
     return shifts;

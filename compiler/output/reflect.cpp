@@ -137,6 +137,7 @@ patina::Property reflect_property(const ir::Module& module, const graph::Materia
                           .type = property.type,
                           .value = property.value,
                           .numbers = property.numbers,
+                          .sampler = property.type == PropertyType::Sampler ? property.sampler : Sampler{},
                           .binding = property.binding,
                           .range = property.range,
                           .hard = property.hard,
@@ -153,6 +154,7 @@ patina::Property reflect_property(const ir::Module& module, const graph::Materia
         made.constant_id = module.keywords[module.globals[globals.keyword.index].keyword].constant_id;
     }
     if (globals.texture) made.identifier = module.globals[globals.texture.index].name;
+    if (property.type == PropertyType::Sampler) made.identifier = module.globals[globals.sampler.index].name;
     if (globals.value) {
         const ir::Global& global = module.globals[globals.value.index];
         const ir::BlockMember& member = module.blocks[global.block].members[global.member];
@@ -165,6 +167,19 @@ patina::Property reflect_property(const ir::Module& module, const graph::Materia
         made.instance_stride = is_of_instances ? extent.stride : 0;
     }
     return made;
+}
+
+// Of a property that is a sampler, or of a sampler that is named at a port.
+BoundSampler reflect_sampler(const ir::Module& module, const graph::MaterialProperty& entry,
+                             const graph::PropertyGlobals& globals) {
+    const ir::Global& sampler = module.globals[globals.sampler.index];
+    return {.name = entry.property->name,
+            .identifier = sampler.name,
+            .is_property = !entry.is_at_port,
+            .set = sampler.place.set,
+            .binding = sampler.place.binding,
+            .hlsl_register = hlsl_register('s', sampler.place),
+            .sampler = entry.property->sampler};
 }
 
 // Globals that a stage still reads after tidying.
@@ -317,20 +332,21 @@ Pass reflect_pass(const LinkedPass& linked) {
     std::vector<bool> either = vertex;
     for (std::size_t i = 0; i < either.size(); ++i) either[i] = vertex[i] || fragment[i];
     pass.blocks = blocks_read(lowered, either);
-    const auto read_texture = [&](std::size_t global, const std::string& name) {
-        if (either[global]) pass.textures.push_back(name);
+    const auto read = [&](std::vector<std::string>& names, std::size_t global, const std::string& name) {
+        if (either[global]) names.push_back(name);
         if (vertex[global]) pass.vertex_reads.push_back(name);
         if (fragment[global]) pass.fragment_reads.push_back(name);
     };
     for (std::size_t i = 0; i < either.size(); ++i) {
         const ir::Global& global = lowered.module.globals[i];
-        if (global.group != ir::Group::Material && is_texture(global)) read_texture(i, global.name);
+        if (global.group != ir::Group::Material && is_texture(global)) read(pass.textures, i, global.name);
     }
     for (std::size_t i = 0; i < material.properties.size(); ++i) {
         const std::string& name = material.properties[i].property->name;
-        if (const ir::GlobalId texture = lowered.property_globals[i].texture) read_texture(texture.index, name);
-        const ir::GlobalId keyword = lowered.property_globals[i].keyword;
-        if (keyword && either[keyword.index]) pass.keywords.push_back(name);
+        const graph::PropertyGlobals& globals = lowered.property_globals[i];
+        if (globals.texture) read(pass.textures, globals.texture.index, name);
+        if (globals.sampler && !globals.texture) read(pass.samplers, globals.sampler.index, name);
+        if (globals.keyword && either[globals.keyword.index]) pass.keywords.push_back(name);
     }
     return pass;
 }
@@ -349,6 +365,7 @@ std::string layout_hash(const Reflection& reflection) {
     for (const Texture& t : reflection.textures) {
         add(fmt::format("{} {} {} {} {}", t.name, to_string(t.dimension), t.set, t.binding, t.sampler_binding));
     }
+    for (const BoundSampler& s : reflection.samplers) add(fmt::format("{} {} {}", s.name, s.set, s.binding));
     return fmt::format("{:016x}", hash);
 }
 
@@ -356,6 +373,7 @@ std::vector<SetLayout> set_layouts(const Reflection& reflection) {
     std::map<std::uint32_t, Reflection> sets;
     for (const Block& block : reflection.blocks) sets[block.set].blocks.push_back(block);
     for (const Texture& texture : reflection.textures) sets[texture.set].textures.push_back(texture);
+    for (const BoundSampler& sampler : reflection.samplers) sets[sampler.set].samplers.push_back(sampler);
     std::vector<SetLayout> made;
     for (const auto& [set, part] : sets) made.push_back({.set = set, .hash = layout_hash(part)});
     return made;
@@ -371,7 +389,8 @@ int queue_of(const graph::RenderState& render) {
 bool is_bound(const Reflection& reflection, std::uint32_t set) {
     const auto is_there = [&](const auto& each) { return each.set == set; };
     return std::any_of(reflection.blocks.begin(), reflection.blocks.end(), is_there) ||
-           std::any_of(reflection.textures.begin(), reflection.textures.end(), is_there);
+           std::any_of(reflection.textures.begin(), reflection.textures.end(), is_there) ||
+           std::any_of(reflection.samplers.begin(), reflection.samplers.end(), is_there);
 }
 
 Reflection reflect(const graph::Material& material, const graph::Lowered& lowered, std::span<const LinkedPass> passes,
@@ -396,6 +415,9 @@ Reflection reflect(const graph::Material& material, const graph::Lowered& lowere
     }
     for (std::size_t i = 0; i < material.properties.size(); ++i) {
         const graph::MaterialProperty& entry = material.properties[i];
+        if (entry.property->type == PropertyType::Sampler)
+            made.samplers.push_back(reflect_sampler(lowered.module, entry, lowered.property_globals[i]));
+        if (entry.property->type == PropertyType::Sampler && entry.is_at_port) continue;  // nothing can set it
         made.properties.push_back(reflect_property(lowered.module, entry, lowered.property_globals[i]));
         if (is_texture(entry.property->type)) {
             made.textures.push_back(reflect_texture(lowered.module, entry, lowered.property_globals[i], graph.path,

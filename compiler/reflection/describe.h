@@ -97,6 +97,20 @@ void describe(Fields& f, Given<Fields, Texture>& t) {
 }
 
 template <class Fields>
+void describe(Fields& f, Given<Fields, BoundSampler>& s) {
+    const BoundSampler usual{};
+    f.key("name", s.name, "the property's, or that of a sampler which textures share");
+    f.key("identifier", s.identifier, "in the shaders");
+    f.optional("property", s.is_property, usual.is_property, "a program can set it");
+    f.key("set", s.set, "descriptor set, and HLSL register space");
+    f.key("binding", s.binding, "in its set");
+    f.key("register", s.hlsl_register, "of HLSL");
+    f.key("wrap", s.sampler.wrap, "of a property: its default");
+    f.key("filter", s.sampler.filter, "linear is trilinear");
+    f.key("anisotropy", s.sampler.anisotropy, "1 to 16");
+}
+
+template <class Fields>
 void describe(Fields& f, Given<Fields, RenderTarget>& t) {
     f.key("name", t.name, "passes that name the same target draw into the same image");
     f.key("location", t.location, "of the fragment stage's output");
@@ -182,8 +196,9 @@ void describe(Fields& f, Given<Fields, Pass>& p) {
     f.optional("shaders", p.shaders, usual.shaders, "the files of its stages");
     f.key("blocks", p.blocks, "that either stage reads");
     f.key("textures", p.textures, "that either stage reads");
-    f.key("vertexReads", p.vertex_reads, "blocks and textures that the vertex stage reads");
-    f.key("fragmentReads", p.fragment_reads, "blocks and textures that the fragment stage reads");
+    f.optional("samplers", p.samplers, usual.samplers, "those of the key samplers that either stage reads");
+    f.key("vertexReads", p.vertex_reads, "blocks, textures and such samplers that the vertex stage reads");
+    f.key("fragmentReads", p.fragment_reads, "blocks, textures and such samplers that the fragment stage reads");
     f.optional("keywords", p.keywords, usual.keywords, "properties that either stage reads before it runs");
     f.optional("hash", p.hash, usual.hash, "of what the pass computes, whatever the graph's names are");
     f.optional("cost", p.cost, usual.cost, "what it costs; there with 'patina compile --cost'");
@@ -237,6 +252,7 @@ void describe(Fields& f, Given<Fields, Reflection>& r) {
     f.key("properties", r.properties, "of the material");
     f.key("blocks", r.blocks, "uniform blocks");
     f.key("textures", r.textures, "with their samplers");
+    f.optional("samplers", r.samplers, usual.samplers, "those that nodes name; the others are bound with a texture");
     f.key("passes", r.passes, "in the order in which they are drawn");
     f.optional("functions", r.functions, usual.functions, "for an engine's own shaders; there are no passes then");
     f.key("hlslShifts", r.hlsl_shifts, "by set: what glslang adds to HLSL registers to get bindings");

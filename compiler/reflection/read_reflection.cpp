@@ -4,6 +4,7 @@
 #include <concepts>
 #include <limits>
 
+#include "compiler/format/words.h"
 #include "compiler/json/json.h"
 #include "compiler/reflection/describe.h"
 
@@ -64,6 +65,7 @@ public:
     void property_default(Property& property) {
         // The texture has its own.
         if (is_texture(property.type)) return;
+        if (property.type == PropertyType::Sampler) return sampler_default(property);
         if (property.type == PropertyType::Enum) return key("defaultIndex", property.value[0], {});
         const std::size_t count = component_count(property.type);
         const Json* json = object_.find("default");
@@ -82,6 +84,16 @@ public:
     }
 
 private:
+    void sampler_default(Property& property) {
+        std::string name;
+        key("default", name, {});
+        const Json* const json = object_.find("default");
+        if (const NamedSampler* const found = find_sampler(name))
+            property.sampler = found->sampler;
+        else if (json && json->kind == Json::Kind::String)
+            graph::report_no_sampler(diagnostics_, json->span, name);
+    }
+
     bool refuse(std::string_view name, const Json& json, std::string_view wanted) {
         diagnostics_.report(Code::WrongJsonType, json.span, fmt::format("'{}'", name), wanted,
                             graph::describe(json.kind));

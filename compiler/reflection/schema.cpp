@@ -70,7 +70,8 @@ public:
     void property_default(Property&) {
         raw("default",
             R"("anyOf": [{ "type": ["number", "boolean", "string"] }, { "type": "array", "items": { "type": "number" } }])",
-            "of its type; colours are linear; of an enum: its word; of a matrix: row by row; of a gradient or a curve: "
+            "of its type; colours are linear; of an enum and a sampler: its word; of a matrix: row by row; of a "
+            "gradient or a curve: "
             "what its array in the block holds");
         raw("defaultIndex", R"("type": "integer")", "of an enum: the index of its word");
     }

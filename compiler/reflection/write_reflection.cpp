@@ -68,6 +68,8 @@ public:
             const auto index = static_cast<std::size_t>(property.value[0]);
             if (index < property.values.size()) key("default", property.values[index], {});
             key("defaultIndex", property.value[0], {});
+        } else if (property.type == PropertyType::Sampler) {
+            key("default", name_of(property.sampler), {});
         } else if (is_array(property.type)) {
             key("default", property.numbers, {});
         } else if (const std::size_t count = component_count(property.type); count == 1) {

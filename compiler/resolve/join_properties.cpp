@@ -93,7 +93,7 @@ std::optional<Difference> differing_choice(const Session& session, const Propert
         return difference(
             a, b, [](auto& p) { return p.swizzle.empty() ? "no swizzle" : fmt::format("the swizzle {}", p.swizzle); },
             &Property::swizzle_span);
-    if (a.sampler == b.sampler && a.shared_sampler == b.shared_sampler) return {};
+    if ((a.sampler == b.sampler && a.shared_sampler == b.shared_sampler) || a.type == PropertyType::Sampler) return {};
     return difference(
         a, b, [&](auto& p) { return sampler_text(p, &p == &a ? b : a); }, &Property::sampler_span);
 }
@@ -141,7 +141,8 @@ void share(Session& session, const Material& material, MaterialProperty& entry, 
         return take_over(session, entry, property, options);
     const bool is_said = options.said_at || options.is_at_port;
     if (entry.is_own && !is_said) return;  // the material's own declaration decides
-    bool same_default = first.value == property.value && first.numbers == property.numbers;
+    bool same_default = first.value == property.value && first.numbers == property.numbers &&
+                        (property.type != PropertyType::Sampler || first.sampler == property.sampler);
     if (is_texture(property.type)) {
         const std::optional<std::string> texture = find_texture(session, property, options.from);
         if (!texture) return;
@@ -193,7 +194,7 @@ public:
         for (const Property& property : graph.properties) {
             if (&checked != material_.lighting) all.push_back({&property, &graph.path});
         }
-        add_files(graph, all);
+        add_unnamed(checked, all);
         std::set<const CheckedGraph*> seen;
         std::vector<const AllBrought*> parts;
         for (const ResolvedNode& node : checked.nodes) {
@@ -212,32 +213,40 @@ public:
     }
 
 private:
-    void add_files(const Graph& graph, AllBrought& all) {
+    // Files and samplers at ports.
+    void add_unnamed(const CheckedGraph& checked, AllBrought& all) {
+        const Graph& graph = *checked.graph;
         const std::size_t own = all.size();
         const auto add = [&](const PortValue& port) {
-            if (port.value) add_file(*port.value, graph, all);
+            if (port.value) add_unnamed(*port.value, checked, all);
         };
         for (const Node& node : graph.nodes) {
-            if (node.expr) add_file(*node.expr, graph, all);
+            if (node.expr) add_unnamed(*node.expr, checked, all);
             std::for_each(node.inputs.begin(), node.inputs.end(), add);
         }
         for (const auto* ports : {&graph.vertex, &graph.surface, &graph.outputs})
             std::for_each(ports->begin(), ports->end(), add);
+        for (const Input& input : graph.inputs) {
+            if (input.value) add_unnamed(*input.value, checked, all);
+        }
         std::stable_sort(all.begin() + static_cast<std::ptrdiff_t>(own), all.end(),
                          [](const Brought& a, const Brought& b) { return a.property->name < b.property->name; });
     }
 
-    // A file at a port is a texture property without a name of its own.
-    void add_file(const Expr& expr, const Graph& graph, AllBrought& all) {
-        if (expr.kind == Expr::Kind::File) {
+    // A file at a port is a texture property without a name of its own, and so is a sampler that is named there.
+    void add_unnamed(const Expr& expr, const CheckedGraph& checked, AllBrought& all) {
+        const bool is_name = expr.kind == Expr::Kind::Name && !checked.by_id.contains(expr.text);
+        const NamedSampler* const sampler = is_name ? find_sampler(expr.text) : nullptr;
+        if (expr.kind == Expr::Kind::File || sampler) {
             Property& property = session_.file_properties.emplace_back();
-            property.name = file_texture_name(expr.text);
+            property.name = sampler ? std::string(expr.text) : file_texture_name(expr.text);
             property.name_span = property.span = property.default_span = expr.span;
-            property.type = PropertyType::Texture2D;
-            property.texture = std::string(expr.text);
-            all.push_back({&property, &graph.path, true});
+            property.type = sampler ? PropertyType::Sampler : PropertyType::Texture2D;
+            if (sampler) property.sampler = sampler->sampler;
+            (sampler ? property.shared_sampler : property.texture) = std::string(expr.text);
+            all.push_back({&property, &checked.graph->path, true});
         }
-        for (const Expr* argument : expr.args) add_file(*argument, graph, all);
+        for (const Expr* argument : expr.args) add_unnamed(*argument, checked, all);
     }
 
     Session& session_;

@@ -104,13 +104,20 @@ bool set_default(Session& session, Property& property, const Expr& value) {
     if (literal.kind == Expr::Kind::Number || literal.kind == Expr::Kind::Bool) {
         const bool is_vector = property.type == PropertyType::Float2 || property.type == PropertyType::Float3 ||
                                property.type == PropertyType::Float4 || property.type == PropertyType::Color;
-        if (property.type == PropertyType::Enum || is_texture(property.type) || is_array(property.type)) return false;
+        if (property.type == PropertyType::Enum || property.type == PropertyType::Sampler ||
+            is_texture(property.type) || is_array(property.type))
+            return false;
         property.value.fill(0);
         for (std::size_t i = 0; i < (is_vector ? 4u : 1u); ++i)
             property.value[i] = negative ? -literal.number : literal.number;
         return true;
     }
     if (is_array(property.type)) return set_array_default(property, value);
+    if (property.type == PropertyType::Sampler) {
+        const NamedSampler* const named = value.kind == Expr::Kind::Name ? find_sampler(value.text) : nullptr;
+        if (named) property.sampler = named->sampler, property.shared_sampler = named->name;
+        return named != nullptr;
+    }
     const std::size_t size = property.type == PropertyType::Float2 ? 2 : property.type == PropertyType::Float3 ? 3 : 4;
     const bool is_list = value.kind == Expr::Kind::List || value.kind == Expr::Kind::Color;
     const bool fits =

@@ -25,12 +25,13 @@ const Expr* any_value(Session& session, Graph& material, const Input& input) {
     if (input.type == "bool") {
         expr.kind = Expr::Kind::Bool;
     } else if (const std::optional<PropertyType> type = from_word<PropertyType>(input.type);
-               type && (is_texture(*type) || is_array(*type))) {
+               type && (is_texture(*type) || is_array(*type) || *type == PropertyType::Sampler)) {
         Property& property = material.properties.emplace_back();
         property.name = "_" + input.name;
         property.name_span = property.span = input.name_span;
         property.type = *type;
         if (is_texture(*type)) property.texture = "white";
+        if (*type == PropertyType::Sampler) property.shared_sampler = name_of(property.sampler);
         if (is_array(*type)) property.numbers.assign(component_count(*type), 1);
         expr.kind = Expr::Kind::Property;
         expr.text = session.ast.texts.emplace_back(property.name);

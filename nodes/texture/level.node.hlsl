@@ -3,11 +3,12 @@
 /// Samples a texture sharper or softer than its distance asks for.
 [node("Texture/Sample Texture 2D Bias")] [also("Tex2Dbias", "TextureBias", "SampleTexture2DMipBias")] [is("texel")]
 float4 SampleTexture2DBias(
-    Texture2D texture,            ///< texture to read
-    float2 uv = uv0,              ///< texture coordinates, before the texture's own tiling
-    [range(-16, 16)] float bias = 0  ///< added to the mip level: below 0 sharper, above 0 softer
+    Texture2D texture,                      ///< texture to read
+    float2 uv = uv0,                        ///< texture coordinates, before the texture's own tiling
+    [range(-16, 16)] float bias = 0,        ///< added to the mip level: below 0 sharper, above 0 softer
+    SamplerState sampler = texture.sampler  ///< how it is read; default: as the texture says
 ) {
-    return texture.SampleBias(uv * texture.tiling.xy + texture.tiling.zw, bias);
+    return texture.SampleBias(sampler, uv * texture.tiling.xy + texture.tiling.zw, bias);
 }
 
 /// Samples a texture with given derivatives, from which the mip level and the direction of anisotropic filtering follow.
@@ -15,36 +16,39 @@ float4 SampleTexture2DBias(
 /// It works everywhere, also in a branch and for each light. SampleTexture2DGrad takes them from coordinates.
 [node("Texture/Sample Texture 2D Derivatives")] [also("SampleTexture2DGradient")] [is("texel")]
 float4 SampleTexture2DDerivatives(
-    Texture2D texture,  ///< texture to read
-    float2 uv = uv0,    ///< texture coordinates, before the texture's own tiling
-    float2 right = 0,   ///< change of uv from this pixel to the next one on the right
-    float2 down = 0     ///< change of uv from this pixel to the next one below
+    Texture2D texture,                      ///< texture to read
+    float2 uv = uv0,                        ///< texture coordinates, before the texture's own tiling
+    float2 right = 0,                       ///< change of uv from this pixel to the next one on the right
+    float2 down = 0,                        ///< change of uv from this pixel to the next one below
+    SamplerState sampler = texture.sampler  ///< how it is read; default: as the texture says
 ) {
     float2 tiling = texture.tiling.xy;
-    return texture.SampleGrad(uv * tiling + texture.tiling.zw, right * tiling, down * tiling);
+    return texture.SampleGrad(sampler, uv * tiling + texture.tiling.zw, right * tiling, down * tiling);
 }
 
 /// Samples one layer of an array of textures sharper or softer than its distance asks for.
 [node("Texture/Sample Texture 2D Array Bias")] [is("texel")]
 float4 SampleTexture2DArrayBias(
-    Texture2DArray texture,       ///< array to read
-    float2 uv = uv0,              ///< texture coordinates
-    float index = 0,              ///< layer, from 0; rounded to the nearest one that exists
-    [range(-16, 16)] float bias = 0  ///< added to the mip level: below 0 sharper, above 0 softer
+    Texture2DArray texture,                 ///< array to read
+    float2 uv = uv0,                        ///< texture coordinates
+    float index = 0,                        ///< layer, from 0; rounded to the nearest one that exists
+    [range(-16, 16)] float bias = 0,        ///< added to the mip level: below 0 sharper, above 0 softer
+    SamplerState sampler = texture.sampler  ///< how it is read; default: as the texture says
 ) {
-    return texture.SampleBias(float3(uv, index), bias);
+    return texture.SampleBias(sampler, float3(uv, index), bias);
 }
 
 /// Samples one layer of an array of textures with given derivatives.
 [node("Texture/Sample Texture 2D Array Derivatives")] [also("SampleTexture2DArrayGradient")] [is("texel")]
 float4 SampleTexture2DArrayDerivatives(
-    Texture2DArray texture,  ///< array to read
-    float2 uv = uv0,         ///< texture coordinates
-    float index = 0,         ///< layer, from 0; rounded to the nearest one that exists
-    float2 right = 0,        ///< change of uv from this pixel to the next one on the right
-    float2 down = 0          ///< change of uv from this pixel to the next one below
+    Texture2DArray texture,                 ///< array to read
+    float2 uv = uv0,                        ///< texture coordinates
+    float index = 0,                        ///< layer, from 0; rounded to the nearest one that exists
+    float2 right = 0,                       ///< change of uv from this pixel to the next one on the right
+    float2 down = 0,                        ///< change of uv from this pixel to the next one below
+    SamplerState sampler = texture.sampler  ///< how it is read; default: as the texture says
 ) {
-    return texture.SampleGrad(float3(uv, index), right, down);
+    return texture.SampleGrad(sampler, float3(uv, index), right, down);
 }
 
 /// Samples a cube in the direction in which a surface mirrors the viewer.
@@ -53,12 +57,13 @@ float4 SampleTexture2DArrayDerivatives(
 /// source: Blinn and Newell, "Texture and Reflection in Computer Generated Images", CACM 19(10), 1976
 [node("Texture/Sample Reflected Cubemap")] [also("SampleReflectedTextureCube")] [is("texel")]
 float4 SampleReflectedCubemap(
-    TextureCube texture,         ///< cube to read
-    float3 view = viewDirWS,     ///< direction to the viewer
-    float3 normal = normalWS,    ///< unit normal, in the same space
-    [range(0, 14)] float level = 0  ///< mip level: 0 is the full size, each further one half of it
+    TextureCube texture,                    ///< cube to read
+    float3 view = viewDirWS,                ///< direction to the viewer
+    float3 normal = normalWS,               ///< unit normal, in the same space
+    [range(0, 14)] float level = 0,         ///< mip level: 0 is the full size, each further one half of it
+    SamplerState sampler = texture.sampler  ///< how it is read; default: as the texture says
 ) {
-    return texture.SampleLevel(reflect(-view, normal), level);
+    return texture.SampleLevel(sampler, reflect(-view, normal), level);
 }
 
 /// The four texels that bilinear filtering would blend, red of each: lower left, lower right, upper right, upper left.
@@ -67,19 +72,20 @@ float4 SampleReflectedCubemap(
 /// source: the order of Gather in Direct3D 11 and of textureGather in GLSL
 [node("Texture/Gather Texture 2D")] [also("TextureGather", "GatherRed")] [is("texel")]
 float4 GatherTexture2D(
-    Texture2D texture,  ///< texture to read; its filter may be bilinear or point
-    float2 uv = uv0,    ///< texture coordinates, before the texture's own tiling
-    float2 offset = 0   ///< whole texels to the right and down
+    Texture2D texture,                      ///< texture to read; its filter may be bilinear or point
+    float2 uv = uv0,                        ///< texture coordinates, before the texture's own tiling
+    float2 offset = 0,                      ///< whole texels to the right and down
+    SamplerState sampler = texture.sampler  ///< how it is read; default: as the texture says
 ) {
     float2 size = texture.texelSize.zw;
     float2 place = uv * texture.tiling.xy + texture.tiling.zw;
     // The centre of the upper left texel; at a centre, filtering returns the texel itself.
     float2 corner = (floor(place * size - 0.5) + 0.5 + round(offset)) / size;
     float2 next = 1 / size;
-    float lowerLeft = texture.SampleLevel(corner + float2(0, next.y), 0).r;
-    float lowerRight = texture.SampleLevel(corner + next, 0).r;
-    float upperRight = texture.SampleLevel(corner + float2(next.x, 0), 0).r;
-    float upperLeft = texture.SampleLevel(corner, 0).r;
+    float lowerLeft = texture.SampleLevel(sampler, corner + float2(0, next.y), 0).r;
+    float lowerRight = texture.SampleLevel(sampler, corner + next, 0).r;
+    float upperRight = texture.SampleLevel(sampler, corner + float2(next.x, 0), 0).r;
+    float upperLeft = texture.SampleLevel(sampler, corner, 0).r;
     return float4(lowerLeft, lowerRight, upperRight, upperLeft);
 }
 

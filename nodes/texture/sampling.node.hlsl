@@ -6,20 +6,22 @@
 /// SampleTexture2DLevel.
 [node("Texture/Sample Texture 2D")] [also("Image", "TiledImage", "Tex2D", "Texture", "Texture2D", "TextureSample", "UNITY_SAMPLE_TEX2D")] [is("texel")]
 float4 SampleTexture2D(
-    Texture2D texture,  ///< texture to read
-    float2 uv = uv0     ///< texture coordinates, before the texture's own tiling
+    Texture2D texture,                      ///< texture to read
+    float2 uv = uv0,                        ///< texture coordinates, before the texture's own tiling
+    SamplerState sampler = texture.sampler  ///< how it is read; default: as the texture says
 ) {
-    return texture.Sample(uv * texture.tiling.xy + texture.tiling.zw);
+    return texture.Sample(sampler, uv * texture.tiling.xy + texture.tiling.zw);
 }
 
 /// Samples a texture at a given level of detail.
 [node("Texture/Sample Texture 2D Level")] [also("SampleTexture2DLod", "Tex2Dlod", "TextureLod", "UNITY_SAMPLE_TEX2D_LOD")] [is("texel")]
 float4 SampleTexture2DLevel(
-    Texture2D texture,  ///< texture to read
-    float2 uv = uv0,    ///< texture coordinates, before the texture's own tiling
-    float level = 0     ///< mip level: 0 is the full size, each further one half of it
+    Texture2D texture,                      ///< texture to read
+    float2 uv = uv0,                        ///< texture coordinates, before the texture's own tiling
+    float level = 0,                        ///< mip level: 0 is the full size, each further one half of it
+    SamplerState sampler = texture.sampler  ///< how it is read; default: as the texture says
 ) {
-    return texture.SampleLevel(uv * texture.tiling.xy + texture.tiling.zw, level);
+    return texture.SampleLevel(sampler, uv * texture.tiling.xy + texture.tiling.zw, level);
 }
 
 /// Samples a texture where coordinates jump from pixel to pixel, as behind the edges of a relief (ParallaxOcclusion).
@@ -29,12 +31,13 @@ float4 SampleTexture2DLevel(
 /// UnpackNormal decodes the normal.
 [node("Texture/Sample Texture 2D Grad")] [also("Tex2Dgrad", "TextureGrad")] [is("texel")]
 float4 SampleTexture2DGrad(
-    Texture2D texture,      ///< texture to read
-    float2 uv = uv0,        ///< texture coordinates, before the texture's own tiling
-    float2 smoothUV = uv0  ///< the coordinates before they were moved: their change between pixels selects the mip level
+    Texture2D texture,                      ///< texture to read
+    float2 uv = uv0,                        ///< texture coordinates, before the texture's own tiling
+    float2 smoothUV = uv0,                  ///< the coordinates before they were moved: their change between pixels selects the mip level
+    SamplerState sampler = texture.sampler  ///< how it is read; default: as the texture says
 ) {
     float2 unmoved = smoothUV * texture.tiling.xy;
-    return texture.SampleGrad(uv * texture.tiling.xy + texture.tiling.zw, ddx(unmoved), ddy(unmoved));
+    return texture.SampleGrad(sampler, uv * texture.tiling.xy + texture.tiling.zw, ddx(unmoved), ddy(unmoved));
 }
 
 /// Samples a normal map: a normal in tangent space.
@@ -42,11 +45,12 @@ float4 SampleTexture2DGrad(
 /// Give the texture the usage "normal", so that it is not decoded as a colour.
 [node("Texture/Sample Normal Map")] [also("NormalMap", "BumpMap")] [is("normalTS")]
 float3 SampleNormalMap(
-    [is("normalMap")] Texture2D texture,  ///< a normal map; its property says if its green is down
-    float2 uv = uv0,                ///< texture coordinates, before the texture's own tiling
-    [range(-2, 2)] float scale = 1  ///< strength of the bumps
+    [is("normalMap")] Texture2D texture,    ///< a normal map; its property says if its green is down
+    float2 uv = uv0,                        ///< texture coordinates, before the texture's own tiling
+    [range(-2, 2)] float scale = 1,         ///< strength of the bumps
+    SamplerState sampler = texture.sampler  ///< how it is read; default: as the texture says
 ) {
-    return UnpackNormal(SampleTexture2D(texture, uv), scale);
+    return UnpackNormal(SampleTexture2D(texture, uv, sampler), scale);
 }
 
 /// Reads one texel without filtering.

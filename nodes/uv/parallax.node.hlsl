@@ -43,15 +43,15 @@ float HeightOf(float4 texel, const HeightChannel channel) {
 
 // Where the line of sight meets a relief, as a share of the way down to its deepest level: 1 if it meets nothing before. `path` is
 // the way to that level. Inside the loop no neighbouring pixels are known: `right` and `down` give the level of detail.
-float ReliefDepth(Texture2D texture, float2 start, float2 path, float2 right, float2 down, int steps,
-                  const HeightChannel channel) {
+float ReliefDepth(Texture2D texture, SamplerState sampler, float2 start, float2 path, float2 right, float2 down,
+                  int steps, const HeightChannel channel) {
     float stride = 1 / float(steps);
-    float above = 1 - HeightOf(texture.SampleGrad(start, right, down), channel);
+    float above = 1 - HeightOf(texture.SampleGrad(sampler, start, right, down), channel);
     float seen = above > 0 ? -1 : 0;  // below 0: not yet
     for (int i = 1; i < min(steps + 1, 257); i++) {
         if (seen < 0) {
             float t = float(i) * stride;
-            float gap = 1 - t - HeightOf(texture.SampleGrad(start + path * t, right, down), channel);
+            float gap = 1 - t - HeightOf(texture.SampleGrad(sampler, start + path * t, right, down), channel);
             seen = gap > 0 ? -1 : t - stride * gap / (gap - above);
             above = gap;
         }
@@ -74,12 +74,13 @@ float ReliefDepth(Texture2D texture, float2 start, float2 path, float2 right, fl
 /// source: Rendering", SIGGRAPH 2006 course, chapter 5
 [node("UV/Parallax Occlusion")]
 float2 ParallaxOcclusion(
-    [is("data")] Texture2D texture,          ///< the height map, in red: 0 is deep, 1 the surface itself
-    float2 uv = uv0,                         ///< texture coordinates of the surface, before the texture's own tiling
-    [range(0, 0.2)] float height = 0.05,     ///< depth of the value 0, in units of uv
+    [is("data")] Texture2D texture,         ///< the height map, in red: 0 is deep, 1 the surface itself
+    float2 uv = uv0,                        ///< texture coordinates of the surface, before the texture's own tiling
+    [range(0, 0.2)] float height = 0.05,    ///< depth of the value 0, in units of uv
     float3 viewTS,                          ///< direction to the viewer in tangent space, from WorldToTangent
     [range(1, 128)] float fewestSteps = 8,  ///< steps for a view straight down
-    [range(1, 128)] float mostSteps = 32    ///< steps for a view along the surface
+    [range(1, 128)] float mostSteps = 32,   ///< steps for a view along the surface
+    SamplerState sampler = texture.sampler  ///< how it is read; default: as the texture says
 ) {
     float3 view = viewTS * rsqrt(max(dot(viewTS, viewTS), 1e-6));
     float2 deepest = -uvOfTangent(view.xy) * (height / max(view.z, 0.1));
@@ -87,7 +88,7 @@ float2 ParallaxOcclusion(
     float2 start = uv * texture.tiling.xy + texture.tiling.zw;
     float2 path = deepest * texture.tiling.xy;
     int steps = min(int(ceil(max(lerp(mostSteps, fewestSteps, saturate(view.z)), 1))), 128);
-    return deepest * ReliefDepth(texture, start, path, ddx(start), ddy(start), steps, Red);
+    return deepest * ReliefDepth(texture, sampler, start, path, ddx(start), ddy(start), steps, Red);
 }
 
 /// Texture coordinates that a height map moves by one step, as Unity's Shader Graph does: ParallaxOffset and its texture in one.
@@ -100,9 +101,10 @@ float2 ParallaxMapping(
     float2 uv = uv0,                        ///< texture coordinates of the surface, before the texture's own tiling
     [range(0, 8)] float amplitude = 1,      ///< distance between the deepest and the highest point, in hundredths of a unit of uv
     const HeightChannel channel = Green,    ///< where the height is
-    float3 viewTS = WorldToTangent(viewDirWS, geometryNormalWS, tangentWS, bitangentWS)  ///< direction to the viewer in tangent space
+    float3 viewTS = WorldToTangent(viewDirWS, geometryNormalWS, tangentWS, bitangentWS),  ///< direction to the viewer in tangent space
+    SamplerState sampler = texture.sampler  ///< how it is read; default: as the texture says
 ) {
-    float texel = HeightOf(SampleTexture2D(texture, uv), channel);
+    float texel = HeightOf(SampleTexture2D(texture, uv, sampler), channel);
     return uv + ParallaxOffset(texel, amplitude * 0.01, viewTS);
 }
 
@@ -114,25 +116,26 @@ float2 ParallaxMapping(
 /// source: Tatarchuk, SIGGRAPH 2006 course, chapter 5; Unity Shader Graph, node Parallax Occlusion Mapping
 [node("UV/Parallax Occlusion Mapping")] [also("Pom")]
 float2 ParallaxOcclusionMapping(
-    [is("data")] Texture2D texture,         ///< the height map: 0 is deep, 1 the surface itself
-    float2 uv = uv0,                        ///< texture coordinates of the surface
-    [range(0, 20)] float amplitude = 1,     ///< depth of the value 0, in centimetres
-    [range(1, 256)] float steps = 5,        ///< how many samples find the visible point
-    float2 tiling = 1,                      ///< how often the texture fits on the surface
-    float2 offset = 0,                      ///< translation, in textures
-    float2 primitiveSize = 1,               ///< size of the surface that uv from 0 to 1 covers, in metres; not zero
-    [range(0, 14)] float level = 0,         ///< mip level with which the relief is read, for fading it out
+    [is("data")] Texture2D texture,           ///< the height map: 0 is deep, 1 the surface itself
+    float2 uv = uv0,                          ///< texture coordinates of the surface
+    [range(0, 20)] float amplitude = 1,       ///< depth of the value 0, in centimetres
+    [range(1, 256)] float steps = 5,          ///< how many samples find the visible point
+    float2 tiling = 1,                        ///< how often the texture fits on the surface
+    float2 offset = 0,                        ///< translation, in textures
+    float2 primitiveSize = 1,                 ///< size of the surface that uv from 0 to 1 covers, in metres; not zero
+    [range(0, 14)] float level = 0,           ///< mip level with which the relief is read, for fading it out
     [range(0, 14)] float levelThreshold = 0,  ///< from this level on, the relief fades; one level further it is flat
-    const HeightChannel channel = Red,      ///< where the height is
+    const HeightChannel channel = Red,        ///< where the height is
     float3 viewTS = WorldToTangent(viewDirWS, geometryNormalWS, tangentWS, bitangentWS),  ///< direction to the viewer in tangent space
-    [unit("m")] out float depthOffset       ///< how much farther from the viewer the visible point is than the surface
+    SamplerState sampler = texture.sampler,   ///< how it is read; default: as the texture says
+    [unit("m")] out float depthOffset         ///< how much farther from the viewer the visible point is than the surface
 ) {
     float3 view = viewTS * rsqrt(max(dot(viewTS, viewTS), 1e-6));
     float height = amplitude * 0.02 / max(abs(tiling.x) + abs(tiling.y), 1e-6);
     float2 path = -uvOfTangent(view.xy) * (height / max(view.z, 0.1)) * tiling / primitiveSize;
     float2 start = uv * tiling + offset;
     int count = min(int(ceil(max(steps, 1))), 256);
-    float t = ReliefDepth(texture, start, path, ddx(start), ddy(start), count, channel);
+    float t = ReliefDepth(texture, sampler, start, path, ddx(start), ddy(start), count, channel);
     depthOffset = height * t / max(view.z, 0.1);
     return start + path * t * (1 - saturate(level - levelThreshold));
 }

@@ -29,16 +29,17 @@ float2 SideZ(float3 p) { return float2(p.x, -p.y); }
 /// source: Geiss, GPU Gems 3, 2007, chapter 1
 [node("UV/Triplanar")] [also("TriplanarMapping", "TriplanarProjection", "WorldAlignedTexture")] [is("texel")]
 float4 Triplanar(
-    Texture2D texture,               ///< texture to read
-    float3 position = positionWS,    ///< where, in any space
-    float3 normal = normalWS,        ///< direction that the surface faces, in the same space; not zero
-    float tile = 1,                  ///< textures in one unit of length
-    [range(1, 64)] float blend = 1  ///< 1: soft transitions; the larger, the sharper
+    Texture2D texture,                      ///< texture to read
+    float3 position = positionWS,           ///< where, in any space
+    float3 normal = normalWS,               ///< direction that the surface faces, in the same space; not zero
+    float tile = 1,                         ///< textures in one unit of length
+    [range(1, 64)] float blend = 1,         ///< 1: soft transitions; the larger, the sharper
+    SamplerState sampler = texture.sampler  ///< how it is read; default: as the texture says
 ) {
     float3 weights = TriplanarWeights(normal, blend);
     float3 p = position * tile;
-    return SampleTexture2D(texture, SideX(p)) * weights.x + SampleTexture2D(texture, SideY(p)) * weights.y +
-           SampleTexture2D(texture, SideZ(p)) * weights.z;
+    return SampleTexture2D(texture, SideX(p), sampler) * weights.x + SampleTexture2D(texture, SideY(p), sampler) * weights.y +
+           SampleTexture2D(texture, SideZ(p), sampler) * weights.z;
 }
 
 /// Samples a normal map from three sides, without texture coordinates: a unit normal.
@@ -49,22 +50,23 @@ float4 Triplanar(
 /// source: Golus, "Normal Mapping for a Triplanar Shader", 2017; Barré-Brisebois and Hill, "Blending in Detail", 2012 (whiteout)
 [node("UV/Triplanar Normal")] [also("TriplanarNormalMap", "WorldAlignedNormal")] [is("direction", "space")]
 float3 TriplanarNormal(
-    [is("normalMap")] Texture2D texture,   ///< a normal map
-    float3 position = positionWS,          ///< where, in world space
-    float3 normal = geometryNormalWS,      ///< unit normal of the surface, in world space
-    float tile = 1,                        ///< textures in one metre
-    [range(1, 64)] float blend = 1,       ///< 1: soft transitions; the larger, the sharper
-    [range(-2, 2)] float strength = 1,     ///< strength of the bumps
-    const SurfaceSpace space = Tangent,    ///< the coordinate system of the result
-    [hidden] float3 tangent = tangentWS,   ///< the frame, for tangent space
-    [hidden] float3 bitangent = bitangentWS,  ///< the frame, for tangent space
+    [is("normalMap")] Texture2D texture,           ///< a normal map
+    float3 position = positionWS,                  ///< where, in world space
+    float3 normal = geometryNormalWS,              ///< unit normal of the surface, in world space
+    float tile = 1,                                ///< textures in one metre
+    [range(1, 64)] float blend = 1,                ///< 1: soft transitions; the larger, the sharper
+    [range(-2, 2)] float strength = 1,             ///< strength of the bumps
+    const SurfaceSpace space = Tangent,            ///< the coordinate system of the result
+    SamplerState sampler = texture.sampler,        ///< how it is read; default: as the texture says
+    [hidden] float3 tangent = tangentWS,           ///< the frame, for tangent space
+    [hidden] float3 bitangent = bitangentWS,       ///< the frame, for tangent space
     [hidden] float3 meshNormal = geometryNormalWS  ///< the frame, for tangent space
 ) {
     float3 weights = TriplanarWeights(normal, blend);
     float3 p = position * tile;
-    float3 a = SampleNormalMap(texture, SideX(p), strength);
-    float3 b = SampleNormalMap(texture, SideY(p), strength);
-    float3 c = SampleNormalMap(texture, SideZ(p), strength);
+    float3 a = SampleNormalMap(texture, SideX(p), strength, sampler);
+    float3 b = SampleNormalMap(texture, SideY(p), strength, sampler);
+    float3 c = SampleNormalMap(texture, SideZ(p), strength, sampler);
     float3 world = weights.x * float3(abs(a.z) * normal.x, a.y + normal.y, a.x + normal.z) +
                    weights.y * float3(b.x + normal.x, abs(b.z) * normal.y, b.y + normal.z) +
                    weights.z * float3(c.xy + normal.xy, abs(c.z) * normal.z);

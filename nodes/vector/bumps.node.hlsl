@@ -50,14 +50,15 @@ float3 NormalFromHeight(
 /// source: forward differences; the scale of the offset: Unity Shader Graph, Normal From Texture
 [node("Vector/Normal/From Texture")] [also("HeightToNormalMap")] [is("normalTS")]
 float3 NormalFromTexture(
-    [is("data")] Texture2D texture,      ///< heights in red
-    float2 uv = uv0,                     ///< texture coordinates
-    [range(0, 1)] float offset = 0.5,    ///< how far apart the samples are: a tenth of its cube, in textures
-    [range(0, 50)] float strength = 8    ///< height of white over black, in distances between samples
+    [is("data")] Texture2D texture,         ///< heights in red
+    float2 uv = uv0,                        ///< texture coordinates
+    [range(0, 1)] float offset = 0.5,       ///< how far apart the samples are: a tenth of its cube, in textures
+    [range(0, 50)] float strength = 8,      ///< height of white over black, in distances between samples
+    SamplerState sampler = texture.sampler  ///< how it is read; default: as the texture says
 ) {
     float apart = offset * offset * offset * 0.1;
-    float here = SampleTexture2D(texture, uv).r;
-    float right = SampleTexture2D(texture, uv + float2(apart, 0)).r;
-    float above = SampleTexture2D(texture, uv - float2(0, apart)).r;
+    float here = SampleTexture2D(texture, uv, sampler).r;
+    float right = SampleTexture2D(texture, uv + float2(apart, 0), sampler).r;
+    float above = SampleTexture2D(texture, uv - float2(0, apart), sampler).r;
     return normalize(float3((here - right) * strength, (here - above) * strength, 1));
 }

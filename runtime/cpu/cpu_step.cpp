@@ -19,6 +19,8 @@ Interpreter& bound_stage(const CpuStep& step, std::optional<Interpreter>& place,
     for (const ConstantValue& constant : step.step->constants)
         place->set_value(constant.name, std::array{double(constant.value)});
     for (const LoadedTexture& texture : step.textures) place->set_texture(texture.name, texture.data);
+    for (const BoundSampler& sampler : step.step->reflection->samplers)
+        place->set_sampler(sampler.identifier, step.step->state_of(sampler));
     return *place;
 }
 

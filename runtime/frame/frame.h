@@ -14,6 +14,7 @@
 #include <cstdint>
 #include <functional>
 #include <glm/glm.hpp>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -68,12 +69,17 @@ struct FrameStep {
     std::vector<BlockBytes> blocks{};
     std::vector<ConstantValue> constants{};
     std::span<const LoadedTexture> textures{};
+    std::map<std::string, Sampler> samplers{};  // of Reflection::samplers: those that have not their default
     std::vector<FrameRead> reads{};
     std::vector<std::size_t> targets{};  // one per Pass::targets, indices into Frame::targets
     int depth = -1;                      // index into Frame::targets; -1: no depth or stencil
     PixelArea area{};                    // of the targets; a width of 0: all of them
     std::uint8_t stencil_reference = 0;
     bool clears_stencil = false;  // to 0, all of it, before the step draws
+    const Sampler& state_of(const BoundSampler& sampler) const {
+        const auto found = samplers.find(sampler.name);
+        return found == samplers.end() ? sampler.sampler : found->second;
+    }
     // For whoever asks what a pixel shows. Indices into the world whose frame it is.
     std::optional<std::size_t> object{};  // nothing: no object is drawn
     std::size_t first_instance = 0;       // the first of `instances`, among those of the object

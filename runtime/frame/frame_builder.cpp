@@ -190,6 +190,7 @@ void FrameBuilder::add(PlannedStep planned) {
                    .blocks = fill_blocks(*material.reflection, material.values, planned.seen),
                    .constants = constants_of(*material.reflection, material.values),
                    .textures = textures_of(planned),
+                   .samplers = material.values.samplers,
                    .area = planned.area,
                    .object = planned.object,
                    .first_instance = planned.first_instance};

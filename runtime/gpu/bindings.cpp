@@ -44,7 +44,7 @@ PoolHandle make_pool(Gpu& gpu, const BindingLayout& layout, const Slots& slots) 
 }  // namespace
 
 Slots find_slots(const Reflection& reflection, VkBuffer uniforms, std::span<const BoundBlock> blocks,
-                 std::span<const BoundTexture> textures) {
+                 std::span<const BoundTexture> textures, std::span<const VkSampler> samplers) {
     Slots slots;
     for (const Block& block : reflection.blocks) {
         if (const BoundBlock* bound = find_named(blocks, block.name))
@@ -58,6 +58,11 @@ Slots find_slots(const Reflection& reflection, VkBuffer uniforms, std::span<cons
             .image = {VK_NULL_HANDLE, bound->view, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL}};
         slots[{texture.set, texture.sampler_binding}] = {.type = VK_DESCRIPTOR_TYPE_SAMPLER,
                                                          .image = {bound->sampler, VK_NULL_HANDLE, {}}};
+    }
+    for (std::size_t i = 0; i < samplers.size(); i++) {
+        const BoundSampler& sampler = reflection.samplers[i];
+        slots[{sampler.set, sampler.binding}] = {.type = VK_DESCRIPTOR_TYPE_SAMPLER,
+                                                 .image = {samplers[i], VK_NULL_HANDLE, {}}};
     }
     leave_out_buffer_4(slots);
     return slots;

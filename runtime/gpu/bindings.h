@@ -39,9 +39,9 @@ struct Slot {
 using Slots = std::map<std::pair<std::uint32_t, std::uint32_t>, Slot>;
 
 // Everything that the reflection has and that is given; the places are the same in every pass. Blocks are all there
-// (frame_check.h), and so are the textures that the pass reads.
+// (frame_check.h), and so are the textures that the pass reads. `samplers`: one for each of Reflection::samplers.
 Slots find_slots(const Reflection& reflection, VkBuffer uniforms, std::span<const BoundBlock> blocks,
-                 std::span<const BoundTexture> textures);
+                 std::span<const BoundTexture> textures, std::span<const VkSampler> samplers);
 // Descriptors of uniform buffers that find_slots() asks for.
 std::uint32_t uniform_buffer_count(const Reflection& reflection);
 

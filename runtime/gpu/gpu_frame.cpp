@@ -37,6 +37,17 @@ Outcome<std::vector<BoundTexture>> bind_textures(Gpu& gpu, const FrameStep& step
     return bound;
 }
 
+std::vector<VkSampler> bind_samplers(Gpu& gpu, const FrameStep& step, ReadyFrame& ready) {
+    std::vector<VkSampler> bound;
+    for (const BoundSampler& sampler : step.reflection->samplers) {
+        const Sampler& state = step.state_of(sampler);
+        SamplerHandle& made = ready.samplers[{state.wrap, state.filter, state.anisotropy}];
+        if (!made) made = make_sampler(gpu, state);
+        bound.push_back(made.get());
+    }
+    return bound;
+}
+
 Outcome<VkPipeline> find_pipeline(Gpu& gpu, ReadyFrame& ready, const FrameStep& step, VkPipelineLayout layout,
                                   const std::vector<GpuTarget>& targets) {
     PipelineInfo info{.pass = step.pass,
@@ -64,8 +75,8 @@ Outcome<ReadyStep> make_step_ready(Gpu& gpu, const Frame& frame, std::size_t ind
     const FrameStep& step = frame.steps[index];
     auto bound = bind_textures(gpu, step, ready, targets, textures);
     if (!bound) return Failure{bound.error};
-    const Slots slots =
-        find_slots(*step.reflection, ready.data.buffer.handle.get(), ready.data.blocks[index], bound.value);
+    const Slots slots = find_slots(*step.reflection, ready.data.buffer.handle.get(), ready.data.blocks[index],
+                                   bound.value, bind_samplers(gpu, step, ready));
     auto [layout, is_new] = ready.layouts.try_emplace(shape_of(slots));
     if (is_new) layout->second = make_layout(gpu, slots);
     if (!gpu.error.empty()) return Failure{gpu.error};

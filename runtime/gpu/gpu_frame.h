@@ -26,7 +26,8 @@ struct ReadyStep {
 
 struct ReadyFrame {
     FrameData data;
-    SamplerHandle read_sampler;  // targets are read texel by texel
+    SamplerHandle read_sampler;                                       // targets are read texel by texel
+    std::map<std::tuple<Wrap, Filter, int>, SamplerHandle> samplers;  // of Reflection::samplers, by their state
     std::map<SlotShape, BindingLayout> layouts;
     // By pass, shaders, layout, formats and constants: two steps with the same ones share the pipeline.
     using PipelineKey = std::tuple<const Pass*, const std::uint32_t*, const std::uint32_t*, VkPipelineLayout,

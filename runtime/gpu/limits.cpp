@@ -51,6 +51,7 @@ std::size_t sampler_count(const FrameStep& step) {
     };
     for (const LoadedTexture& texture : step.textures) add(texture.name);
     for (const FrameRead& read : step.reads) add(read.texture);
+    for (const BoundSampler& sampler : step.reflection->samplers) places.insert({sampler.set, sampler.binding});
     return places.size();
 }
 

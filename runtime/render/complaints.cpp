@@ -25,13 +25,16 @@ Diagnostic note(std::string message) {
 std::optional<Diagnostic> anisotropy_warning(const std::string& graph, const Reflection& reflection,
                                              std::string_view pass) {
     std::string names;
+    const auto add = [&](const std::string& name) { names += (names.empty() ? "'" : ", '") + name + "'"; };
     for (const Texture& texture : reflection.textures) {
         const bool is_read = std::any_of(reflection.passes.begin(), reflection.passes.end(), [&](const Pass& each) {
             return (pass.empty() || each.name == pass) &&
                    std::count(each.textures.begin(), each.textures.end(), texture.name) > 0;
         });
-        if (is_read && texture.sampler.anisotropy > 1) names += (names.empty() ? "'" : ", '") + texture.name + "'";
+        if (is_read && texture.sampler.anisotropy > 1) add(texture.name);
     }
+    for (const BoundSampler& sampler : reflection.samplers)
+        if (sampler.sampler.anisotropy > 1) add(sampler.name);
     if (names.empty()) return std::nullopt;
     return complaint(graph, Severity::Warning, Complaint::NoAnisotropy, {names});
 }

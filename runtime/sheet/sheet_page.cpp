@@ -49,6 +49,7 @@ std::string value_of(const Property& property) {
         const std::size_t index = std::size_t(std::max(property.value[0], 0.0));
         return index < property.values.size() ? escaped(property.values[index]) : std::string();
     }
+    if (property.type == PropertyType::Sampler) return std::string(name_of(property.sampler));
     if (is_array(property.type)) return std::string(to_string(property.type));
     std::string text = property.type == PropertyType::Color ? swatch(property.value) : std::string();
     for (int i = 0; i < components(property.type); ++i)

@@ -95,6 +95,16 @@ std::string first_error(const ReadNumbers& read) {
     return "it has no value";
 }
 
+bool is_number(PropertyType type) {
+    return !is_texture(type) && !is_array(type) && type != PropertyType::Sampler;
+}
+
+std::string no_sampler(const std::string& property, const std::string& word) {
+    std::vector<std::string> names;
+    for (const NamedSampler& each : kNamedSamplers) names.emplace_back(each.name);
+    return property + " must be a sampler, not '" + word + "'; " + suggestion(word, names);
+}
+
 std::string no_property(const Reflection& reflection, const std::string& name) {
     const std::string hint = suggestion(name, property_names(reflection));
     return "the material has no property '" + name + "'" + (hint.empty() ? "" : "; " + hint);
@@ -172,7 +182,9 @@ std::optional<std::vector<double>> material_numbers(const BlockMember& member, c
                                                     const Reflection& reflection, const MaterialValues& values) {
     const auto list = [](const Numbers& numbers) { return std::vector<double>(numbers.begin(), numbers.end()); };
     for (const Property& property : reflection.properties) {
-        if (is_texture(property.type) || property.block != block || property.offset != member.offset) continue;
+        if (!(is_number(property.type) || is_array(property.type)) || property.block != block ||
+            property.offset != member.offset)
+            continue;
         if (is_array(property.type)) return array_numbers(property, values);
         auto found = values.numbers.find(property.name);
         return list(found == values.numbers.end() ? property.value : found->second);
@@ -251,7 +263,7 @@ Outcome<MaterialValues> material_values(const Reflection& reflection, const std:
                                         Spelling spelling) {
     MaterialValues result;
     for (const Property& property : reflection.properties)
-        if (!is_texture(property.type) && !is_array(property.type)) result.numbers[property.name] = property.value;
+        if (is_number(property.type)) result.numbers[property.name] = property.value;
 
     for (const auto& [name, text] : words) {
         if (const Texture* texture = tiled_texture(reflection, name)) {
@@ -275,6 +287,12 @@ Outcome<MaterialValues> material_values(const Reflection& reflection, const std:
         }
         if (is_texture(found->type)) {
             result.textures[name] = text;
+            continue;
+        }
+        if (found->type == PropertyType::Sampler) {
+            const NamedSampler* const sampler = find_sampler(text);
+            if (!sampler) return Failure{no_sampler(name, text)};
+            result.samplers[name] = sampler->sampler;
             continue;
         }
         if (is_array(found->type)) {

@@ -28,6 +28,7 @@ struct MaterialValues {
     std::map<std::string, std::array<double, 4>> numbers;  // every property that is one number, vector or choice
     std::map<std::string, std::vector<double>> arrays;     // matrices, gradients and curves that were given a value
     std::map<std::string, std::string> textures;  // those that were named: white | black | gray | bump | a file
+    std::map<std::string, Sampler> samplers;      // those that were given a value
     std::map<std::string, std::array<double, 4>> tilings;  // texture -> scale x, y, offset x, y
     std::vector<std::string> warnings;                     // values outside the usual range
 };
@@ -37,8 +38,8 @@ struct MaterialValues {
 enum class Spelling { Words, Json };
 
 // Words: "0.2", "1,0,0" (linear), "#ff8800", "true", "Wet" (an enumerator), the JSON of a matrix, a gradient or a
-// curve, a file name, or "NAME_ST" = "2,2,0,0" for a texture's tiling. A bad one, or one outside a hard range, is an
-// error that lists what there is.
+// curve, the name of a sampler, a file name, or "NAME_ST" = "2,2,0,0" for a texture's tiling. A bad one, or one outside
+// a hard range, is an error that lists what there is.
 Outcome<MaterialValues> material_values(const Reflection& reflection, const std::map<std::string, std::string>& words,
                                         Spelling spelling = Spelling::Words);
 // A variant of the lighting model, or null.

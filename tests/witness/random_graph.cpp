@@ -279,6 +279,7 @@ private:
         if (port.type == "NoiseHash") return "Deterministic";
         if (!port.enumerators.empty()) return dice_.pick(port.enumerators).name;
         if (port.type == "Texture2D") return map_;
+        if (port.type == "SamplerState") return map_ == "$_Data" ? "nearestMirror" : "nearestClamp";
         if (port.type == "int") return "= " + std::to_string(1 + dice_.below(3));
         Expressions in = inputs_of(node, half);
         if (port.type == "bool") return "= " + in.expression(0, 1).text;

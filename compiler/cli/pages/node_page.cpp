@@ -46,7 +46,9 @@ std::string as_json(const std::string& value) {
 std::string example(const NodeInfo& node, const std::string& name) {
     std::string inputs;
     for (const PortInfo& port : node.ports) {
-        if (port.is_output) continue;
+        // A sampler's default is that of a texture, for which a graph has no word.
+        const bool is_left_open = port.type == "SamplerState" && !port.default_value.empty();
+        if (port.is_output || is_left_open) continue;
         inputs += fmt::format("{}\"{}\": {}", inputs.empty() ? "" : ", ", port.name, as_json(port.default_value));
     }
     // A graph names a file relative to its own folder.

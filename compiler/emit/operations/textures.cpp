@@ -141,7 +141,17 @@ Value seen(const TextureView& view, Value texel, ir::Builder& b) {
 
 }  // namespace
 
+Typed sampler_value(Emitter& emitter, const Expr& expr, Scope& scope) {
+    const auto is_local = [&](const Local& local) { return local.name == expr.text; };
+    const bool is_word = expr.kind == Expr::Kind::Name && scope.environment &&
+                         std::none_of(scope.locals.begin(), scope.locals.end(), is_local);
+    return primary(emitter, is_word ? scope.environment->sampler(expr, scope) : expression(emitter, expr, scope), scope,
+                   expr.span);
+}
+
 Typed view_as(Emitter& emitter, const Expr& expr, Type wanted, Scope& scope, std::string_view what) {
+    if (wanted.kind == ir::Kind::Sampler)
+        return convert(emitter, sampler_value(emitter, expr, scope), wanted, scope, expr.span, what);
     if (!is_texture(emitter, wanted)) return expression_as(emitter, expr, wanted, scope, what);
     const Typed given = primary(emitter, expression(emitter, expr, scope), scope, expr.span);
     return is_view_of(emitter, given.type, wanted) ? given : convert(emitter, given, wanted, scope, expr.span, what);
@@ -184,7 +194,7 @@ Typed method(Emitter& emitter, const Expr& expr, Scope& scope) {
     std::vector<Value> operands{b.extract(object.value, 0)};
     Value sampler = b.extract(object.value, 1);
     if (takes_sampler(row->op) && arguments.size() == wanted.size() + 1) {
-        const Typed given = expression(emitter, *arguments[0], scope);
+        const Typed given = sampler_value(emitter, *arguments[0], scope);
         if (!given.ok()) return {};
         if (given.type.kind != ir::Kind::Sampler) {
             emitter.diagnostics.report(Code::TypeMismatch, arguments[0]->span, "the first argument",

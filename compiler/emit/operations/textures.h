@@ -10,5 +10,7 @@ namespace patina::emit {
 ir::Type texture_type(Emitter& emitter, ir::Kind kind, const TextureView& view = {});
 // texture.Sample(uv), texture.Sample(sampler, uv), texture.Load(texel, level) and so on.
 Typed method(Emitter& emitter, const Expr& expr, Scope& scope);
+// The value of an expression where a sampler is wanted: in a graph, a name alone may be one of patina/reflection.h.
+Typed sampler_value(Emitter& emitter, const Expr& expr, Scope& scope);
 
 }  // namespace patina::emit

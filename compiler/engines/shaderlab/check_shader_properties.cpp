@@ -215,6 +215,8 @@ void check_shader_properties(const graph::Material& material, const graph::Lower
         const graph::Property& property = *entry.property;
         const graph::PropertyGlobals& globals = lowered.property_globals[i];
         const ir::GlobalId id = globals.texture ? globals.texture : globals.value;
+        if (property.type == PropertyType::Sampler && !entry.is_at_port)
+            diagnostics.report(Code::FixedSampler, property.name_span, property.name, property.shared_sampler);
         if (!id && !globals.keyword) continue;  // it is a constant
         const ir::Global* global = id ? &lowered.module.globals[id.index] : nullptr;
         const bool is_theirs = global && global->in_block() &&

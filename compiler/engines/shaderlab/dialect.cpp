@@ -64,10 +64,12 @@ std::string_view macro_of(Kind kind) {
     return kind == Kind::Texture3D ? "TEX3D" : "TEX2D";
 }
 
-// Of other kinds than 2D, Unity has macros for plain samples and for levels; where these exist, so do methods.
+// Of other kinds than 2D, Unity has macros for plain samples and for levels with the texture's own sampler; where these
+// exist, so do methods.
 std::string read_layers(const Body& body, Value v, const Reading& reading) {
     const std::string_view macro = macro_of(body[body.arg(v, 0)].type.kind);
-    if (reading.op == Op::Sample || reading.op == Op::SampleLevel)
+    const bool is_own = texture_of(body.argument(v, 1)) == body.argument(v, 0);
+    if (is_own && (reading.op == Op::Sample || reading.op == Op::SampleLevel))
         return fmt::format("UNITY_SAMPLE_{}{}({}, {})", macro, reading.suffix, body.argument(v, 0),
                            body.arguments(v, 2));
     return hlsl::language().expression(body, v).text;
@@ -140,12 +142,21 @@ void block(Writer& w, const UniformBlock& block) {
     if (is_open) w.line(0, fmt::format("UNITY_INSTANCING_BUFFER_END({})", kInstances));
 }
 
-// One macro declares a texture and its sampler. Its size is a variable that Unity fills.
+bool is_texture_named(const Module& module, std::string_view name) {
+    return std::any_of(module.globals.begin(), module.globals.end(),
+                       [&](const Global& each) { return each.type.is_texture() && each.name == name; });
+}
+
+// One macro declares a texture and its sampler. Its size is a variable that Unity fills. Unity makes other samplers by
+// their names.
 void resource(Writer& w, GlobalId id) {
     const Global& global = w.module.globals[id.index];
     if (global.type.is_numeric()) w.line(0, w.declaration(global.type, w.globals[id.index]) + ";");
+    if (global.type.kind == Kind::Sampler && !is_texture_named(w.module, texture_of(global.name)))
+        w.line(0, fmt::format("DECLARE_SAMPLER({})", texture_of(w.globals[id.index])));
     if (global.type.is_texture()) {
-        const std::string_view form = has_no_sampler(w.module, id.index) ? "_NOSAMPLER" : "";
+        const bool is_flat = global.type.kind == Kind::Texture2D;
+        const std::string_view form = is_flat && has_no_sampler(w.module, id.index) ? "_NOSAMPLER" : "";
         w.line(0, fmt::format("UNITY_DECLARE_{}{}({});", macro_of(global.type.kind), form, w.globals[id.index]));
     }
 }

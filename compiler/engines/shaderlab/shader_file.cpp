@@ -99,7 +99,7 @@ public:
         out_.line(0, "{");
         out_.line(1, "Properties");
         out_.line(1, "{");
-        for (const std::string& line : shader_properties(in_.material, in_.lowered, in_.reflection)) out_.line(2, line);
+        for (const std::string& line : shader_properties(in_.material, in_.lowered)) out_.line(2, line);
         out_.line(1, "}");
         out_.line(0, "");
         common();
@@ -145,13 +145,27 @@ private:
         out_.line(1, "CGINCLUDE");
         for (const std::string_view file : includes) out_.line(1, fmt::format("#include \"{}\"", file));
         gap_after(!includes.empty());
+        // Macros that declare something stand before it.
+        std::string uniforms;
+        for (const Declaration* each : shared_) {
+            if (each->kind == Kind::Uniform) uniforms += each->text;
+        }
+        const std::vector<std::string_view> first = needed_pieces_of(in_.engine.include, uniforms);
+        write_pieces(first);
+        const auto needed_pieces = [&] {
+            std::vector<std::string_view> pieces = needed_pieces_of(in_.engine.include, text);
+            std::erase_if(pieces, [&](std::string_view piece) {
+                return std::find(first.begin(), first.end(), piece) != first.end();
+            });
+            write_pieces(pieces);
+        };
         const std::string_view condition = vertex_condition(passes_);
         Kind before = Kind::Uniform;
         bool is_first = true, is_open = false;
         for (const Declaration* each : shared_) {
             if (each->kind != Kind::Uniform && before == Kind::Uniform) {
                 if (!is_first) out_.line(0, "");
-                needed_pieces(text);
+                needed_pieces();
             }
             if (each->is_of_vertex && !condition.empty() && !is_open) {
                 out_.line(1, fmt::format("#if {}", condition));
@@ -165,14 +179,14 @@ private:
         }
         if (before == Kind::Uniform) {
             gap_after(!is_first);
-            needed_pieces(text);
+            needed_pieces();
         }
         out_.line(1, "ENDCG");
         out_.line(0, "");
     }
 
-    void needed_pieces(const std::string& text) {
-        for (const std::string_view piece : needed_pieces_of(in_.engine.include, text)) {
+    void write_pieces(std::span<const std::string_view> pieces) {
+        for (const std::string_view piece : pieces) {
             for (const std::string_view line : split(piece, "\n")) out_.line(1, line);
             out_.line(0, "");
         }

@@ -33,8 +33,7 @@ std::vector<ir::Origin> origins_of(std::span<const LinkedPass> passes);
 
 // --- shader_properties.cpp
 // The lines of the block `Properties`.
-std::vector<std::string> shader_properties(const graph::Material& material, const graph::Lowered& lowered,
-                                           const Reflection& reflection);
+std::vector<std::string> shader_properties(const graph::Material& material, const graph::Lowered& lowered);
 // Text without the characters that cannot be written between quotes: ShaderLab has no escapes there.
 std::string quoted(std::string_view text);
 // The name under which Unity lists the shader: "Patina/Rust".

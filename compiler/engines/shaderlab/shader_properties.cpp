@@ -125,7 +125,8 @@ Declared declared(const graph::MaterialProperty& entry, bool is_decoded) {
         case PropertyType::Float3x3:
         case PropertyType::Float4x4:
         case PropertyType::Gradient:
-        case PropertyType::Curve: break;
+        case PropertyType::Curve:
+        case PropertyType::Sampler: break;
         case PropertyType::Texture2D: {
             std::string attributes = property.tiling ? "" : "[NoScaleOffset] ";
             if (is_unity_normal_map(property)) attributes += "[Normal] ";
@@ -195,8 +196,7 @@ std::string_view default_word(const graph::Property& property) {
     return property.usage == TextureUsage::Normal ? "bump" : "white";
 }
 
-std::vector<std::string> shader_properties(const graph::Material& material, const graph::Lowered& lowered,
-                                           const Reflection& reflection) {
+std::vector<std::string> shader_properties(const graph::Material& material, const graph::Lowered& lowered) {
     std::vector<std::string> lines;
     std::string group;
     for (std::size_t i = 0; i < material.properties.size(); ++i) {
@@ -218,9 +218,9 @@ std::vector<std::string> shader_properties(const graph::Material& material, cons
                 lines.emplace_back("[Space]");
             group = property.group;
         }
-        std::string line = fmt::format("{}{} (\"{}\", {}) = {}", made.attributes, reflection.properties[i].identifier,
-                                       quoted(property.label.empty() ? readable(property.name) : property.label),
-                                       made.type, made.value);
+        std::string line = fmt::format(
+            "{}{} (\"{}\", {}) = {}", made.attributes, lowered.module.globals[(id ? id : globals.keyword).index].name,
+            quoted(property.label.empty() ? readable(property.name) : property.label), made.type, made.value);
         std::string asset = entry.is_file ? quoted(file_name(entry.texture_path)) : "";
         if (const std::string words = sampler_words(property); !words.empty())
             asset += (asset.empty() ? "" : ", ") + words;

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <map>
+
 #include "compiler/engines/shaderlab/shader_file.h"
 #include "compiler/link/check_reads.h"
 #include "compiler/link/identifiers.h"
@@ -16,14 +18,27 @@ bool accepts(graph::Session&) {
     return true;
 }
 
+// The name by which Unity makes a sampler: "sampler_point_clamp".
+std::string inline_sampler(const Sampler& sampler) {
+    const std::string_view filter = sampler.filter == Filter::Nearest ? "point" : "trilinear";
+    const std::string aniso = sampler.anisotropy > 1 ? fmt::format("_aniso{}", sampler.anisotropy) : "";
+    return fmt::format("sampler_{}_{}{}", filter, to_string(sampler.wrap), aniso);
+}
+
 // A macro declares a texture's sampler under a name made from the texture's identifier.
 void name(const graph::Session&, graph::Lowered& lowered) {
+    std::vector<ir::Global>& all = lowered.module.globals;
+    std::map<std::uint32_t, std::string> inlined;
+    for (const graph::PropertyGlobals& globals : lowered.property_globals) {
+        if (!globals.sampler || globals.texture) continue;
+        if (const NamedSampler* const named = find_sampler(all[globals.sampler.index].name))
+            inlined[globals.sampler.index] = inline_sampler(named->sampler);
+    }
     link::name_interface(lowered.module);
     for (const graph::PropertyGlobals& globals : lowered.property_globals) {
-        if (globals.texture)
-            lowered.module.globals[globals.sampler.index].name =
-                "sampler" + lowered.module.globals[globals.texture.index].name;
+        if (globals.texture) all[globals.sampler.index].name = "sampler" + all[globals.texture.index].name;
     }
+    for (auto& [sampler, called] : inlined) all[sampler].name = std::move(called);
 }
 
 bool takes(graph::Session& session, const link::Linked& linked, const LinkedPass& pass) {

@@ -7,7 +7,6 @@
 #include "compiler/format/canonical_form.h"
 #include "compiler/format/keys.h"
 #include "compiler/format/schema/schema_parts.h"
-#include "compiler/format/shared_samplers.h"
 
 namespace patina::graph {
 namespace {
@@ -95,7 +94,8 @@ std::vector<SchemaRow> make_rows(const SchemaInput& input) {
         {Free, "handedness", words_schema<Handedness>()},
         {Free, "swizzle", R"({"type":"string","pattern":"^[rgba01]{1,4}$"})"},
         {Free, "values", text(kIdentifiers)},
-        {Property, "default", any_of({texts_schema(kDefaultTextures), reference("value")})},
+        {Property, "default",
+         any_of({texts_schema(kDefaultTextures), texts_schema(sampler_names()), reference("value")})},
         {Free, "default", reference("value")},
         {Free, "range", text(kRange)},
         {Free, "hard", text(kBoolean)},
@@ -105,7 +105,7 @@ std::vector<SchemaRow> make_rows(const SchemaInput& input) {
         {Free, "tiling", text(kBoolean)},
         {Free, "grid",
          R"json({"type": "array", "items": {"type": "integer", "minimum": 1, "maximum": 256}, "minItems": 2, "maxItems": 2})json"},
-        {Free, "sampler", any_of({texts_schema(shared_sampler_names()), reference("sampler")})},
+        {Free, "sampler", any_of({texts_schema(sampler_names()), reference("sampler")})},
         {Free, "colors", key_list_schema(8, any_of({text(kColor), text(kLinearColor)}))},
         {Free, "alphas", key_list_schema(8, R"({"type":"number","minimum":0,"maximum":1})")},
         {Free, "blend", words_schema<GradientBlend>()},

@@ -103,6 +103,12 @@ Declaration declaration_of(const Property& property) {
         return {.type = fmt::format("float{}", count), .value = list(std::vector<float>(value.begin(), value.end()))};
     }
     const Type type = type_of_property(kind);
+    if (type == Type::Sampler) {
+        NearestSampler sampler =
+            nearest_sampler(whole_of(property.json, "m_Value.m_filter"), whole_of(property.json, "m_Value.m_wrap"),
+                            whole_of(property.json, "m_Value.m_anisotropic"));
+        return {.type = "sampler", .value = text(sampler.name), .difference = std::move(sampler.difference)};
+    }
     if (type == Type::Gradient)
         return {.type = "gradient", .value = gradient_value(gradient_of(member(property.json, "m_Value")))};
     if (is_matrix(type)) {
@@ -182,10 +188,7 @@ void GraphMaker::read_blackboard() {
             made.type = "int";
             made.value = number(static_cast<double>(chosen));
         } else if (made.type.empty()) {
-            const bool is_sampler = property.kind == "SamplerState";
-            remark(is_sampler ? Remark::Kind::Taken : Remark::Kind::Changed, part,
-                   is_sampler ? "the sampler of the textures that use it" : "a graph has no such property",
-                   property.place);
+            remark(Remark::Kind::Changed, part, "a graph has no such property", property.place);
             if (is_input) ports_.inputs.push_back(port);
             continue;
         }
@@ -223,14 +226,6 @@ Term GraphMaker::property_term(std::size_t index) {
         Term made = link(name, type);
         made.gradient = std::make_shared<const Gradient>(gradient_of(member(found->json, "m_Value")));
         made.nodes = {index};
-        return made;
-    }
-    if (type == Type::Sampler) {
-        Term made{.type = type};
-        made.sampler = SamplerState{.filter = whole_of(found->json, "m_Value.m_filter"),
-                                    .wrap = whole_of(found->json, "m_Value.m_wrap"),
-                                    .anisotropy = whole_of(found->json, "m_Value.m_anisotropic")};
-        taken(index, "the sampler of the texture");
         return made;
     }
     Term made = link(name, type);

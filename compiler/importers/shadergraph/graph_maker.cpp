@@ -25,6 +25,8 @@ GraphMaker::GraphMaker(Project& project, const ShaderGraph& graph, std::string n
       outcomes_(graph.nodes.size()) {
     // Names that nodes get which do not come from one node.
     for (const char* each : {"uv", "uv1", "uv2", "uv3"}) ids_.take(each);
+    // A node of such a name would hide the sampler.
+    for (const NamedSampler& each : kNamedSamplers) ids_.take(std::string(each.name));
     for (const Block& block : graph.blocks)
         if (const std::size_t hash = block.name.find('#'); block.is_vertex && hash != block.name.npos)
             ids_.take(camel_case(std::string_view(block.name).substr(0, hash)));
@@ -170,6 +172,8 @@ Term GraphMaker::input(std::size_t index, int slot_id, bool may_stay_number) {
         made = texture_constant(index, type, json, "m_Texture", 0);
     } else if (type == Type::Cubemap) {
         made = texture_constant(index, type, json, "m_Cubemap", 0);
+    } else if (type == Type::Sampler) {
+        return stand_in(type);
     } else if (type == Type::None) {
         approximate(index, fmt::format("the input '{}' is of the class '{}', which this importer does not know: it "
                                        "has a constant",

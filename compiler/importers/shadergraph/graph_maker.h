@@ -72,8 +72,10 @@ public:
     Term bound(std::size_t node, const Slot& slot, const Term& otherwise);
     // The texture that a slot or an asset holds, as a property of its own.
     Term texture_constant(std::size_t node, Type type, const Json* holder, std::string_view key, int default_type);
-    void sample_with(std::size_t node, const Term& texture, TextureMeaning meaning,
-                     const std::optional<SamplerState>& sampler);
+    // Notes what the texels are for a node.
+    void sample(const Term& texture, TextureMeaning meaning);
+    // The sampler that is connected to the node; nothing if the texture's own counts.
+    std::optional<Term> linked_sampler(std::size_t node) const;
     Term property_term(std::size_t node);
     const Property* property(std::string_view id) const;
     std::string property_name(const Property& property) const;
@@ -92,8 +94,6 @@ private:
     struct TextureUse {
         bool is_normal = false, is_color = false, is_data = false;
         bool is_linear = false;  // its default says so
-        std::optional<SamplerState> sampler{};
-        std::set<std::size_t> other_samplers{};  // nodes that sample it in another way
     };
 
     void find_order();
@@ -144,6 +144,14 @@ bool apply_rule(GraphMaker& maker, std::size_t node);
 bool apply_special(GraphMaker& maker, std::size_t node);
 // The classes that have one.
 std::vector<std::string_view> special_classes();
+
+// The sampler nearest to a state of Unity's, and how it differs, in words.
+struct NearestSampler {
+    std::string_view name{};
+    std::string difference{};
+};
+// 0 linear, 1 point, 2 trilinear; 0 repeat, 1 clamp, 2 mirror, 3 mirror once; 0 none, 1 to 4: 2, 4, 8 and 16.
+NearestSampler nearest_sampler(int filter, int wrap, int anisotropy);
 
 Gradient gradient_of(const Json* json);  // as a slot or a property holds it
 void make_gradient(GraphMaker& maker, std::size_t node);

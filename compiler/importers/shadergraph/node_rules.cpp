@@ -271,6 +271,11 @@ private:
             holds.add_nodes(term);
             if (info == call_->ports.end() || !is_default(*info, term)) made.inputs.push_back({port, term.value()});
         }
+        const auto own = std::ranges::find(call_->ports, "sampler", &PortInfo::name);
+        if (const auto sampler = maker_.linked_sampler(node_); sampler && own != call_->ports.end()) {
+            holds.add_nodes(*sampler);
+            made.inputs.push_back({"sampler", sampler->value()});
+        }
         is_handed_on_ = false;
         if (is_step_ && !wanted.empty()) wanted += "Texel";
         if (is_step_) last_wanted_ = wanted.substr(0, wanted.size() - std::min<std::size_t>(wanted.size(), 5));
@@ -287,14 +292,10 @@ private:
     // A node that samples a texture says how the texture is used.
     void note_texture(const Term& term, std::string_view use) {
         if (use == "size") return;
-        std::optional<SamplerState> sampler;
-        for (const Slot& slot : maker_.node(node_).slots)
-            if (slot.is_input && type_of_slot(slot.kind).type == Type::Sampler)
-                if (const auto linked = maker_.linked_term(node_, slot.id)) sampler = linked->sampler;
         const TextureMeaning meaning = use == "normal" ? TextureMeaning::Normal
                                        : use == "data" ? TextureMeaning::Data
                                                        : TextureMeaning::Color;
-        maker_.sample_with(node_, term, meaning, sampler);
+        maker_.sample(term, meaning);
     }
 
     GraphMaker& maker_;

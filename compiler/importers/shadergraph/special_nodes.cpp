@@ -65,12 +65,11 @@ void engine_matrix(GraphMaker& maker, std::size_t node) {
 
 void sampler_state(GraphMaker& maker, std::size_t node) {
     const Json* json = maker.node(node).json;
-    Term made{.type = Type::Sampler};
-    made.sampler = SamplerState{.filter = whole_of(json, "m_filter"),
-                                .wrap = whole_of(json, "m_wrap"),
-                                .anisotropy = whole_of(json, "m_aniso")};
-    maker.set(node, 0, made);
-    maker.taken(node, "the sampler of the texture");
+    const NearestSampler sampler =
+        nearest_sampler(whole_of(json, "m_filter"), whole_of(json, "m_wrap"), whole_of(json, "m_aniso"));
+    if (!sampler.difference.empty()) maker.approximate(node, sampler.difference);
+    maker.set(node, 0, link(std::string(sampler.name), Type::Sampler));
+    maker.taken(node, fmt::format("the sampler '{}'", sampler.name));
 }
 
 void texture_asset(GraphMaker& maker, std::size_t node) {

@@ -54,8 +54,10 @@ void make_subgraph_node(GraphMaker& maker, std::size_t index) {
         const bool is_linked = slot && maker.is_linked(index, slot->id);
         if (!input.connected.empty() && is_linked) made.inputs.push_back({input.connected, flag_term(true).value()});
         const bool is_gradient = input.type == Type::Gradient;
-        if (!is_value(input.type) && !is_gradient && !is_texture(input.type)) {
-            if (is_linked && input.type != Type::Sampler)
+        const bool is_sampler = input.type == Type::Sampler;
+        if (is_sampler && !is_linked) continue;  // its default
+        if (!is_value(input.type) && !is_gradient && !is_sampler && !is_texture(input.type)) {
+            if (is_linked)
                 maker.approximate(index,
                                   fmt::format("the input '{}' keeps its default, because a sub-graph cannot take {}",
                                               input.name, word(input.type)));
@@ -67,8 +69,7 @@ void make_subgraph_node(GraphMaker& maker, std::size_t index) {
             continue;
         }
         std::vector<Term> term = {maker.input(index, slot->id, true)};
-        if (input.type == Type::Texture2D && input.is_normal_map)
-            maker.sample_with(index, term[0], TextureMeaning::Normal, std::nullopt);
+        if (input.type == Type::Texture2D && input.is_normal_map) maker.sample(term[0], TextureMeaning::Normal);
         if (is_gradient && term[0].gradient && term[0].gradient->is_perceptual() != input.is_perceptual)
             maker.approximate(index, fmt::format("the sub-graph blends the gradient '{}' {}", input.name,
                                                  input.is_perceptual ? "in OkLab" : "as a picker shows its colours"));

@@ -1,5 +1,5 @@
-// Textures: which file a property shows, how it is decoded, and its sampler, which in a graph of Patina belong to the
-// texture and not to the node that samples it.
+// Textures: which file a property shows and how it is decoded, which in a graph of Patina belongs to the texture and
+// not to the node that samples it. Samplers: the names of their states.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -43,15 +43,6 @@ std::string_view default_word(int kind) {
     return kWords[std::clamp(kind, 0, 5)];
 }
 
-Value sampler_value(const SamplerState& sampler) {
-    std::vector<Member> made;
-    if (sampler.wrap > 0) made.push_back({"wrap", text(sampler.wrap == 1 ? "clamp" : "mirror")});
-    if (sampler.filter == 1) made.push_back({"filter", text("nearest")});
-    if (sampler.anisotropy > 0)
-        made.push_back({"anisotropy", number(static_cast<double>(1 << std::min(sampler.anisotropy, 4)))});
-    return made.empty() ? Value{} : object(made);
-}
-
 }  // namespace
 
 Term GraphMaker::texture_constant(std::size_t index, Type type, const Json* holder, std::string_view key,
@@ -81,24 +72,41 @@ Term GraphMaker::texture_constant(std::size_t index, Type type, const Json* hold
     return link("$" + name, type);
 }
 
-void GraphMaker::sample_with(std::size_t index, const Term& texture, TextureMeaning meaning,
-                             const std::optional<SamplerState>& sampler) {
+void GraphMaker::sample(const Term& texture, TextureMeaning meaning) {
     const auto found = textures_.find(texture.base.substr(1));
     if (found == textures_.end()) {
         for (SubgraphPorts::Input& input : ports_.inputs)
             if (meaning == TextureMeaning::Normal && "$" + input.name == texture.base) input.is_normal_map = true;
-        if (sampler && *sampler != SamplerState{})
-            approximate(index, "the texture has the sampler of the material that uses this sub-graph");
         return;
     }
     TextureUse& use = found->second;
     use.is_normal |= meaning == TextureMeaning::Normal;
     use.is_color |= meaning == TextureMeaning::Color;
     use.is_data |= meaning == TextureMeaning::Data;
-    const SamplerState wanted = sampler.value_or(SamplerState{});
-    if (!use.sampler) use.sampler = wanted;
-    if (*use.sampler != wanted) use.other_samplers.insert(index);
-    if (wanted.wrap == 3) approximate(index, "the texture is mirrored again and again, not once");
+}
+
+std::optional<Term> GraphMaker::linked_sampler(std::size_t index) const {
+    for (const Slot& slot : node(index).slots) {
+        if (!slot.is_input || type_of_slot(slot.kind).type != Type::Sampler) continue;
+        auto linked = linked_term(index, slot.id);
+        if (linked && linked->type == Type::Sampler) return linked;
+    }
+    return {};
+}
+
+NearestSampler nearest_sampler(int filter, int wrap, int anisotropy) {
+    NearestSampler made;
+    Sampler wanted;
+    wanted.wrap = wrap == 1 ? Wrap::Clamp : wrap == 2 || wrap == 3 ? Wrap::Mirror : Wrap::Repeat;
+    wanted.filter = filter == 1 ? Filter::Nearest : Filter::Linear;
+    // A sampler that takes the nearest texel has no use for it.
+    if (filter != 1 && anisotropy > 0) wanted.anisotropy = anisotropy <= 2 ? 4 : 16;
+    if (wrap == 3) made.difference = "a texture is mirrored again and again, not once";
+    if (filter != 1 && (anisotropy == 1 || anisotropy == 3))
+        made.difference += fmt::format("{}its anisotropy is {}, not {}", made.difference.empty() ? "" : "; ",
+                                       wanted.anisotropy, wanted.anisotropy / 2);
+    made.name = name_of(wanted);
+    return made;
 }
 
 void GraphMaker::finish_textures() {
@@ -131,12 +139,6 @@ void GraphMaker::finish_textures() {
         const bool is_data = use.is_linear || (use.is_data && !use.is_color);
         if (made->type == "texture2d" && (use.is_normal || is_data))
             made->more.push_back({"usage", text(use.is_normal ? "normal" : "data")});
-        if (use.sampler)
-            if (const Value sampler = sampler_value(*use.sampler); !sampler.json.empty())
-                made->more.push_back({"sampler", sampler});
-        for (const std::size_t node : use.other_samplers)
-            approximate(node,
-                        fmt::format("the texture '{}' has one sampler, that of the node that reads it first", name));
         if (source)
             remark(difference.empty() ? Remark::Kind::Taken : Remark::Kind::Changed,
                    fmt::format("property '{}'", source->name),

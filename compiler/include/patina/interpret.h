@@ -93,6 +93,8 @@ public:
     void set_value(std::string_view name, std::span<const double> components);
     // Sets a texture and its sampler, by Texture::identifier. Until then all of its texels are 1.
     void set_texture(std::string_view name, std::shared_ptr<const TextureData> texture);
+    // Sets one of Reflection::samplers, by its identifier. Until then, textures are read by their own samplers there.
+    void set_sampler(std::string_view name, const Sampler& sampler);
 
     // Runs the four lanes of a quad. Components that are missing are 0.
     QuadOutputs run(const QuadInputs& quad);

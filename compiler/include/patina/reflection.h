@@ -47,6 +47,42 @@ struct Sampler {
     friend bool operator==(const Sampler&, const Sampler&) = default;
 };
 
+// A sampler that has a name: "trilinearRepeat". Textures share it, nodes read a texture through it, and a property of
+// the type sampler has one of these as its value.
+struct NamedSampler {
+    std::string_view name;  // a filter, then a wrap mode
+    Sampler sampler;        // what it stands for
+};
+// All of them.
+inline constexpr std::array kNamedSamplers = {
+    NamedSampler{"trilinearRepeat", {Wrap::Repeat, Filter::Linear, 1}},
+    NamedSampler{"trilinearClamp", {Wrap::Clamp, Filter::Linear, 1}},
+    NamedSampler{"trilinearMirror", {Wrap::Mirror, Filter::Linear, 1}},
+    NamedSampler{"nearestRepeat", {Wrap::Repeat, Filter::Nearest, 1}},
+    NamedSampler{"nearestClamp", {Wrap::Clamp, Filter::Nearest, 1}},
+    NamedSampler{"nearestMirror", {Wrap::Mirror, Filter::Nearest, 1}},
+    NamedSampler{"anisotropic4Repeat", {Wrap::Repeat, Filter::Linear, 4}},
+    NamedSampler{"anisotropic4Clamp", {Wrap::Clamp, Filter::Linear, 4}},
+    NamedSampler{"anisotropic4Mirror", {Wrap::Mirror, Filter::Linear, 4}},
+    NamedSampler{"anisotropic16Repeat", {Wrap::Repeat, Filter::Linear, 16}},
+    NamedSampler{"anisotropic16Clamp", {Wrap::Clamp, Filter::Linear, 16}},
+    NamedSampler{"anisotropic16Mirror", {Wrap::Mirror, Filter::Linear, 16}},
+};
+// Null if no sampler has the name.
+constexpr const NamedSampler* find_sampler(std::string_view name) {
+    for (const NamedSampler& each : kNamedSamplers) {
+        if (each.name == name) return &each;
+    }
+    return nullptr;
+}
+// The name of a sampler; empty if it has none.
+constexpr std::string_view name_of(const Sampler& sampler) {
+    for (const NamedSampler& each : kNamedSamplers) {
+        if (each.sampler == sampler) return each.name;
+    }
+    return {};
+}
+
 // A texture with its sampler: a property of the graph, or the engine's own.
 struct Texture {
     std::string name;        // the property's, or the engine's
@@ -79,6 +115,18 @@ struct Texture {
     FilePlace place{};                                 // of the property in its graph; not in the JSON
 };
 
+// A sampler that nodes name instead of that of a texture: a property of the type sampler, or one of kNamedSamplers.
+// Textures that share a named one have its binding as theirs.
+struct BoundSampler {
+    std::string name;           // the property's, or "trilinearRepeat"
+    std::string identifier;     // in the shaders
+    bool is_property = false;   // a program can set it
+    std::uint32_t set = 0;      // Vulkan descriptor set = HLSL register space
+    std::uint32_t binding = 0;  // Vulkan binding, of GLSL and of HLSL after the shifts
+    std::string hlsl_register;  // "s0, space1"
+    Sampler sampler;            // of a property: its default
+};
+
 // A value of the graph that a program can set.
 struct Property {
     std::string name;        // in the graph: "_Tint"
@@ -87,6 +135,7 @@ struct Property {
     std::array<double, 4> value{};            // default; colours linear; bool 0 or 1; enum: index
     // The default of a matrix, by rows, or of a gradient or a curve, as its array in the block holds it; else empty.
     std::vector<double> numbers{};
+    Sampler sampler{};  // the default of a sampler: one of kNamedSamplers
     // Specialization: a constant that is set when a pipeline is made. Variant: the shaders are compiled for `value`,
     // and hold no other.
     Binding binding = Binding::Uniform;
@@ -237,10 +286,11 @@ struct Pass {
     std::optional<Bounds> bounds{};          // for an extra pass: as in Reflection
     std::vector<RenderTarget> targets;       // empty: depth only
     std::vector<VertexInput> vertex_inputs;  // of its vertex stage
-    std::vector<ShaderFile> shaders{};  // its stages in the languages that were compiled; empty: another file has all
-    std::vector<std::string> blocks;    // names of the blocks that either stage reads
-    std::vector<std::string> textures;  // names of the textures that either stage reads
-    // The blocks and textures that each stage reads: the stage flags of their bindings.
+    std::vector<ShaderFile> shaders{};    // its stages in the languages that were compiled; empty: another file has all
+    std::vector<std::string> blocks;      // names of the blocks that either stage reads
+    std::vector<std::string> textures;    // names of the textures that either stage reads
+    std::vector<std::string> samplers{};  // names of Reflection::samplers that either stage reads
+    // The blocks, textures and such samplers that each stage reads: the stage flags of their bindings.
     std::vector<std::string> vertex_reads{}, fragment_reads{};
     std::vector<std::string> keywords{};  // properties that either stage reads as specialization constants or keywords
     // The hash of what the pass computes, whatever the graph's names are (CompileOptions::hashes); else empty.
@@ -295,6 +345,7 @@ struct PATINA_API Reflection {
     std::vector<Property> lighting_options{};
     std::vector<Block> blocks;                // of all passes
     std::vector<Texture> textures;            // of all passes: the material's, then the engine's
+    std::vector<BoundSampler> samplers{};     // those that nodes name, in the order of their bindings
     std::vector<Pass> passes;                 // in the order in which they are drawn
     std::vector<ShaderFunction> functions{};  // replace the passes
     std::string layout_hash;                  // of blocks and bindings: equal hash, equal layout

@@ -73,11 +73,12 @@ enum class PropertyType {
     Texture2D,
     TextureCube,
     Texture2DArray,
-    Texture3D
+    Texture3D,
+    Sampler
 };
 // True for the four types that are textures.
 constexpr bool is_texture(PropertyType type) {
-    return type >= PropertyType::Texture2D;
+    return type >= PropertyType::Texture2D && type <= PropertyType::Texture3D;
 }
 // True for a matrix, a gradient and a curve, which are more than one vector.
 constexpr bool is_array(PropertyType type) {
@@ -102,7 +103,8 @@ constexpr std::size_t component_count(PropertyType type) {
         case PropertyType::Texture2D:
         case PropertyType::TextureCube:
         case PropertyType::Texture2DArray:
-        case PropertyType::Texture3D: break;
+        case PropertyType::Texture3D:
+        case PropertyType::Sampler: break;
     }
     return 1;
 }
@@ -125,6 +127,7 @@ inline constexpr auto kWords<PropertyType> = std::to_array<Word<PropertyType>>({
     {"textureCube", PropertyType::TextureCube},
     {"texture2dArray", PropertyType::Texture2DArray},
     {"texture3d", PropertyType::Texture3D},
+    {"sampler", PropertyType::Sampler},
 });
 
 // When a property gets its value: when something is drawn; when a pipeline is made; when the graph is compiled; for

@@ -54,6 +54,14 @@
 #define SAMPLE_TEX2D_SAMPLER_GRAD(tex, samplertex, coord, dx, dy) tex2Dgrad(tex, coord, dx, dy)
 #endif
 
+// Declares a sampler that Unity makes by its name. With combined samplers there is none: a texture is read by its own.
+#if defined(UNITY_SEPARATE_TEXTURE_SAMPLER) || defined(UNITY_COMPILER_HLSLCC) || defined(SHADER_API_D3D11) || \
+    defined(SHADER_API_XBOXONE) || defined(SHADER_API_PSSL)
+#define DECLARE_SAMPLER(name) SamplerState sampler##name;
+#else
+#define DECLARE_SAMPLER(name)
+#endif
+
 // In a gamma-space project, colours arrive and leave encoded; lighting is still computed in linear space.
 #ifdef UNITY_COLORSPACE_GAMMA
 half3 LinearColor(half3 color) { return GammaToLinearSpace(color); }

@@ -451,7 +451,8 @@ TEST(ReadGraphErrors, Inputs) {
     EXPECT_EQ(
         subgraph(R"({"name":"a","type":"^enum"})"),
         "'enum' is not the type of an input | these exist: float, float2, float3, float4, color, color3, int, bool, "
-        "float2x2, float3x3, float4x4, gradient, curve, texture2d, textureCube, texture2dArray and texture3d");
+        "float2x2, float3x3, float4x4, gradient, curve, texture2d, textureCube, texture2dArray, texture3d "
+        "and sampler");
     EXPECT_EQ(subgraph(R"({"name":"a","type":"float","default":^2,"range":[0,1]})"),
               "2 is outside the usual range 0 to 1 of 'a'");
     EXPECT_EQ(subgraph(R"({"name":"a","type":"float3","default":[0,^5,0],"range":[0,1],"hard":true})"),

@@ -137,8 +137,18 @@ ShaderGraphText graph_of(const Slots& slots, const std::string& settings, std::s
              .kind = fmt::format("Matrix{}Node", width),
              .slots = {out(0, fmt::format("Matrix{}", width))},
              .more = R"("m_Row0":{"x":1.0},"m_Row1":{"y":1.0},"m_Row2":{"z":1.0},"m_Row3":{"w":1.0})"});
+    if (width > 0) {
+        graph.properties.push_back(
+            {.id = "how", .kind = "SamplerState", .name = "How", .value = R"({"m_filter":1,"m_wrap":1})"});
+        graph.nodes.push_back({.id = "sampler",
+                               .kind = "PropertyNode",
+                               .slots = {out(0, "SamplerState")},
+                               .name = "Property",
+                               .property = "how"});
+    }
     for (const SlotText& slot : node.slots) {
         const shadergraph::Type type = shadergraph::type_of_slot(slot.kind).type;
+        if (width > 0 && type == shadergraph::Type::Sampler) graph.edges.push_back({"sampler", 0, "it", slot.id});
         if (slot.kind == "DynamicMatrix" && width > 1) graph.edges.push_back({"matrix", 0, "it", slot.id});
         if (width > 0 && (shadergraph::is_vector(type) || type == shadergraph::Type::Bool))
             graph.edges.push_back({"source", 0, "it", slot.id});
@@ -150,9 +160,17 @@ ShaderGraphText graph_of(const Slots& slots, const std::string& settings, std::s
         const shadergraph::Type type = shadergraph::type_of_slot(slot.kind).type;
         const std::string id = fmt::format("read{}", slot.id), sum = fmt::format("sum{}", slot.id);
         int read = 1;
-        if (type == shadergraph::Type::Sampler || type == shadergraph::Type::VirtualTexture) continue;
-        if (type == shadergraph::Type::Texture2D || type == shadergraph::Type::Cubemap ||
-            type == shadergraph::Type::Texture2DArray || type == shadergraph::Type::Texture3D) {
+        if (type == shadergraph::Type::VirtualTexture) continue;
+        if (type == shadergraph::Type::Sampler) {
+            graph.nodes.push_back({.id = id,
+                                   .kind = "SampleTexture2DNode",
+                                   .slots = {{.id = 1, .kind = "Texture2DInput", .more = R"("m_Texture":{})"},
+                                             {.id = 2, .kind = "UV"},
+                                             {3, "SamplerState"},
+                                             out(0, "Vector4")}});
+            read = 3;
+        } else if (type == shadergraph::Type::Texture2D || type == shadergraph::Type::Cubemap ||
+                   type == shadergraph::Type::Texture2DArray || type == shadergraph::Type::Texture3D) {
             const bool is_cube = type == shadergraph::Type::Cubemap, is_flat = type == shadergraph::Type::Texture2D;
             graph.nodes.push_back({.id = id,
                                    .kind = is_cube                                ? "SampleRawCubemapNode"
@@ -180,8 +198,9 @@ ShaderGraphText graph_of(const Slots& slots, const std::string& settings, std::s
         } else {
             graph.nodes.push_back({.id = id, .kind = "AbsoluteNode", .slots = {{0}, out(1)}});
         }
-        const bool is_sample = read == 0;
-        graph.edges.push_back({"it", slot.id, id, is_sample ? 1 : 0});
+        const bool is_sample = read == 0, is_sampler = read == 3;
+        graph.edges.push_back({"it", slot.id, id, is_sampler ? 3 : is_sample ? 1 : 0});
+        if (is_sampler) read = 0;
         graph.nodes.push_back({.id = sum, .kind = "AddNode", .slots = {{0}, {1}, out(2)}});
         graph.edges.push_back({id, read, sum, 0});
         if (!last.empty()) graph.edges.push_back({last, last_slot, sum, 1});

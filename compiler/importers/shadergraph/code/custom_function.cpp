@@ -9,6 +9,7 @@
 
 #include "compiler/base/text.h"
 #include "compiler/importers/shadergraph/code/hlsl_text.h"
+#include "compiler/importers/shadergraph/code/texture_reads.h"
 #include "compiler/importers/shadergraph/graph_maker.h"
 
 namespace patina::importers::shadergraph {
@@ -137,8 +138,12 @@ std::string unassigned(const Node& node, const Code& code, std::string_view body
 }
 
 Code from_string(GraphMaker& maker, std::size_t index, std::string_view name) {
-    const HlslText body = in_node_language(text_of(maker.node(index).json, "m_FunctionBody"));
+    HlslText body = in_node_language(text_of(maker.node(index).json, "m_FunctionBody"));
     if (!body.error.empty()) return {.error = body.error};
+    std::set<std::string, std::less<>> samplers;
+    for (const Slot& slot : maker.node(index).slots)
+        if (maker.type_of(index, slot) == Type::Sampler) samplers.insert(port_of(slot));
+    body.code = with_texture_reads(std::move(body.code), std::move(samplers));
     Code made{.text = node_function(name, signature(maker, index), body.parameters, body.code),
               .has_engine_words = !body.parameters.empty()};
     for (const Slot* slot : ordered(maker.node(index))) made.ports.push_back(port_of(*slot));
@@ -160,8 +165,9 @@ Code from_file(GraphMaker& maker, std::size_t index, std::string_view name, std:
             .is_missing = true};
     std::ifstream file(found->path, std::ios::binary);
     const std::string text{std::istreambuf_iterator<char>(file), {}};
-    const HlslText code = in_node_language(text);
+    HlslText code = in_node_language(text);
     if (!code.error.empty()) return {.error = code.error};
+    code.code = with_texture_reads(std::move(code.code), {});
     const std::vector<HlslFunction> functions = functions_in(code.code);
     const auto main = std::ranges::find(functions, own, &HlslFunction::name);
     if (main == functions.end()) return {.error = fmt::format("'{}' has no function '{}_float'", found->path, own)};

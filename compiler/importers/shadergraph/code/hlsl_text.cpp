@@ -160,6 +160,9 @@ constexpr std::pair<std::string_view, std::string_view> kWords[] = {
     {"dword", "uint"},
     {"UnityTexture2D", "Texture2D"},
     {"UnityTextureCube", "TextureCube"},
+    {"UnityTexture2DArray", "Texture2DArray"},
+    {"UnityTexture3D", "Texture3D"},
+    {"UnitySamplerState", "SamplerState"},
 };
 
 // Calls and values of the engine: what stands for them, and the parameter that brings it.

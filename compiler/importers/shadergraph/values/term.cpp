@@ -149,13 +149,13 @@ Term stand_in(Type type) {
                 Gradient{.colors = {{.time = 0, .value = {1, 0, 1}}}, .alphas = {{.time = 0, .value = {1}}}});
             return made;
         }
+        case Type::Sampler: return link("trilinearRepeat", type);  // what a slot has if nothing is connected
         case Type::None:
         case Type::Float:
         case Type::Texture2D:
         case Type::Texture2DArray:
         case Type::Texture3D:
         case Type::Cubemap:
-        case Type::Sampler:
         case Type::Connection:
         case Type::VirtualTexture: break;
     }

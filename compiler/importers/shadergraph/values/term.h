@@ -40,12 +40,6 @@ struct Gradient {
 };
 // At a port or as a default: the keys as a picker shows them, but linear if the gradient is perceptual.
 Value gradient_value(const Gradient& gradient);
-struct SamplerState {
-    int filter = 0;      // 0 linear, 1 point, 2 trilinear
-    int wrap = 0;        // 0 repeat, 1 clamp, 2 mirror, 3 mirror once
-    int anisotropy = 0;  // 0 none, 1..4: 2, 4, 8, 16
-    friend bool operator==(const SamplerState&, const SamplerState&) = default;
-};
 
 struct Term {
     Type type = Type::None;
@@ -63,7 +57,6 @@ struct Term {
     std::vector<std::size_t> nodes{};            // of the source, that are written in it; each once
     std::optional<std::size_t> owner{};          // the node whose output it is, after which it can be named
     std::shared_ptr<const Gradient> gradient{};  // of a property: its default
-    std::optional<SamplerState> sampler{};
 
     void add_nodes(const Term& part);  // those of what is a part of it
     bool is_constant() const { return !numbers.empty(); }
@@ -75,7 +68,7 @@ struct Term {
 Term number_term(double value);
 Term constant(std::vector<double> values);  // one to four: a number or a vector
 Term flag_term(bool value);
-// Stands for a value that cannot be imported, so that it is seen: magenta, 1, or the identity.
+// Stands for a value that cannot be imported, so that it is seen: magenta, 1, or the identity. A sampler is a usual one.
 Term stand_in(Type type);
 Term link(std::string text, Type type);  // "$_Tint", "mask.r", "@uv0"
 Term expression(std::string text, Type type);
