@@ -175,12 +175,14 @@ private:
         } else {
             maker_.taken("_EmissiveColorMap", "none: the colour alone");
         }
-        factors.push_back(maker_.light_property("_EmissiveColor", light) + ".rgb");
+        factors.push_back(maker_.light_property("_EmissiveColor", light,
+                                                "it is not multiplied by the camera's exposure, which a graph does "
+                                                "not have") +
+                          ".rgb");
         const bool is_tinted = maker_.number("_AlbedoAffectEmissive", 0) != 0;
         if (is_tinted) factors.push_back(color);
         maker_.taken("_AlbedoAffectEmissive", is_tinted ? "the base colour tints the light" : "the light alone");
-        maker_.note("_EmissiveExposureWeight", Remark::Kind::Changed,
-                    "the light is not multiplied by the camera's exposure, which a graph does not have");
+        maker_.taken("_EmissiveExposureWeight", "it concerns the camera's exposure alone");
         for (const char* each :
              {"_EmissiveColorLDR", "_EmissiveIntensity", "_EmissiveIntensityUnit", "_UseEmissiveIntensity"})
             maker_.taken(each, "it concerns the inspector alone, which sets '_EmissiveColor' by it");

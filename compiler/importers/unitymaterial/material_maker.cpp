@@ -159,6 +159,14 @@ std::string MaterialMaker::color_property(const std::string& name, std::array<do
     return add_color(name, color(name, otherwise), false, fmt::format("the property '{}'", name));
 }
 
+std::string MaterialMaker::light_property(const std::string& name, std::array<double, 4> color,
+                                          const std::string& difference) {
+    color[3] = 1;
+    const std::string made = add_color(name, color, true, {});
+    properties_[name] = {Remark::Kind::Changed, fmt::format("the property '{}': {}", name, difference)};
+    return made;
+}
+
 std::string MaterialMaker::add_color(const std::string& name, std::array<double, 4> color, bool is_linear,
                                      const std::string& remark) {
     if (std::ranges::find(graph.properties, name, &GraphProperty::name) == graph.properties.end()) {

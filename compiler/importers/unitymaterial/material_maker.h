@@ -7,8 +7,6 @@
 //   simple.cpp        Simple Lit, Baked Lit and the Unlit shaders
 #pragma once
 
-#include <fmt/format.h>
-
 #include <map>
 #include <set>
 #include <string>
@@ -73,11 +71,8 @@ public:
     std::string number_property(const std::string& name, double otherwise, double low, double high);
     // As a picker shows it.
     std::string color_property(const std::string& name, std::array<double, 4> otherwise);
-    // Of light: linear.
-    std::string light_property(const std::string& name, std::array<double, 4> color) {
-        color[3] = 1;
-        return add_color(name, color, true, fmt::format("the property '{}'", name));
-    }
+    // Of light: linear. `difference`: from what Unity makes of it.
+    std::string light_property(const std::string& name, std::array<double, 4> color, const std::string& difference);
     // Texture coordinates with the tiling of the texture; `base` itself if that changes nothing.
     std::string tiled(const std::string& texture, const std::string& base, const std::string& id);
     // A node that reads the texture. `usage`: that of a picture without import settings.

@@ -175,6 +175,8 @@ TEST(UnityHighDefinition, EmissionIsLinear) {
     EXPECT_TRUE(has(graph_of(made), R"("default": [8, 0.5, 0])")) << graph_of(made);
     EXPECT_TRUE(has(graph_of(made), R"("emission": "= $_EmissiveColor.rgb * $_BaseColor.rgb")")) << graph_of(made);
     EXPECT_TRUE(has(remarks(made, Remark::Kind::Taken), "property '_UseEmissiveIntensity': it concerns the inspector"));
+    EXPECT_TRUE(
+        has(remarks(made, Remark::Kind::Changed), "'_EmissiveColor': it is not multiplied by the camera's exposure"));
     expect_compiles(made, "emission");
 }
 

@@ -193,7 +193,7 @@ std::string node_file(const Code& code, std::string_view name, std::string_view 
                       indented(code.main.body));
 }
 
-// A word that only a file of the engine can declare; empty: there is none.
+// A word that is declared outside of the functions: by the engine, or as a constant of the file. Empty: there is none.
 std::string engine_word(const Code& code) {
     std::vector<std::string> functions;
     for (const HlslFunction& each : code.helpers) functions.push_back(each.name);
@@ -250,8 +250,8 @@ void make_custom_function(GraphMaker& maker, std::size_t index) {
     const std::string any_file = name + ".node.hlsl";
     if (const std::string wrong = mistake(any_file, text); !wrong.empty()) {
         if (const std::string word = engine_word(code); !word.empty()) {
-            maker.refuse(index, fmt::format("its code is not valid in the node language: {}. Nor is it whole: an "
-                                            "include of the engine declares '{}'",
+            maker.refuse(index, fmt::format("its code is not valid in the node language: {}. Nor is it whole as HLSL: "
+                                            "the engine, or another part of its file, declares '{}'",
                                             wrong, word));
             return;
         }
