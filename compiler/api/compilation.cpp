@@ -108,6 +108,9 @@ bool link_stages(Compilation& c) {
 bool check_stages(Compilation& c) {
     link::check_reads(c.session, c.linked.front().lowered, c.passes);
     link::check_limits(c.session, *c.materials.front(), c.linked.front().lowered, c.passes);
+    std::vector<const ir::Module*> stages;
+    for (const link::LinkedPass& pass : c.passes) stages.insert(stages.end(), {&pass.fragment, &pass.vertex});
+    link::check_foreign(c.session, stages);
     return may_go_on(c);
 }
 

@@ -9,6 +9,7 @@
 #include "compiler/api/describe/describe.h"
 #include "compiler/base/text.h"
 #include "compiler/interpret/interpret.h"
+#include "compiler/link/check_reads.h"
 #include "compiler/lower/declare.h"
 #include "compiler/nodelang/parse.h"
 
@@ -101,6 +102,7 @@ struct Bench {
         };
         std::vector<const ir::Function*> functions = {&function};
         for (const ir::Function& made : module.functions) functions.push_back(&made);
+        if (!link::has_no_foreign(diagnostics, module, "the interpreter")) return false;
         for (const ir::Function* made : functions) {
             const auto found = read(*made);
             if (found == made->insts.end()) continue;

@@ -55,7 +55,14 @@ Instance emit_function(Emitter& emitter, const FunctionDecl& function, const Dec
     if (instance.result.is_error()) return {.id = {}, .result = Type::error()};
     made.result = instance.result;
     if (function.marks.is_foreign) {
-        made.linkage = ir::Linkage::Foreign;
+        made.linkage = function.has_body ? ir::Linkage::Verbatim : ir::Linkage::Foreign;
+        if (function.has_body) {
+            std::vector<Type> types;
+            for (const Local& local : scope.locals) types.push_back(local.value.type);
+            made.code = foreign_code(emitter, function, home, types);
+            instance.needs_quad = needs_quad(made.code);
+        }
+        if (emitter.diagnostics.error_count() != errors) return {.id = {}, .result = Type::error()};
         made.spelling = function.marks.spelling;
         made.is_of_object = function.marks.is_of_object;
         builder.ret(builder.zero(made.result));

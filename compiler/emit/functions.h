@@ -24,4 +24,11 @@ const Outputs* begin_body(Emitter& emitter, const FunctionDecl& function, const 
 // them is reported.
 const Statements& sound_body_of(Emitter& emitter, const FunctionDecl& function);
 
+// The text of a [foreign] function with a body, and of those of its file that it mentions (foreign_code.cpp). Reports
+// what such a function cannot have: `types` are those of its parameters.
+ir::ForeignCode foreign_code(Emitter& emitter, const FunctionDecl& function, const Declarations& home,
+                             std::span<const ir::Type> types);
+// True if a word of the text needs the neighbouring pixels.
+bool needs_quad(const ir::ForeignCode& code);
+
 }  // namespace patina::emit

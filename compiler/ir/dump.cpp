@@ -31,7 +31,10 @@ public:
             out_ += fmt::format("{}: {} {}", param.name, type(param.type), to_string(param.rate));
         }
         out_ += fmt::format(") -> {} {{\n", type(function_.result));
-        block(0, 1);
+        if (function_.linkage == Linkage::Verbatim)
+            out_ += "  verbatim\n";
+        else
+            block(0, 1);
         if (!mark_.reason.empty() && !mark_.value) out_ += fmt::format("^ {}\n", mark_.reason);
         return out_ + "}\n";
     }

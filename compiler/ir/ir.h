@@ -81,6 +81,7 @@ enum class Linkage : std::uint8_t {
     Exported,  // other texts call it: only parameters of semantics that it does not read may go
     External,  // another text defines it: its body here means nothing, and its signature must stay
     Foreign,   // an included file defines it: as External, and the text does not declare it
+    Verbatim,  // its definition is text (ForeignCode), which only some languages can take: as External otherwise
 };
 
 // A value that has a name in a graph, so that a trace can show it (interpret/). Rebuilding a function drops its probes:
@@ -104,6 +105,19 @@ struct Probe {
 struct StageText {
     std::string place{}, line{};
 };
+
+// Functions as text that nothing here reads. The last of them has the name, the parameters and the result of the
+// Function; if its result is a struct, it has an `out` parameter for each member instead, behind the others.
+struct ForeignCode {
+    static constexpr std::uint32_t kEnd = 0xffffffffu, kOwn = 0;
+    struct Part {
+        std::string text{};
+        std::uint32_t name = kEnd;  // behind the text: the function's own name, or that of helpers[name - 1]
+    };
+    std::vector<std::string> helpers{};  // names that are wanted for the functions before the last one
+    std::vector<Part> parts{};
+};
+
 struct Function {
     std::string name{};
     std::vector<Param> params{};
@@ -124,6 +138,7 @@ struct Function {
     std::string spelling{};
     std::vector<StageText> texts{};  // Foreign: lines that a stage needs if it calls the function
     bool is_of_object = false;       // Foreign: its result depends on the object that is drawn
+    ForeignCode code{};              // Verbatim
     std::vector<Probe> probes{};
 
     const Inst& operator[](Value v) const { return insts[v.index]; }
@@ -133,9 +148,10 @@ struct Function {
     std::span<const Value> args(Value v) const { return args(insts[v.index]); }
 };
 
-// True if another text than the module's defines the function.
+// True if the function is not defined by its instructions: another text defines it, or text that nothing reads.
 inline bool is_elsewhere(const Function& function) {
-    return function.linkage == Linkage::External || function.linkage == Linkage::Foreign;
+    return function.linkage == Linkage::External || function.linkage == Linkage::Foreign ||
+           function.linkage == Linkage::Verbatim;
 }
 
 struct Member {

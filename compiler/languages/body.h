@@ -17,6 +17,8 @@ public:
     void print();
     // Prints only the signature.
     void print_declaration();
+    // Prints the text of a function that is text, and a function around it if its results are a struct.
+    void print_verbatim();
 
     // --- for a language's own expressions
     const ir::Module& module() const { return writer_.module; }

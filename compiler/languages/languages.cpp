@@ -10,7 +10,7 @@ namespace {
 
 constexpr LanguageInfo kLanguages[] = {
     {.name = "glsl", .extension = "glsl", .legalize = glsl::legalize, .print = glsl::print},
-    {.name = "hlsl", .extension = "hlsl", .legalize = hlsl::legalize, .print = hlsl::print},
+    {.name = "hlsl", .extension = "hlsl", .legalize = hlsl::legalize, .print = hlsl::print, .takes_foreign = true},
 };
 
 }  // namespace

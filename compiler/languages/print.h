@@ -75,6 +75,7 @@ struct LanguageInfo {
     std::optional<ir::Module> (*legalize)(const ir::Module& module);
     Printed (*print)(const ir::Module& module, const PrintOptions& options);
     bool has_preprocessor = true;  // texts that are pasted into others need it
+    bool takes_foreign = false;    // the text of [foreign] functions is in this language (ir::ForeignCode)
 };
 
 std::span<const LanguageInfo> all_languages();

@@ -41,6 +41,7 @@ void name_globals(Writer& w) {
     w.block_members.resize(m.blocks.size());
     w.globals.resize(m.globals.size());
     w.functions.resize(m.functions.size());
+    w.helpers.resize(m.functions.size());
     for (const std::string& name : w.options.also_taken) w.names.declare(name);
     for (std::size_t i = 0; i < m.functions.size(); ++i) {
         if (m.functions[i].linkage != Linkage::Foreign || !w.reachable.functions[i]) continue;
@@ -74,8 +75,11 @@ void name_globals(Writer& w) {
         for (const Member& member : m.structs[i].members) w.members[i].push_back(members.declare(member.name));
     }
     for (std::size_t i = 0; i < m.functions.size(); ++i) {
-        if (w.reachable.functions[i] && m.stage.entry.index != i && w.functions[i].empty())
-            w.functions[i] = w.names.declare(m.functions[i].name);
+        if (!w.reachable.functions[i]) continue;
+        if (m.stage.entry.index != i && w.functions[i].empty()) w.functions[i] = w.names.declare(m.functions[i].name);
+        // Named after their function, so that the texts of several passes agree on them if they agree on it.
+        for (const std::string& helper : m.functions[i].code.helpers)
+            w.helpers[i].push_back(w.names.declare(w.functions[i] + "_" + helper));
     }
 }
 
@@ -186,7 +190,10 @@ void print_function(Writer& w, FunctionId id, const EntryPoint* entry) {
     const auto print = [&] {
         const Function& function = w.module[id];
         print_comment(w, function.comment, function.origin);
-        Body(w, id, entry).print();
+        if (function.linkage == Linkage::Verbatim)
+            Body(w, id, nullptr).print_verbatim();
+        else
+            Body(w, id, entry).print();
     };
     // Much is pasted into a long entry function, of the material too: its text is seldom asked for again.
     constexpr std::size_t kLong = 100;  // instructions
@@ -229,7 +236,8 @@ Printed print(const Module& module, const Language& language, const PrintOptions
     w.gap();
     const EntryPoint entry = module.stage.entry ? language.entry_point(w) : EntryPoint{};
     for (std::uint32_t i = 0; i < module.functions.size(); ++i) {
-        const bool is_here = w.reachable.functions[i] && !is_elsewhere(module.functions[i]);
+        const bool is_here = w.reachable.functions[i] &&
+                             (!is_elsewhere(module.functions[i]) || module.functions[i].linkage == Linkage::Verbatim);
         if (is_here && module.stage.entry.index != i) print_function(w, {i}, nullptr);
     }
     if (module.stage.entry) print_function(w, module.stage.entry, &entry);

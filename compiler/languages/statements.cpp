@@ -55,6 +55,34 @@ void Body::print() {
     writer_.names.close();
 }
 
+void Body::print_verbatim() {
+    const auto index = static_cast<std::size_t>(&function_ - writer_.module.functions.data());
+    const std::string& name = writer_.functions[index];
+    std::string text;
+    for (const ForeignCode::Part& part : function_.code.parts) {
+        text += part.text;
+        if (part.name != ForeignCode::kEnd)
+            text += part.name == ForeignCode::kOwn ? name : writer_.helpers[index][part.name - 1];
+    }
+    writer_.verbatim(text, function_.origin);
+    if (function_.result.kind != Kind::Struct) return;
+    writer_.gap();
+    writer_.names.open();
+    writer_.line(0, signature(), function_.origin);
+    writer_.line(0, "{");
+    const std::string result = writer_.names.declare("result");
+    std::string arguments;
+    for (const std::string& param : params_) arguments += param + ", ";
+    for (const std::string& member : writer_.members[function_.result.ref])
+        arguments += fmt::format("{}.{}, ", result, member);
+    arguments.resize(arguments.size() - 2);
+    writer_.line(1, writer_.declaration(function_.result, result) + ";");
+    writer_.line(1, fmt::format("{}({});", name, arguments));
+    writer_.line(1, fmt::format("return {};", result));
+    writer_.line(0, "}");
+    writer_.names.close();
+}
+
 // --- variables
 
 std::string Body::target(std::uint32_t id) {

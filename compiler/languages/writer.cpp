@@ -139,6 +139,12 @@ void Writer::comment(unsigned indent, std::string_view content, OriginId origin)
     }
 }
 
+void Writer::verbatim(std::string_view whole_lines, OriginId origin) {
+    if (lines.empty() ? static_cast<bool>(origin) : lines.back().origin != origin) lines.push_back({next_line, origin});
+    text += whole_lines;
+    next_line += static_cast<int>(std::count(whole_lines.begin(), whole_lines.end(), '\n'));
+}
+
 void Writer::gap() {
     if (text.empty() || text.ends_with("\n\n")) return;
     text += '\n';

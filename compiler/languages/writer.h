@@ -30,6 +30,7 @@ struct Writer {
     Reachable reachable;
     Names names;
     std::vector<std::string> functions, structs, blocks, globals;  // names, indexed like the module's vectors
+    std::vector<std::vector<std::string>> helpers;                 // of functions: names for ForeignCode::helpers
     std::vector<std::vector<std::string>> members;                 // of structs
     std::vector<std::vector<std::string>> block_members;
 
@@ -43,6 +44,8 @@ struct Writer {
 
     // Prints one statement or declaration; breaks it after commas if it is too wide.
     void line(unsigned indent, std::string_view content, ir::OriginId origin = {});
+    // Prints whole lines as they are.
+    void verbatim(std::string_view lines, ir::OriginId origin = {});
     void comment(unsigned indent, std::string_view content, ir::OriginId origin = {});
     // Prints an empty line, unless there is one already or the text is empty.
     void gap();

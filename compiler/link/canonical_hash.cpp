@@ -132,6 +132,11 @@ private:
 
     CanonicalHash hash_function(const ir::Function& function) {
         if (function.linkage == ir::Linkage::External) return Hash("external").add(function.name);
+        if (function.linkage == ir::Linkage::Verbatim) {
+            Hash hash("verbatim");
+            for (const ir::ForeignCode::Part& part : function.code.parts) hash.add(part.text).add(part.name);
+            return hash;
+        }
         const std::vector<CanonicalHash> values = hash_values(function);
         Hash hash("function");
         for (const Value value : function.blocks[0].insts) {

@@ -1,4 +1,5 @@
-// Reports values that passes read and do not have. The check comes after tidying, when unneeded reads are gone.
+// Reports values that passes read and do not have, and code that they call and a language cannot take. The checks come
+// after tidying, when unneeded reads and calls are gone.
 #pragma once
 
 #include "compiler/link/link.h"
@@ -19,5 +20,10 @@ std::optional<Missing> missing_in(const ir::Module& stage);
 // True if the included files declare everything that the pass reads. Otherwise reports at the node; as a warning, if
 // the pass is optional.
 bool has_all(graph::Session& session, const Linked& linked, const LinkedPass& pass);
+
+// Reports, at its node, the first call of a [foreign] function whose code the language of a target cannot take.
+void check_foreign(graph::Session& session, std::span<const ir::Module* const> stages);
+// The same for a reader that can take none: "the interpreter". False: there is one.
+bool has_no_foreign(Diagnostics& diagnostics, const ir::Module& stage, std::string_view reader);
 
 }  // namespace patina::link

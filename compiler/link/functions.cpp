@@ -96,7 +96,7 @@ ir::Module link_functions(const Linked& linked, Stage stage, std::string_view pr
 std::vector<ShaderFunction> describe_functions(const ir::Module& module, Stage stage) {
     std::vector<ShaderFunction> described;
     for (const ir::Function& function : module.functions) {
-        if (function.linkage == ir::Linkage::Internal) continue;
+        if (function.linkage == ir::Linkage::Internal || function.linkage == ir::Linkage::Verbatim) continue;
         ShaderFunction& made = described.emplace_back();
         made.name = function.name;
         made.stage = stage;

@@ -107,7 +107,7 @@ struct FunctionMarks {
     bool is_member = false;       // [member]: its first parameter is the value before the dot
     bool is_in_float = false;     // [inFloat]: it computes in float, also for half arguments
     bool is_of_object = false;    // [perObject]: it depends on the object that is drawn
-    bool is_foreign = false;      // [foreign]: an included file defines it
+    bool is_foreign = false;      // [foreign]: an included file defines it, or text that is not the node language
     std::string_view spelling{};  // of a call of a foreign function; empty: its name and the arguments
 };
 
@@ -122,6 +122,7 @@ struct FunctionDecl {
     std::string_view doc{};       // the /// lines, with the slashes
     std::uint32_t doc_begin = 0;  // global offset of doc's first byte
     bool has_body = false;
+    std::string_view code{};                     // of a [foreign] function: its body as text, which nobody reads
     Statements body{};                           // ask body_of() (parse.h): it may not have been read yet
     std::shared_ptr<const UnreadBody> unread{};  // the text of a body that is parsed at the first request
 

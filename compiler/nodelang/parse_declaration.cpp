@@ -109,6 +109,31 @@ bool is_meaning(std::string_view word) {
                        [&](std::string_view space) { return word.ends_with(space); });
 }
 
+// Behind the '}' that closes the '{' at `begin`, without those in comments and strings. npos: there is none.
+std::size_t end_of_code(std::string_view text, std::size_t begin) {
+    const auto behind = [&](std::string_view what, std::size_t from) {
+        const std::size_t found = text.find(what, from);
+        return found == text.npos ? text.size() : found + what.size();
+    };
+    int depth = 0;
+    for (std::size_t at = begin; at < text.size();) {
+        const char c = text[at++];
+        if (c == '/' && text.substr(at).starts_with("/")) {
+            at = behind("\n", at);
+        } else if (c == '/' && text.substr(at).starts_with("*")) {
+            at = behind("*/", at + 1);
+        } else if (c == '"' || c == '\'') {
+            while (at < text.size() && text[at] != c && text[at] != '\n') at += text[at] == '\\' ? 2 : 1;
+            ++at;
+        } else if (c == '{') {
+            ++depth;
+        } else if (c == '}' && --depth == 0) {
+            return at;
+        }
+    }
+    return text.npos;
+}
+
 FunctionMarks marks_of(const FunctionDecl& function) {
     const Attribute* foreign = function.attribute("foreign");
     return {.is_stage = function.attribute("pass") != nullptr,
@@ -313,9 +338,11 @@ bool Parser::variable(VariableDecl decl) {
 // --- functions
 
 bool Parser::function(FunctionDecl decl, std::size_t begin) {
-    if (!parameters(decl)) return false;
     decl.marks = marks_of(decl);
-    if (now().is("{")) {
+    if (!parameters(decl)) return false;
+    if (decl.has_body) {
+        // The text of a foreign function has been taken already.
+    } else if (now().is("{")) {
         decl.has_body = true;
         if (bodies_ == Bodies::WhenAsked) {
             leave_unread(decl);
@@ -347,10 +374,33 @@ void Parser::leave_unread(FunctionDecl& function) {
     auto unread = std::make_shared<UnreadBody>();
     unread->text = {.text = text_.text.substr(begin, at - begin), .base = text_.at(begin)};
     function.unread = std::move(unread);
-    lexer_.go_to(at);
-    last_end_ = at;
+    go_to(at);
+}
+
+void Parser::go_to(std::size_t offset) {
+    lexer_.go_to(offset);
+    last_end_ = offset;
     now_ = lexer_.next();
     after_ = lexer_.next();
+}
+
+// Takes the ')' here and the text behind it, from its '{' to the '}' that closes it. No token of the text is read: it
+// need not consist of words of the node language.
+bool Parser::foreign_code(FunctionDecl& function) {
+    const std::string_view text = text_.text;
+    const std::size_t begin = after().begin;
+    const std::size_t end = end_of_code(text, begin);
+    if (end == text.npos) {
+        diagnostics_.report(Code::Syntax, lexer_.span(text.size(), text.size()), "'}'", "the end of the file")
+            .note(span(after()), "to close this '{'");
+        go_to(text.size());
+        return false;
+    }
+    function.has_body = true;
+    function.marks.is_in_float = true;
+    function.code = text.substr(begin + 1, end - begin - 2);
+    go_to(end);
+    return true;
 }
 
 bool Parser::parameters(FunctionDecl& function) {
@@ -360,6 +410,7 @@ bool Parser::parameters(FunctionDecl& function) {
         if (!parameter(param)) return false;
         param.doc = trailing_doc_and(",", more);
     }
+    if (function.marks.is_foreign && now().is(")") && after().is("{")) return foreign_code(function);
     return expect_close(")", open, "','");
 }
 

@@ -136,7 +136,9 @@ private:
     bool variable(VariableDecl decl);
     bool function(FunctionDecl decl, std::size_t begin);
     bool parameters(FunctionDecl& function);
+    bool foreign_code(FunctionDecl& function);
     void leave_unread(FunctionDecl& function);
+    void go_to(std::size_t offset);
     bool parameter(ParamDecl& into);
 
     Text text_;

@@ -5,6 +5,7 @@
 #include "compiler/ir/verify.h"
 #include "compiler/languages/plan.h"
 #include "compiler/link/canonical_hash.h"
+#include "compiler/link/check_reads.h"
 #include "compiler/link/dumps.h"
 #include "compiler/link/functions.h"
 #include "compiler/link/identifiers.h"
@@ -151,6 +152,8 @@ void write_functions(const Compiled& compiled, Result& result) {
     for (const Stage stage : {Stage::Vertex, Stage::Fragment}) {
         const ir::Module module = link::link_functions(compiled.linked, stage, prefix);
         if (module.functions.empty()) continue;
+        const ir::Module* const only = &module;
+        link::check_foreign(compiled.session, std::span(&only, 1));
         const std::string pass = stage == Stage::Vertex ? "vertex-functions" : "functions";
         link::dump_stage(result, session.options, "tidy", pass + ".tidy", module);
         for (ShaderFunction& each : link::describe_functions(module, stage))

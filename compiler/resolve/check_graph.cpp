@@ -158,6 +158,10 @@ const NodeFile* load_node_file(Session& session, const std::string& path, Span w
     nodelang::parse_file({.text = session.sources.file_text(*base), .base = *base}, file->ast, session.diagnostics);
     nodelang::index_declarations(file->ast, file->declarations, session.diagnostics);
     for (const nodelang::FunctionDecl& f : file->ast.functions) {
+        const nodelang::Attribute* foreign = f.attribute("foreign");
+        if (foreign && (!f.has_body || !foreign->args.empty()))
+            session.diagnostics.report(Code::BadAttribute, foreign->span, "foreign",
+                                       "of a node file is written like this: [foreign] float f(float x) { ... }");
         const nodelang::Attribute* attribute = f.attribute("node");
         if (!attribute) continue;
         if (file->node) {

@@ -1,7 +1,8 @@
 // Each folder next to this file is a test: a small graph, and its expected output. The *.graph.json of the folder is
 // compiled; both other compilers must accept every stage, and GLSL, HLSL and reflection are compared with the files
-// next to it. A folder with a file `prefix` expects functions with that prefix instead of passes. A change of a printer
-// shows here as a diff that a reviewer can read: tests/accept accepts it.
+// next to it. A folder with a file `prefix` expects functions with that prefix instead of passes, and one with a file
+// `target` expects that language alone. A change of a printer shows here as a diff that a reviewer can read:
+// tests/accept accepts it.
 #include <algorithm>
 #include <vector>
 
@@ -27,10 +28,16 @@ const Compiler& compiler() {
     return kCompiler;
 }
 
+std::string first_line(const std::string& file) {
+    const std::string text = read_file(tests_folder() / file);
+    return text.substr(0, text.find('\n'));
+}
+
 CompileOptions options_of(const std::string& folder) {
     CompileOptions options;
-    const std::string prefix = read_file(tests_folder() / folder / "prefix");
-    if (!prefix.empty()) options.request = CompileOptions::Functions{.prefix = prefix.substr(0, prefix.find('\n'))};
+    const std::string prefix = first_line(folder + "prefix"), target = first_line(folder + "target");
+    if (!prefix.empty()) options.request = CompileOptions::Functions{.prefix = prefix};
+    if (!target.empty()) options.targets = compiler().targets(target);
     return options;
 }
 

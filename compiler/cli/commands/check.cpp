@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "compiler/cli/commands/commands.h"
+#include "compiler/cli/cost/foreign.h"
 #include "compiler/cli/files.h"
 #include "compiler/cli/inputs.h"
 #include "patina/cost.h"
@@ -82,7 +83,7 @@ CompileOptions options_of(const Arguments& arguments) {
 Checked check_graph(const Compiler& compiler, const Arguments& arguments, const std::string& graph) {
     CompileOptions options = options_of(arguments);
     options.accept_parts = true;
-    const Result result = compiler.compile_file(graph, options);
+    const Result result = compile_if_foreign(compiler, graph, std::move(options));
     Checked checked{.diagnostics = result.diagnostics, .ok = result.ok};
     validate_shaders(arguments, result, checked);
     check_budgets(arguments, graph, result, checked);

@@ -71,6 +71,10 @@ namespace {
 
 // Throws the usage error if there is no such target.
 void read_targets(CompileArguments& arguments, const Compiler& compiler) {
+    if (arguments.targets.empty()) {
+        arguments.names_no_target = true;
+        arguments.targets = {"glsl", "hlsl"};
+    }
     std::vector<std::string> known;
     for (const EngineInfo& engine : compiler.engines()) {
         if (engine.is_default) known.insert(known.begin(), engine.languages.begin(), engine.languages.end());

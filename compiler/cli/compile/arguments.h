@@ -15,7 +15,8 @@ namespace patina::cli {
 
 struct CompileArguments {
     InputArguments inputs;
-    std::vector<std::string> targets = {"glsl", "hlsl"};
+    std::vector<std::string> targets{};
+    bool names_no_target = false;  // then `targets` are the usual ones, as far as they can take the graph's code
     std::vector<std::string> include_dirs;
     std::vector<std::string> dump;
     std::string folder;

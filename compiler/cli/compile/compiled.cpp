@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "compiler/cli/cost/foreign.h"
 #include "compiler/cli/files.h"
 #include "patina/output_name.h"
 #include "patina/validate.h"
@@ -75,7 +76,9 @@ std::string folder_of(const CompileArguments& arguments, const Input& input) {
 }
 
 Compiled compile_graph(const CompileArguments& arguments, const Compiler& compiler, const Input& input) {
-    Compiled made{.result = compiler.compile_file(input.path, options_of(arguments))};
+    const CompileOptions options = options_of(arguments);
+    Compiled made{.result = arguments.names_no_target ? compile_if_foreign(compiler, input.path, options)
+                                                      : compiler.compile_file(input.path, options)};
     made.ok = made.result.ok;
     if (!made.ok) return made;
     const std::string folder = folder_of(arguments, input);

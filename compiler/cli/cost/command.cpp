@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "compiler/cli/commands/commands.h"
+#include "compiler/cli/cost/foreign.h"
 #include "compiler/cli/cost/report.h"
 #include "compiler/cli/inputs.h"
 
@@ -27,7 +28,7 @@ Measured measure_graph(const Compiler& compiler, const Arguments& arguments, con
     options.include_dirs = arguments.include_dirs;
     options.request = CompileOptions::Passes{.path = arguments.path.path};
     options.switches = arguments.path.switches();
-    const Result result = compiler.compile_file(graph, options);
+    const Result result = compile_if_foreign(compiler, graph, options);
     Measured made{.report = {.graph = graph}, .diagnostics = result.diagnostics, .ok = result.ok};
     if (!result.ok) return made;
     made.report.passes = measure(result);

@@ -159,6 +159,14 @@ std::string MaterialMaker::color_property(const std::string& name, std::array<do
     return add_color(name, color(name, otherwise), false, fmt::format("the property '{}'", name));
 }
 
+std::string MaterialMaker::light_property(const std::string& name, std::array<double, 4> color,
+                                          const std::string& difference) {
+    color[3] = 1;
+    const std::string made = add_color(name, color, true, {});
+    properties_[name] = {Remark::Kind::Changed, fmt::format("the property '{}': {}", name, difference)};
+    return made;
+}
+
 std::string MaterialMaker::add_color(const std::string& name, std::array<double, 4> color, bool is_linear,
                                      const std::string& remark) {
     if (std::ranges::find(graph.properties, name, &GraphProperty::name) == graph.properties.end()) {
@@ -273,15 +281,15 @@ void MaterialMaker::emission(const std::string& uv, bool is_hdr) {
     set("emission", product(factors));
 }
 
-void MaterialMaker::coverage(const RenderState& state, const std::string& alpha) {
-    if (!state.is_clipped) taken("_Cutoff", "it has no effect: nothing is cut out");
+void MaterialMaker::coverage(const RenderState& state, const std::string& alpha, const std::string& limit_name) {
+    if (!state.is_clipped) taken(limit_name, "it has no effect: nothing is cut out");
     if (!state.reads_alpha()) return;
     const std::string whole = alpha.empty() ? "1" : alpha;
     if (!state.is_clipped) {
         if (!alpha.empty()) set("alpha", alpha);
         return;
     }
-    const std::string limit = number_property("_Cutoff", 0.5, 0, 1);
+    const std::string limit = number_property(limit_name, 0.5, 0, 1);
     if (state.is_blended()) {
         std::string name = whole;
         if (!is_simple(name)) {

@@ -3,6 +3,7 @@
 //
 //   render_state.cpp  how the surface is drawn: blending, faces, depth, the queue
 //   lit.cpp           Standard and Lit of the universal pipeline
+//   high_definition.cpp  Lit of the high definition pipeline
 //   simple.cpp        Simple Lit, Baked Lit and the Unlit shaders
 #pragma once
 
@@ -70,6 +71,8 @@ public:
     std::string number_property(const std::string& name, double otherwise, double low, double high);
     // As a picker shows it.
     std::string color_property(const std::string& name, std::array<double, 4> otherwise);
+    // Of light: linear. `difference`: from what Unity makes of it.
+    std::string light_property(const std::string& name, std::array<double, 4> color, const std::string& difference);
     // Texture coordinates with the tiling of the texture; `base` itself if that changes nothing.
     std::string tiled(const std::string& texture, const std::string& base, const std::string& id);
     // A node that reads the texture. `usage`: that of a picture without import settings.
@@ -87,7 +90,7 @@ public:
     // Emission, if its keyword is on. `is_hdr`: the colour is linear.
     void emission(const std::string& uv, bool is_hdr);
     // The alpha of the surface, and where it is cut off.
-    void coverage(const RenderState& state, const std::string& alpha);
+    void coverage(const RenderState& state, const std::string& alpha, const std::string& limit = "_Cutoff");
 
     // Reports all that the material has.
     std::vector<Remark> finish();
@@ -112,6 +115,7 @@ private:
 // Blending, faces, depth and the queue become the graph's "render".
 RenderState make_render_state(MaterialMaker& maker);
 void make_lit(MaterialMaker& maker, const RenderState& state);
+void make_high_definition(MaterialMaker& maker, const RenderState& state);
 void make_simple_lit(MaterialMaker& maker, const RenderState& state);
 void make_baked_lit(MaterialMaker& maker, const RenderState& state);
 void make_unlit(MaterialMaker& maker, const RenderState& state);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "compiler/importers/unitymaterial/material_maker.h"
 
@@ -44,6 +45,8 @@ constexpr const char* kInspector[] = {"_Mode",
                                       "_BlendModePreserveSpecular",
                                       "_ClearCoat"};
 
+constexpr const char* kInspectorAlone = "it concerns the inspector alone, which sets keywords and other numbers by it";
+
 int whole(const MaterialMaker& maker, const std::string& property, int otherwise) {
     return static_cast<int>(std::clamp(std::round(maker.number(property, otherwise)), -1.0, 100.0));
 }
@@ -55,6 +58,8 @@ public:
     RenderState read() {
         if (has_fixed_state_)
             fixed();
+        else if (is_high_definition_)
+            high_definition();
         else
             blending();
         if (state_.is_clipped && state_.kind == "opaque") state_.kind = "cutout";
@@ -73,6 +78,35 @@ private:
         const Family family = maker_.shader().family;
         if (family == Family::UnlitTransparent) state_.kind = "fade";
         state_.is_clipped = family == Family::UnlitCutout;
+    }
+
+    // The pipeline's shader multiplies colours by alpha itself, so its blend factors do not tell the modes apart.
+    void high_definition() {
+        state_.is_clipped = maker_.keyword("_ALPHATEST_ON", "alpha is compared with '_AlphaCutoff'");
+        maker_.taken("_AlphaCutoffEnable", kInspectorAlone);
+        const bool is_blended = maker_.keyword("_SURFACE_TYPE_TRANSPARENT", "'_BlendMode' is the kind of the surface");
+        for (const char* each : {"_SurfaceType", "_SrcBlend", "_DstBlend", "_AlphaSrcBlend", "_AlphaDstBlend"})
+            maker_.taken(each, "the keyword _SURFACE_TYPE_TRANSPARENT and '_BlendMode' say it");
+        for (const char* each :
+             {"_BLENDMODE_ALPHA", "_BLENDMODE_ADD", "_BLENDMODE_PRE_MULTIPLY", "_BLENDMODE_PRESERVE_SPECULAR_LIGHTING"})
+            maker_.keyword(each, "'_BlendMode' says it");
+        if (!is_blended) {
+            for (const char* each : {"_BlendMode", "_EnableBlendModePreserveSpecularLighting"})
+                maker_.taken(each, "it has no effect: the surface is not blended");
+            return;
+        }
+        const int mode = whole(maker_, "_BlendMode", 0);
+        const bool keeps_highlights = maker_.number("_EnableBlendModePreserveSpecularLighting", 1) != 0;
+        state_.kind = mode == 1 ? "additive" : mode == 0 && !keeps_highlights ? "fade" : "transparent";
+        state_.is_weighted = mode == 1;
+        std::string difference;
+        if (mode == 1) difference = ": alpha weights its colour alone, and not its highlights and its emission";
+        if (mode == 4) difference = ": the colour is multiplied by alpha, which Unity expects of the textures";
+        maker_.note("_BlendMode", difference.empty() ? Remark::Kind::Taken : Remark::Kind::Changed,
+                    fmt::format("the kind of the surface: '{}'{}", state_.kind, difference));
+        maker_.taken("_EnableBlendModePreserveSpecularLighting",
+                     keeps_highlights ? "alpha does not weaken highlights" : "alpha weakens highlights, too");
+        maker_.taken("_ZTestTransparent", "the nearer surface is seen");
     }
 
     void blending() {
@@ -125,9 +159,26 @@ private:
     void faces() {
         if (maker_.shader().family == Family::Standard && !maker_.shader().is_guessed) return;
         static constexpr std::string_view kWords[] = {"off", "front", "back"};
+        if (is_high_definition_) return both_sides(kWords);
         const std::string_view cull = kWords[std::clamp(whole(maker_, "_Cull", 2), 0, 2)];
         if (has_fixed_state_) return;
         maker_.taken("_Cull", fmt::format("\"cull\": \"{}\"", cull));
+        if (cull != "back") render_.push_back({"cull", text(cull)});
+    }
+
+    void both_sides(std::span<const std::string_view> words) {
+        const bool is_open = maker_.keyword("_DOUBLESIDED_ON", "\"cull\": \"off\"");
+        const std::string_view cull =
+            words[is_open ? 0 : static_cast<std::size_t>(std::clamp(whole(maker_, "_CullMode", 2), 0, 2))];
+        for (const char* each : {"_CullMode", "_CullModeForward"})
+            maker_.taken(each, fmt::format("\"cull\": \"{}\"", cull));
+        for (const char* each : {"_DoubleSidedEnable", "_OpaqueCullMode", "_TransparentCullMode"})
+            maker_.taken(each, kInspectorAlone);
+        const bool keeps_normal = cull == "off" && whole(maker_, "_DoubleSidedNormalMode", 1) == 2;
+        maker_.note("_DoubleSidedNormalMode", keeps_normal ? Remark::Kind::Changed : Remark::Kind::Taken,
+                    cull != "off"  ? "it has no effect: back faces are not drawn"
+                    : keeps_normal ? "the normals of back faces are turned to the viewer"
+                                   : "the normals of back faces are turned to the viewer, as there");
         if (cull != "back") render_.push_back({"cull", text(cull)});
     }
 
@@ -150,6 +201,8 @@ private:
         }
         // Without a queue of its own, the material has that of the shader, which does not depend on the kind.
         if (queue < 0) queue = has_fixed_state_ || maker_.shader().is_guessed ? usual : 2000;
+        // Its opaque surfaces have queues of their own, by whether decals lie on them.
+        if (is_high_definition_ && !state_.is_blended() && queue >= 2000 && queue < 2500) queue = usual;
         const double inside = std::clamp(std::round(queue), 0.0, 5000.0);
         maker_.note_setting("m_CustomRenderQueue", inside == queue ? Remark::Kind::Taken : Remark::Kind::Changed,
                             inside == queue ? fmt::format("\"queue\": {}", inside)
@@ -158,8 +211,7 @@ private:
     }
 
     void inspector() {
-        for (const char* each : kInspector)
-            maker_.taken(each, "it concerns the inspector alone, which sets keywords and other numbers by it");
+        for (const char* each : kInspector) maker_.taken(each, kInspectorAlone);
         if (maker_.keyword("_RECEIVE_SHADOWS_OFF", {}))
             maker_.change_keyword("_RECEIVE_SHADOWS_OFF", "it receives shadows");
         if (maker_.keyword("_SPECULARHIGHLIGHTS_OFF", {}))
@@ -170,6 +222,7 @@ private:
 
     MaterialMaker& maker_;
     bool has_fixed_state_ = maker_.shader().family >= Family::UnlitTexture && !maker_.shader().is_guessed;
+    bool is_high_definition_ = maker_.shader().family == Family::HighDefinitionLit;
     RenderState state_{};
     std::vector<Member> render_{};
 };

@@ -8,8 +8,8 @@
 namespace patina::importers::unitymaterial {
 namespace {
 
-// Shaders of Unity. Those of the built-in pipeline have one GUID and numbers; those of the universal pipeline have the
-// GUIDs of their files in its package.
+// Shaders of Unity. Those of the built-in pipeline have one GUID and numbers; those of the other pipelines have the
+// GUIDs of their files in their packages.
 constexpr std::string_view kBuiltIn = "0000000000000000f000000000000000";
 struct Row {
     std::string_view guid;
@@ -32,6 +32,8 @@ constexpr Row kShaders[] = {
     {"0ca6dca7396eb48e5849247ffd444914", 0, "Universal Render Pipeline/Baked Lit", Family::BakedLit, false,
      "lights shine on it, too, and not baked light alone"},
     {"650dd9526735d5b46b79224bc6e94025", 0, "Universal Render Pipeline/Unlit", Family::Unlit},
+    {"6e4ae4064600d784cac1e41a9e6f2e59", 0, "HDRP/Lit", Family::HighDefinitionLit, false,
+     "highlights lose the light that is reflected several times, which that pipeline adds"},
 };
 
 constexpr std::string_view kShaderGraphs[] = {".shadergraph"};
@@ -44,6 +46,8 @@ bool has_any(const MaterialFile& material, std::initializer_list<const char*> na
 // The known shader whose properties the material has.
 Shader guessed(const MaterialFile& material) {
     const bool is_lit = has_any(material, {"_Metallic", "_Glossiness", "_Smoothness", "_BumpMap", "_SpecColor"});
+    if (has_any(material, {"_BaseColorMap", "_MaskMap"}))
+        return {.family = Family::HighDefinitionLit, .name = "HDRP/Lit"};
     if (has_any(material, {"_BaseMap", "_BaseColor"}))
         return is_lit ? Shader{.family = Family::UniversalLit, .name = "Universal Render Pipeline/Lit"}
                       : Shader{.family = Family::Unlit, .name = "Universal Render Pipeline/Unlit"};

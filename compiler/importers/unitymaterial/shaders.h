@@ -12,6 +12,7 @@ namespace patina::importers::unitymaterial {
 enum class Family {
     Standard,      // of the built-in pipeline, and its specular setup
     UniversalLit,  // Lit and Complex Lit
+    HighDefinitionLit,
     SimpleLit,
     BakedLit,
     Unlit,         // of the universal pipeline

@@ -44,6 +44,8 @@ void make(MaterialMaker& maker) {
     const RenderState state = make_render_state(maker);
     if (family == Family::Standard || family == Family::UniversalLit)
         make_lit(maker, state);
+    else if (family == Family::HighDefinitionLit)
+        make_high_definition(maker, state);
     else if (family == Family::SimpleLit)
         make_simple_lit(maker, state);
     else if (family == Family::BakedLit)

@@ -142,7 +142,7 @@ void Content::grow(std::size_t more) {
 
 void Content::signature(const Function& function) {
     const auto& [name, params, result, insts, operands, unused_blocks, made_by, comment, result_docs, always_inline,
-                 inline_if_shorter, linkage, spelling, lines, is_of_object, unused_probes] = function;
+                 inline_if_shorter, linkage, spelling, lines, is_of_object, code, unused_probes] = function;
     static_cast<void>(operands);
     static_cast<void>(unused_blocks);
     static_cast<void>(unused_probes);  // only functions that nothing tidies have any
@@ -165,6 +165,14 @@ void Content::signature(const Function& function) {
            static_cast<std::uint64_t>(linkage) << 8);
     text(spelling);
     texts(lines);
+    const auto& [helpers, parts] = code;
+    number(helpers.size());
+    for (const std::string& helper : helpers) text(helper);
+    number(parts.size());
+    for (const auto& [part, name_behind] : parts) {
+        text(part);
+        number(name_behind);
+    }
     number(insts.size());
 }
 

@@ -61,6 +61,7 @@ void add_function(Content& content, const Writer& w, FunctionId id, const EntryP
     if (w.options.taken) add_texts(content, w.options.taken->prefixes);
     if (entry) add_entry(content, w.module, *entry);
     content.text(w.functions[id.index]);
+    add_texts(content, w.helpers[id.index]);
     Order callees, globals;
     content.function(
         w.module[id], [&](std::uint32_t i) { return callees(i); }, [&](std::uint32_t i) { return globals(i); });

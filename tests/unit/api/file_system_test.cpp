@@ -247,5 +247,29 @@ TEST(FileSystem, OfTheDiskSaysWhyAFileCannotBeRead) {
     EXPECT_EQ(resolved("m/a.graph.json", "pack://stone/../rust.png"), "pack://stone/../rust.png");
 }
 
+// A compiler keeps what it made of a function. The text of a [foreign] one is a part of what it is made of.
+TEST(FileSystem, ForeignCodeThatChangesIsPrintedAnew) {
+    const auto printed = [](const std::string& code, const std::string& helper) {
+        CompileOptions options;
+        options.targets = compiler().targets("hlsl");
+        options.files.read = [&](const std::string& path) -> std::optional<std::string> {
+            if (!path.ends_with("text.node.hlsl")) return std::nullopt;
+            return "[foreign]\nfloat " + helper + "(float x) { return x; }\n[node(\"Test/Text\")]\n[foreign]\n" +
+                   "float Text(float x) { return " + code + "; }\n";
+        };
+        const Result result =
+            compiler().compile_text("a.graph.json",
+                                    R"({ "patina": 1, "workflow": "unlit", "surface": { "color": "text" },
+                 "nodes": [ { "id": "text", "node": "./text.node.hlsl", "in": { "x": "@uv0.x" } } ] })",
+                                    options);
+        EXPECT_TRUE(result.ok) << said(result);
+        return result.ok ? result.shaders.back().text : std::string();
+    };
+    EXPECT_NE(printed("help(x)", "help").find("return Text_help(x);"), std::string::npos);
+    EXPECT_NE(printed("help(x) * 2", "help").find("return Text_help(x) * 2;"), std::string::npos);
+    EXPECT_NE(printed("aid(x)", "aid").find("float Text_aid(float x)\n{\n    return x;\n}"), std::string::npos);
+    EXPECT_NE(printed("help(x)", "help").find("return Text_help(x);"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace patina

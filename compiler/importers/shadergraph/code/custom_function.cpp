@@ -1,5 +1,5 @@
-// Nodes with code of their own: a string in the node, or a function of a file. The code becomes a node file, if it is
-// valid in the node language.
+// Nodes with code of their own: a string in the node, or a function of a file. The code becomes a node file: in the
+// node language if it is valid there, else as the text of [foreign] functions.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,6 +10,7 @@
 #include "compiler/base/text.h"
 #include "compiler/importers/shadergraph/code/hlsl_text.h"
 #include "compiler/importers/shadergraph/code/texture_reads.h"
+#include "compiler/importers/shadergraph/code/unknown_words.h"
 #include "compiler/importers/shadergraph/graph_maker.h"
 
 namespace patina::importers::shadergraph {
@@ -21,11 +22,12 @@ std::string port_of(const Slot& slot) {
 }
 
 struct Code {
-    std::string text{};                // of the node file
+    std::vector<HlslFunction> helpers{};  // in the order of their file
+    HlslFunction main{};
+    std::string engine_values{};       // more parameters of the node, hidden ones
     std::vector<std::string> ports{};  // of the node's inputs, then of its outputs
     std::string error{};
-    bool has_engine_words = false;  // it reads values of the engine, for which the library's stand
-    bool is_missing = false;        // its file is not there
+    bool is_missing = false;  // its file is not there
 };
 
 // Functions that are known by their names.
@@ -110,12 +112,6 @@ std::string indented(std::string_view body) {
     return made;
 }
 
-std::string node_function(std::string_view name, std::string_view signature, std::string_view more,
-                          std::string_view body) {
-    return fmt::format("[node(\"Custom/{0}\")]\nvoid {0}({1}{2}{3}) {{\n{4}}}\n", name, signature,
-                       signature.empty() || more.empty() ? "" : ", ", more, indented(body));
-}
-
 // The names of parameters: "float3 Normal : NORMAL, out float Out" -> "Normal", "Out".
 std::vector<std::string> names_in(std::string_view parameters) {
     std::vector<std::string> made;
@@ -137,22 +133,21 @@ std::string unassigned(const Node& node, const Code& code, std::string_view body
     return {};
 }
 
-Code from_string(GraphMaker& maker, std::size_t index, std::string_view name) {
+Code from_string(GraphMaker& maker, std::size_t index) {
     HlslText body = in_node_language(text_of(maker.node(index).json, "m_FunctionBody"));
     if (!body.error.empty()) return {.error = body.error};
     std::set<std::string, std::less<>> samplers;
     for (const Slot& slot : maker.node(index).slots)
         if (maker.type_of(index, slot) == Type::Sampler) samplers.insert(port_of(slot));
     body.code = with_texture_reads(std::move(body.code), std::move(samplers));
-    Code made{.text = node_function(name, signature(maker, index), body.parameters, body.code),
-              .has_engine_words = !body.parameters.empty()};
+    Code made{.main = {.parameters = signature(maker, index), .body = body.code}, .engine_values = body.parameters};
     for (const Slot* slot : ordered(maker.node(index))) made.ports.push_back(port_of(*slot));
     made.error = unassigned(maker.node(index), made, body.code);
     return made;
 }
 
 // The function of the node, and those of the file that it calls.
-Code from_file(GraphMaker& maker, std::size_t index, std::string_view name, std::string_view own) {
+Code from_file(GraphMaker& maker, std::size_t index, std::string_view own) {
     const Json* json = maker.node(index).json;
     const std::string source(text_of(json, "m_FunctionSource"));
     const std::filesystem::path as_path(source);
@@ -179,17 +174,44 @@ Code from_file(GraphMaker& maker, std::size_t index, std::string_view name, std:
                 needed.push_back(&each);
     if (needed.size() > 1 && !code.parameters.empty())
         return {.error = "functions that it calls read values of the engine"};
-    Code made{.ports = names_in(main->parameters), .has_engine_words = !code.parameters.empty()};
+    Code made{.main = *main, .engine_values = code.parameters, .ports = names_in(main->parameters)};
     const std::size_t slots = maker.node(index).slots.size();
     if (made.ports.size() != slots)
         return {.error = fmt::format("its function '{}' has {} parameters, and the node has {} inputs and outputs", own,
                                      made.ports.size(), slots)};
     made.error = unassigned(maker.node(index), made, main->body);
-    for (std::size_t i = needed.size(); i-- > 1;)
-        made.text += fmt::format("{} {}({}) {{\n{}}}\n\n", needed[i]->result, needed[i]->name, needed[i]->parameters,
-                                 indented(needed[i]->body));
-    made.text += node_function(name, main->parameters, code.parameters, main->body);
+    for (const HlslFunction& each : functions)
+        if (&each != needed[0] && std::ranges::find(needed, &each) != needed.end()) made.helpers.push_back(each);
     return made;
+}
+
+std::string node_file(const Code& code, std::string_view name, std::string_view own, bool is_foreign) {
+    const std::string_view mark = is_foreign ? "[foreign]\n" : "";
+    std::string made;
+    for (const HlslFunction& each : code.helpers)
+        made +=
+            fmt::format("{}{} {}({}) {{\n{}}}\n\n", mark, each.result, each.name, each.parameters, indented(each.body));
+    return made + fmt::format(
+                      "/// The custom function '{0}' of the shader graph.\n[node(\"Custom/{1}\")]\n{2}"
+                      "void {1}({3}{4}{5}) {{\n{6}}}\n",
+                      own, name, mark, code.main.parameters,
+                      code.main.parameters.empty() || code.engine_values.empty() ? "" : ", ", code.engine_values,
+                      indented(code.main.body));
+}
+
+// A word that is declared outside of the functions: by the engine, or as a constant of the file. Empty: there is none.
+std::string engine_word(const Code& code) {
+    std::vector<std::string> functions;
+    for (const HlslFunction& each : code.helpers) functions.push_back(each.name);
+    const auto unknown = [&](const HlslFunction& function, const std::string& more) {
+        std::vector<std::string> known = functions;
+        for (const std::string_view parameters : {std::string_view(function.parameters), std::string_view(more)})
+            for (std::string& each : names_in(parameters)) known.push_back(std::move(each));
+        return unknown_word(function.body, known);
+    };
+    for (const HlslFunction& each : code.helpers)
+        if (std::string word = unknown(each, {}); !word.empty()) return word;
+    return unknown(code.main, code.engine_values);
 }
 
 // What is wrong with the node file; empty: nothing.
@@ -221,7 +243,7 @@ void make_custom_function(GraphMaker& maker, std::size_t index) {
     name[0] = name[0] >= 'a' && name[0] <= 'z' ? static_cast<char>(name[0] - 32) : name[0];
     if (library().node(name)) name += "Custom";
     const bool is_file = whole_of(at.json, "m_SourceType") == 0;
-    const Code code = is_file ? from_file(maker, index, name, own) : from_string(maker, index, name);
+    const Code code = is_file ? from_file(maker, index, own) : from_string(maker, index);
     if (code.is_missing && apply_known(maker, index, own)) {
         maker.approximate(index, code.error + ": it is taken for the usual function of this name");
         return;
@@ -230,14 +252,27 @@ void make_custom_function(GraphMaker& maker, std::size_t index) {
         maker.refuse(index, code.error);
         return;
     }
-    const std::string text = fmt::format("/// The custom function '{}' of the shader graph.\n", own) + code.text;
-    const std::string file = maker.node_file(name, text);
-    if (const std::string wrong = mistake(file, text); !wrong.empty()) {
-        maker.refuse(index, fmt::format("its code is not valid in the node language: {}", wrong));
-        return;
+    std::string text = node_file(code, name, own, false);
+    const std::string any_file = name + ".node.hlsl";
+    if (const std::string wrong = mistake(any_file, text); !wrong.empty()) {
+        if (const std::string word = engine_word(code); !word.empty()) {
+            maker.refuse(index, fmt::format("its code is not valid in the node language: {}. Nor is it whole as HLSL: "
+                                            "the engine, or another part of its file, declares '{}'",
+                                            wrong, word));
+            return;
+        }
+        text = node_file(code, name, own, true);
+        if (!mistake(any_file, text).empty()) {
+            maker.refuse(index, fmt::format("its code is not valid in the node language: {}", wrong));
+            return;
+        }
+        maker.approximate(index, fmt::format("only HLSL takes its code, the text of a [foreign] function, because it "
+                                             "is not valid in the node language: {}",
+                                             wrong));
     }
+    const std::string file = maker.node_file(name, text);
     maker.keep_node_file(file, text);
-    if (code.has_engine_words)
+    if (!code.engine_values.empty())
         maker.approximate(index, "for the engine's values stand those of the library: its main light is '@light'");
     GraphNode made{.id = {}, .node = "./" + file};
     Term holds;

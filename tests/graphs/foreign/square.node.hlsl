@@ -1,0 +1,4 @@
+/// A value, squared, by text.
+[node("Custom/Square")]
+[foreign]
+float Square(float x) { return x * x; }
