@@ -68,7 +68,8 @@ struct Term {
 Term number_term(double value);
 Term constant(std::vector<double> values);  // one to four: a number or a vector
 Term flag_term(bool value);
-// Stands for a value that cannot be imported, so that it is seen: magenta, 1, or the identity. A sampler is a usual one.
+// Stands for a value that cannot be imported, so that it is seen: magenta, 1, or the identity. For a sampler, a usual
+// one.
 Term stand_in(Type type);
 Term link(std::string text, Type type);  // "$_Tint", "mask.r", "@uv0"
 Term expression(std::string text, Type type);
