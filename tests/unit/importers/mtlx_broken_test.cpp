@@ -62,6 +62,11 @@ TEST(BrokenMtlx, WhatIsMissingIsSaid) {
     made = import_text(one_node(
         R"(<image name="tested" type="color3"><input name="file" type="filename" value="no.png"/></image>)", "color3"));
     EXPECT_NE(remarks(made, Remark::Kind::Changed).find("the picture 'no.png' is not there"), std::string::npos);
+    made = import_text(
+        material(R"(<gltf_pbr name="shader" type="surfaceshader"/>)",
+                 R"(<xi:include href="standard_surface_gold.mtlx"/><xi:include href="stdlib/stdlib_defs.mtlx"/>)"));
+    EXPECT_EQ(remarks(made, Remark::Kind::LeftOut),
+              "include 'standard_surface_gold.mtlx': the file is not there: what it defines is missing\n");
     made = import_text(material(R"(<lama_surface name="shader" type="surfaceshader"/>)"));
     EXPECT_NE(remarks(made, Remark::Kind::LeftOut).find("'lama_surface' is no surface shader"), std::string::npos);
     expect_compiles(made, "unknown shader");

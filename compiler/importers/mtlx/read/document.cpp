@@ -177,9 +177,9 @@ private:
             if (!name.empty() && fs::is_regular_file(each, wrong)) return read(each, false);
         }
         // What the standard library declares is known.
-        const bool is_standard = name.find("stdlib") != name.npos || name.find("pbrlib") != name.npos ||
-                                 name.find("bxdf") != name.npos || name.find("standard_surface") != name.npos ||
-                                 name.find("libraries/") != name.npos;
+        const bool is_standard =
+            name.find("stdlib") != name.npos || name.find("pbrlib") != name.npos || name.find("bxdf") != name.npos ||
+            fs::path(name).filename() == "standard_surface.mtlx" || name.find("libraries/") != name.npos;
         if (!is_standard)
             document_.problems.push_back({fmt::format("include '{}'", shown(name)),
                                           "the file is not there: what it defines is missing", true,
