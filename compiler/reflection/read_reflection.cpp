@@ -4,7 +4,6 @@
 #include <concepts>
 #include <limits>
 
-#include "compiler/format/words.h"
 #include "compiler/json/json.h"
 #include "compiler/reflection/describe.h"
 
@@ -91,7 +90,7 @@ private:
         if (const NamedSampler* const found = find_sampler(name))
             property.sampler = found->sampler;
         else if (json && json->kind == Json::Kind::String)
-            graph::report_no_sampler(diagnostics_, json->span, name);
+            diagnostics_.report(Code::UnknownWord, json->span, graph::shown(name), "a sampler");
     }
 
     bool refuse(std::string_view name, const Json& json, std::string_view wanted) {
