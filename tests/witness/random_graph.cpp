@@ -279,7 +279,8 @@ private:
         if (port.type == "NoiseHash") return "Deterministic";
         if (!port.enumerators.empty()) return dice_.pick(port.enumerators).name;
         if (port.type == "Texture2D") return map_;
-        if (port.type == "SamplerState") return map_ == "$_Data" ? "nearestMirror" : "nearestClamp";
+        // Not a mirroring one: between two texels, on the far side of a mirror, devices take the one or the other.
+        if (port.type == "SamplerState") return map_ == "$_Data" ? "nearestRepeat" : "nearestClamp";
         if (port.type == "int") return "= " + std::to_string(1 + dice_.below(3));
         Expressions in = inputs_of(node, half);
         if (port.type == "bool") return "= " + in.expression(0, 1).text;
