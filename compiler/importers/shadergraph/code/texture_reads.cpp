@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "compiler/importers/shadergraph/node_table.h"
+#include "compiler/importers/expression_text.h"
 
 namespace patina::importers::shadergraph {
 namespace {
@@ -74,7 +74,8 @@ void replace_macro(std::string& code, const Macro& macro) {
         const std::size_t open = code.find_first_not_of(" \t\n", at + macro.name.size());
         const std::size_t end = open == code.npos || code[open] != '(' ? code.npos : behind_bracket(code, open);
         if (end == code.npos) continue;
-        std::vector<std::string> arguments = arguments_of(std::string_view(code).substr(open + 1, end - open - 2));
+        const std::string_view list = std::string_view(code).substr(open + 1, end - open - 2);
+        std::vector<std::string> arguments = terms::arguments_of(list);
         if (arguments.size() < (macro.has_layer ? 4u : 3u)) continue;
         code.replace(at, end - at, call_of(macro, std::move(arguments)));
     }
