@@ -18,7 +18,7 @@
 
 # The step that joins the lists of the graphs: cmake -D LISTS=(file that lists them) -D OUTPUT=... -P patina-shaders.cmake
 if(CMAKE_SCRIPT_MODE_FILE STREQUAL CMAKE_CURRENT_LIST_FILE)
-  file(STRINGS "${LISTS}" lists)
+  file(STRINGS "${LISTS}" lists ENCODING UTF-8)
   set(text "")
   foreach(list IN LISTS lists)
     file(READ "${list}" lines)
@@ -31,6 +31,11 @@ endif()
 set(PATINA_SHADERS_SCRIPT "${CMAKE_CURRENT_LIST_FILE}")
 find_program(PATINA_EXECUTABLE patina DOC "The program that patina_add_shaders() runs"
              HINTS "${CMAKE_CURRENT_LIST_DIR}/../../../bin" "${CMAKE_CURRENT_LIST_DIR}/../../../../bin")
+
+function(patina_refuse_name target name)
+  message(FATAL_ERROR "patina_add_shaders(${target}): '${name}': the path of a graph cannot have any of "
+                      "; # [ ] \" \\ | < > : % $ in it, which CMake, make and Ninja use themselves: give it another name")
+endfunction()
 
 function(patina_add_shaders target)
   cmake_parse_arguments(PARSE_ARGV 1 arg "ALL" "FOLDER;OUTPUT" "GRAPHS;OPTIONS;DEPENDS")
@@ -61,6 +66,9 @@ function(patina_add_shaders target)
     file(GLOB_RECURSE found CONFIGURE_DEPENDS RELATIVE "${folder}" "${folder}/*.graph.json")
     list(FILTER found EXCLUDE REGEX "(^|/)\\.")
     foreach(place IN LISTS found)
+      if(NOT place MATCHES "\\.graph\\.json$" OR NOT (EXISTS "${folder}/${place}" OR IS_SYMLINK "${folder}/${place}"))
+        patina_refuse_name(${target} "${place}")  # a piece of a name with ';'
+      endif()
       list(APPEND graphs "${folder}/${place}")
       list(APPEND places "${place}")
     endforeach()
@@ -69,6 +77,13 @@ function(patina_add_shaders target)
     message(FATAL_ERROR "patina_add_shaders(${target}): there is no graph '*.graph.json' in '${arg_FOLDER}'; name "
                         "graphs with GRAPHS or a folder with FOLDER")
   endif()
+
+  foreach(graph IN LISTS graphs)
+    string(REGEX REPLACE "^[A-Za-z]:" "" path "${graph}")
+    if(path MATCHES "[][;#\"\\|<>:%$]")
+      patina_refuse_name(${target} "${graph}")
+    endif()
+  endforeach()
 
   # --- a step for each
   set(own "${CMAKE_CURRENT_BINARY_DIR}/${target}.patina")
@@ -95,7 +110,13 @@ function(patina_add_shaders target)
 
   # --- one list of all
   string(REPLACE ";" "\n" lines "${lists}")
-  file(CONFIGURE OUTPUT "${own}/lists" CONTENT "${lines}\n" @ONLY)  # keeps its time if nothing has changed
+  set(before "")
+  if(EXISTS "${own}/lists")
+    file(READ "${own}/lists" before)
+  endif()
+  if(NOT "${before}" STREQUAL "${lines}\n")  # else the file keeps its time
+    file(WRITE "${own}/lists" "${lines}\n")
+  endif()
   add_custom_command(
     OUTPUT "${own}/outputs"
     COMMAND "${CMAKE_COMMAND}" -D "LISTS=${own}/lists" -D "OUTPUT=${own}/outputs" -P "${PATINA_SHADERS_SCRIPT}"

@@ -41,16 +41,23 @@ bool is_one_of(const std::string& path, std::span<const std::string> files) {
 }  // namespace
 
 bool Outputs::write(const std::string& source, const OutputFiles& files, std::span<const std::string> inputs) {
+    const std::optional<Diagnostic> obstacle = try_write(source, files, inputs);
+    if (obstacle) report(console_, {&*obstacle, 1});
+    return !obstacle;
+}
+
+std::optional<Diagnostic> Outputs::try_write(const std::string& source, const OutputFiles& files,
+                                             std::span<const std::string> inputs) {
     if (files.files.size() == 1 && files.files.front().path == kStandardOutput) {
         print(files.files.front().bytes);  // run() reports it if that fails
-        return true;
+        return std::nullopt;
     }
     for (const runtime::OutputFile& file : files.files) {
-        if (!take(source, file.path, inputs)) return false;
+        if (std::optional<Diagnostic> obstacle = take(source, file.path, inputs)) return obstacle;
     }
     const std::string error = runtime::write_files(files.files);
-    if (!error.empty()) complain(console_, Complaint::CannotWrite, {error});
-    return error.empty();
+    if (error.empty()) return std::nullopt;
+    return complaint(Complaint::CannotWrite, {error});
 }
 
 bool Outputs::is_possible(const std::string& path) const {
@@ -64,22 +71,18 @@ bool Outputs::is_possible(const std::string& path) const {
     return snapshot.empty();
 }
 
-bool Outputs::take(const std::string& source, const std::string& path, std::span<const std::string> inputs) {
+std::optional<Diagnostic> Outputs::take(const std::string& source, const std::string& path,
+                                        std::span<const std::string> inputs) {
     const Destination to = destination_of(path);
-    if (to.kind != Destination::Kind::File) return true;
+    if (to.kind != Destination::Kind::File) return std::nullopt;
     const auto [there, is_new] = written_.try_emplace(to.path, Written{source, path});
-    if (!is_new && there->second.path == path) {
-        complain(console_, Complaint::SameOutput, {there->second.source, source, path});
-    } else if (!is_new) {
-        complain(console_, Complaint::OneOutput, {path, source, there->second.path});
-    } else if (const std::string snapshot = snapshot_of(to.path); !snapshot.empty()) {
-        complain(console_, Complaint::ReferencePicture, {path, snapshot});
-    } else if (is_one_of(to.path, inputs)) {
-        complain(console_, Complaint::OverwritesInput, {path, source});
-    } else {
-        return true;
-    }
-    return false;
+    if (!is_new && there->second.path == path)
+        return complaint(Complaint::SameOutput, {there->second.source, source, path});
+    if (!is_new) return complaint(Complaint::OneOutput, {path, source, there->second.path});
+    if (const std::string snapshot = snapshot_of(to.path); !snapshot.empty())
+        return complaint(Complaint::ReferencePicture, {path, snapshot});
+    if (is_one_of(to.path, inputs)) return complaint(Complaint::OverwritesInput, {path, source});
+    return std::nullopt;
 }
 
 void say(const Console& console, const OutputFiles& files) {

@@ -12,6 +12,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -35,6 +36,9 @@ public:
     // Writes all of the files or none; false: none, and it has complained. `source`: the argument that they are made
     // from, for messages. `inputs`: files that it was made from.
     bool write(const std::string& source, const OutputFiles& files, std::span<const std::string> inputs = {});
+    // The same without a complaint: returns it.
+    std::optional<Diagnostic> try_write(const std::string& source, const OutputFiles& files,
+                                        std::span<const std::string> inputs = {});
 
     // False: a file of this name cannot be written, and it has complained. For work that takes a while: ask before it.
     bool is_possible(const std::string& path) const;
@@ -43,7 +47,8 @@ private:
     struct Written {
         std::string source, path;
     };
-    bool take(const std::string& source, const std::string& path, std::span<const std::string> inputs);
+    std::optional<Diagnostic> take(const std::string& source, const std::string& path,
+                                   std::span<const std::string> inputs);
 
     const Console& console_;
     std::map<std::string, Written> written_;  // by the file itself, whatever links lead to it

@@ -21,10 +21,12 @@ void look_into(const fs::path& folder, bool is_outermost, Below& below) {
     if (error == std::errc::no_such_file_or_directory && !is_outermost) return;
     below.folders.push_back(folder.lexically_normal().string());
     for (const fs::directory_iterator end; !error && at != end; at.increment(error)) {
+        if (at->path().filename().string().starts_with('.')) continue;
         std::error_code ignored;
-        if (!at->is_directory(ignored))
+        const fs::file_status status = at->status(ignored);
+        if (fs::is_regular_file(status) || !fs::exists(status))  // a link that leads nowhere is said when it is read
             below.files.push_back(at->path().lexically_normal().string());
-        else if (!at->is_symlink(ignored) && !at->path().filename().string().starts_with('.'))
+        else if (fs::is_directory(status) && !at->is_symlink(ignored))
             look_into(at->path(), false, below);
     }
     if (error) below.error = "cannot read the folder '" + folder.string() + "': " + error.message();

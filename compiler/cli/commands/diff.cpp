@@ -100,6 +100,7 @@ Exit compare(const Console& console, const Arguments& arguments, PictureComparis
         trouble |= !found.picture;
     }
     print(arguments.json ? report_json(found) : report_text(found, console.output_colors));
+    trouble |= output_failed();
     if (arguments.git) return Exit::Ok;  // git takes any other code as a failure
     return trouble ? kTrouble : found.differs() ? kDifferent : Exit::Ok;
 }

@@ -49,7 +49,7 @@ Exit merge(const Console& console, const Arguments& arguments) {
     if (merged.state == MergeState::Unreadable) return kTrouble;
     OutputFiles files;
     files.add(arguments.output, merged.text);
-    if (!Outputs(console).write(arguments.ours, files)) return kTrouble;
+    if (!Outputs(console).write(arguments.ours, files) || output_failed()) return kTrouble;
     return merged.state == MergeState::Clean ? Exit::Ok : kConflicts;
 }
 

@@ -43,14 +43,22 @@ Target shown_target(const CompileArguments& arguments) {
 
 }  // namespace
 
-bool Watch::Task::is_due() const {
+bool Watch::Task::is_changed() const {
     return is_new || has_changed(stamps) || (!ok && Clock::now() - tried > kRetry);
+}
+
+bool Watch::Task::is_due() const {
+    return is_changed() || (!obstacle.empty() && Clock::now() - tried > kRetry);
 }
 
 bool Watch::Task::done(bool is_ok, Stamps read, std::string messages) {
     const bool is_news = is_new || messages != said;
-    *this = {
-        .stamps = std::move(read), .tried = Clock::now(), .is_new = false, .ok = is_ok, .said = std::move(messages)};
+    *this = {.stamps = std::move(read),
+             .tried = Clock::now(),
+             .is_new = false,
+             .ok = is_ok,
+             .said = std::move(messages),
+             .obstacle = std::move(obstacle)};
     return is_news;
 }
 
@@ -87,19 +95,19 @@ void Watch::find_graphs() {
 }
 
 // The scene that is named, or else the graph that was changed last.
-void Watch::choose_subject(const std::vector<Input>& due) {
-    const auto is_due = [&](const std::string& path) {
-        return std::ranges::any_of(due, [&](const Input& input) { return input.path == path; });
+void Watch::choose_subject(const std::vector<Input>& changed) {
+    const auto is_changed = [&](const std::string& path) {
+        return std::ranges::any_of(changed, [&](const Input& input) { return input.path == path; });
     };
     const auto scene = std::ranges::find_if(graphs_, [](const auto& each) { return is_scene(each.first); });
     std::string subject = subject_;
     if (scene != graphs_.end())
         subject = scene->first;
-    else if (!due.empty() && !is_due(subject_))
-        subject = due.front().path;
+    else if (!changed.empty() && !is_changed(subject_))
+        subject = changed.front().path;
     if (subject != subject_) picture_ = {};
     subject_ = std::move(subject);
-    if (is_due(subject_)) picture_.is_new = true;
+    if (is_changed(subject_)) picture_.is_new = true;
 }
 
 Watch::Made Watch::make(const Input& input, bool counts_costs) const {
@@ -113,6 +121,16 @@ Watch::Made Watch::make(const Input& input, bool counts_costs) const {
     return made;
 }
 
+// Says why files could not be written, unless it has said that before. They are tried again.
+bool Watch::write(Task& task, const std::string& source, const OutputFiles& files,
+                  const std::vector<std::string>& inputs) {
+    const std::optional<Diagnostic> obstacle = Outputs(console_).try_write(source, files, inputs);
+    std::string text = obstacle ? to_text(*obstacle) : std::string();
+    if (obstacle && text != task.obstacle) report(console_, {&*obstacle, 1});
+    task.obstacle = std::move(text);
+    return !obstacle;
+}
+
 Exit Watch::finish(const Input& input, Made& made, bool shows_changes) {
     Graph& graph = graphs_.at(input.path);
     Compiled& now = made.compiled;
@@ -124,15 +142,16 @@ Exit Watch::finish(const Input& input, Made& made, bool shows_changes) {
         report(console_, now.result.diagnostics);
         if (!now.ok) tell(input.path, input.path + ": is wrong; its files stay as they were");
     }
+    const bool was_written = graph.task.obstacle.empty();
+    if (!now.ok) graph.task.obstacle.clear();
     if (!now.ok || is_scene(input.path)) return Exit::Ok;
     std::vector<std::string> changes;
     if (graph.compiled && shows_changes) {
         measure_once(*graph.compiled);
         changes = changes_of(*graph.compiled, made.compiled, shown_target(arguments_.compile));
     }
-    Outputs outputs(console_);
-    if (!outputs.write(input.path, now.files, now.result.dependencies)) return Exit::Ok;  // with the next change
-    if (!is_first_ && !(was_unsure && changes.empty())) {
+    if (!write(graph.task, input.path, now.files, now.result.dependencies)) return Exit::Ok;
+    if (!is_first_ && !(was_unsure && was_written && changes.empty())) {
         tell(input.path, input.path + (graph.compiled && shows_changes && changes.empty() ? ": the files are the same"
                                                                                           : ": compiled"));
         for (const std::string& line : changes) tell(input.path, "  " + line);
@@ -141,7 +160,7 @@ Exit Watch::finish(const Input& input, Made& made, bool shows_changes) {
     return Exit::Ok;
 }
 
-void Watch::write_page(bool ok) {
+OutputFiles Watch::page_files(bool ok) {
     const std::int64_t now =
         std::chrono::duration_cast<std::chrono::milliseconds>(std::chrono::system_clock::now().time_since_epoch())
             .count();
@@ -150,14 +169,15 @@ void Watch::write_page(bool ok) {
     files.add(page_path(arguments_.picture), page_text(arguments_.picture));
     files.add(state_path(arguments_.picture),
               state_text({.version = page_version_, .subject = subject_, .ok = ok, .text = text_}));
-    Outputs(console_).write(subject_, files);
+    return files;
 }
 
 Exit Watch::draw() {
     const Graph& graph = graphs_.at(subject_);
     if (!graph.task.ok) {  // what is wrong stays on the page until the graph changes
-        if (picture_.is_new) write_page(false);
+        if (picture_.is_new || !picture_.obstacle.empty()) write(picture_, subject_, page_files(false), {});
         picture_.is_new = false;
+        picture_.tried = Clock::now();
         return Exit::Ok;
     }
     runtime::RenderRequest request = arguments_.request;
@@ -177,26 +197,24 @@ Exit Watch::draw() {
     if (is_news) report(console_, drawn.diagnostics);
     if (is_news && !drawn.error.empty()) complain(console_, Complaint::CannotRender, {drawn.error});
     if (drawn.missing_machine) return Exit::Machine;
-    if (drawn.ok) {
-        runtime::Outcome<std::string> png = runtime::encode_png(drawn.image);
-        OutputFiles files;
-        files.add(arguments_.picture, std::move(png.value));
-        if (Outputs(console_).write(subject_, files, drawn.dependencies)) say(console_, files);
-    }
-    if (drawn.ok || is_news) write_page(drawn.ok);
+    if (!drawn.ok && !is_news && picture_.obstacle.empty()) return Exit::Ok;
+    OutputFiles files = page_files(drawn.ok);
+    if (drawn.ok) files.add(arguments_.picture, runtime::encode_png(drawn.image).value);
+    if (write(picture_, subject_, files, drawn.dependencies) && drawn.ok) say(console_, arguments_.picture);
     return Exit::Ok;
 }
 
 Exit Watch::look() {
     find_graphs();
-    std::vector<Input> due;
+    std::vector<Input> due, changed;
     std::vector<Stamps> read;
     for (const auto& [path, graph] : graphs_) {
         if (!graph.task.is_due()) continue;
         due.push_back(graph.input);
         read.push_back(graph.task.stamps);
+        if (graph.task.is_changed()) changed.push_back(graph.input);
     }
-    if (!arguments_.picture.empty()) choose_subject(due);
+    if (!arguments_.picture.empty()) choose_subject(changed);
     const bool draws = graphs_.contains(subject_) && picture_.is_due();
     if (due.empty() && !draws) return Exit::Ok;
     if (!is_first_) wait_until_quiet(read);

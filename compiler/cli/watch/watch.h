@@ -2,7 +2,7 @@
 //
 // Each look at the files compiles the graphs of which one has changed, writes and prints what is different, and draws a
 // picture if one is wanted. What is wrong is printed once. It is tried again every second, because it may be a missing
-// file, and nobody knows where that will appear.
+// file, and nobody knows where that will appear, or a full disk.
 //
 //   Watch watch(console, compiler, arguments, inputs);
 //   while (watch.look() != Exit::Machine) std::this_thread::sleep_for(200ms);
@@ -44,9 +44,11 @@ private:
         Stamps stamps{};
         Clock::time_point tried{};
         bool is_new = true, ok = false;
-        std::string said{};  // the messages of the last time
+        std::string said{};      // the messages of the last time
+        std::string obstacle{};  // why its files could not be written
 
-        bool is_due() const;
+        bool is_changed() const;
+        bool is_due() const;  // also if its files could not be written
         // What has just been made. Returns true if the messages are not those of the last time.
         bool done(bool is_ok, Stamps read, std::string messages);
     };
@@ -61,11 +63,12 @@ private:
     };
 
     void find_graphs();
-    void choose_subject(const std::vector<Input>& due);
+    void choose_subject(const std::vector<Input>& changed);
     Made make(const Input& input, bool counts_costs) const;
     Exit finish(const Input& input, Made& made, bool shows_changes);
     Exit draw();
-    void write_page(bool ok);
+    OutputFiles page_files(bool ok);
+    bool write(Task& task, const std::string& source, const OutputFiles& files, const std::vector<std::string>& inputs);
     void tell(const std::string& subject, const std::string& line);
 
     const Console& console_;

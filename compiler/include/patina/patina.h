@@ -69,7 +69,7 @@ struct Dump {
 struct Program;  // the unoptimised stages, for patina/interpret.h
 
 // The most that a stage of any pass may cost, as the graph's "budget" says. Compiling does not measure: `patina check`
-// does, by patina/cost.h.
+// does, with glslang, which the libraries do not link.
 struct Budget {
     // One figure's limit.
     struct Limit {

@@ -144,7 +144,7 @@ PATINA_API void patina_result_free(patina_result* result);
 
 // Errors and warnings for people: with the line, a caret and notes. Empty if there are none.
 PATINA_API const char* patina_result_messages(const patina_result* result);
-// The same for programs: a JSON array, empty if there are none, of objects as `patina check --json` prints them.
+// The same for programs: a JSON array (empty if there are none) of what `patina check --diagnostics=json` prints.
 PATINA_API const char* patina_result_diagnostics(const patina_result* result);
 
 // A shader: a stage of a pass, or a file that holds all passes.
