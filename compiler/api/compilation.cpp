@@ -143,7 +143,7 @@ bool write_files(Compilation& c) {
                     {.stage = shader.stage, .language = shader.target.language, .file = shader.file_name});
         }
     }
-    return true;
+    return may_go_on(c);
 }
 
 bool keep_programs(Compilation& c) {

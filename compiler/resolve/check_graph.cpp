@@ -331,7 +331,8 @@ const CheckedGraph* load_graph(Session& session, const std::string& path, GraphK
     session.active.push_back(path);
     const std::size_t errors = session.diagnostics.error_count();
     const CheckedGraph* checked = nullptr;
-    if (const std::unique_ptr<Json> json = parse_json(session.sources, *base, session.diagnostics)) {
+    if (const std::unique_ptr<Json> json = parse_json(session.sources, *base, session.diagnostics);
+        json && !must_stop(session)) {
         if (auto graph = read_graph(*json, path, session.sources, session.ast, session.diagnostics, kind)) {
             if (shown) {
                 const Expr* value = parse_shown(session, shown);
