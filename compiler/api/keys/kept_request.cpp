@@ -58,7 +58,8 @@ std::size_t size_of(const KeptRequest& kept) {
     std::size_t bytes = sizeof kept + kReflection;
     for (const Shader& shader : kept.result.shaders) {
         bytes += sizeof shader + shader.text.size();
-        for (const LineOrigin& line : shader.line_map) bytes += sizeof line + line.file.size() + line.source_text.size();
+        for (const LineOrigin& line : shader.line_map)
+            bytes += sizeof line + line.file.size() + line.source_text.size();
     }
     for (const auto& [path, answer] : kept.answers)
         bytes += sizeof answer + path.size() + (answer.text ? answer.text->size() : 0);
