@@ -8,6 +8,7 @@
 #include "compiler/link/check_limits.h"
 #include "compiler/link/check_reads.h"
 #include "compiler/link/dumps.h"
+#include "patina/output_name.h"
 
 namespace patina {
 namespace {
@@ -38,7 +39,7 @@ output::Compiled compiled(const Compilation& c) {
             .lowered = c.linked.front().lowered,
             .passes = c.passes,
             .linked = c.linked.front(),
-            .name = graph::name_of_file(c.path)};
+            .name = output_name(c.path)};
 }
 
 std::optional<Budget::Limit> limit_of(const std::optional<graph::Budget::Limit>& limit, const SourceMap& sources) {
@@ -142,7 +143,7 @@ bool write_files(Compilation& c) {
                     {.stage = shader.stage, .language = shader.target.language, .file = shader.file_name});
         }
     }
-    return true;
+    return may_go_on(c);
 }
 
 bool keep_programs(Compilation& c) {

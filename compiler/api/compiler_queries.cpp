@@ -8,6 +8,7 @@
 #include "compiler/api/describe/describe.h"
 #include "compiler/api/evaluate.h"
 #include "compiler/api/report.h"
+#include "compiler/base/file_names.h"
 #include "compiler/base/text.h"
 #include "compiler/engines/writers.h"
 #include "compiler/format/canonical_form.h"
@@ -114,7 +115,7 @@ std::string_view version() {
 }
 
 std::string output_name(std::string_view path) {
-    return graph::name_of_file(path);
+    return portable_name(graph::name_of_file(path));
 }
 
 Compiler::Compiler() : Compiler(LibraryOverlay{}) {}

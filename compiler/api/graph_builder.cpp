@@ -51,7 +51,7 @@ public:
 
     void value(const GraphValue& value) {
         switch (value.kind()) {
-            // No number of JSON: the reader says that null is none.
+            // JSON has no such number: the reader refuses null, and name_numbers() says what it was.
             case GraphValue::Kind::Number:
                 text += std::isfinite(value.number()) ? shortest(value.number()) : "null";
                 break;
@@ -130,6 +130,12 @@ private:
 GraphMembers with(GraphMembers members, GraphMembers more) {
     for (GraphMember& each : more) members.push_back(std::move(each));
     return members;
+}
+
+// The text has null for a number that is not finite, and for nothing else.
+void name_numbers(std::string& message) {
+    constexpr std::string_view kNull = ", not null";
+    if (message.ends_with(kNull)) message.replace(message.size() - kNull.size(), kNull.size(), ", not infinity or NaN");
 }
 
 // The byte of the text at a line and a column, both from 1.
@@ -228,6 +234,7 @@ Result Compiler::compile(const GraphBuilder& graph, const CompileOptions& option
     const std::string text = graph.text(places);
     Result result = compile_text(graph.path(), text, options);
     for (Diagnostic& diagnostic : result.diagnostics) {
+        name_numbers(diagnostic.message);
         const bool is_known = !diagnostic.node.empty() && !diagnostic.port.empty();
         if (is_known || diagnostic.line == 0 || diagnostic.file != graph.path()) continue;
         const std::size_t at = offset_of(text, diagnostic.line, diagnostic.column);

@@ -33,6 +33,17 @@ std::string without_dots(std::string_view path) {
     return made;
 }
 
+// As Windows sees it: whatever follows the first dot, and in capitals or not.
+bool is_device(std::string_view stem) {
+    std::string word(stem);
+    while (word.ends_with(' ')) word.pop_back();
+    for (char& c : word)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    for (const char* device : {"con", "prn", "aux", "nul"})
+        if (word == device) return true;
+    return word.size() == 4 && (word.starts_with("com") || word.starts_with("lpt")) && word[3] >= '0' && word[3] <= '9';
+}
+
 }  // namespace
 
 std::string_view scheme_of(std::string_view path) {
@@ -45,6 +56,15 @@ std::string_view scheme_of(std::string_view path) {
 
 bool is_file_name(std::string_view text) {
     return text.starts_with("./") || text.starts_with("../") || text.starts_with('/') || !scheme_of(text).empty();
+}
+
+std::string portable_name(std::string name) {
+    if (name.empty()) return "graph";
+    constexpr std::string_view kRefused = "<>:\"/\\|?*";
+    for (char& c : name)
+        if (kRefused.find(c) != kRefused.npos || static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '_';
+    if (is_device(std::string_view(name).substr(0, name.find('.')))) name[0] = '_';
+    return name;
 }
 
 std::string join_names(const std::string& from, const std::string& name) {

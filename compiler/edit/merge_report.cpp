@@ -124,7 +124,10 @@ void ConflictReport::conflict(const TreeConflict& conflict) {
             message = fmt::format("both sides put '{}' into another order", name);
             break;
     }
-    add(std::move(message), {did(Side::Ours, conflict.path), did(Side::Theirs, conflict.path)});
+    std::vector<Did> all = {did(Side::Ours, conflict.path), did(Side::Theirs, conflict.path)};
+    const Side adding = conflict.kind == TreeConflict::Kind::OursRemoved ? Side::Ours : Side::Theirs;
+    for (const Path& added : conflict.added) all.push_back(did(adding, added));
+    add(std::move(message), all);
 }
 
 void ConflictReport::clash(const Diagnostic& error, const std::vector<TreeChange>& ours,

@@ -2,6 +2,7 @@
 
 #include <unordered_map>
 
+#include "compiler/base/file_names.h"
 #include "compiler/edit/changes.h"
 #include "compiler/edit/text_edits.h"
 
@@ -102,10 +103,11 @@ private:
             (shape_of(parents.base) != shape_of(parents.ours) || parents.base.kind != parents.ours.kind))
             parents.base = {};
         const Children children(parents);
+        const Replaced replaced = find_replaced(*values.ours.text, children);
         ChildEdits changes;
         for (std::size_t i = 0; i < children.ours().size(); ++i) {
             path_.push_back(children.ours()[i].name);
-            if (merge_child_of_ours(children[path_.back()])) changes.removed.push_back(i);
+            if (merge_child_of_ours(children[path_.back()], replaced)) changes.removed.push_back(i);
             path_.pop_back();
         }
         std::size_t after = NewChild::kFirst;
@@ -116,7 +118,7 @@ private:
                 continue;
             }
             path_.push_back(child.name);
-            if (takes_child_of_theirs(each))
+            if (takes_child_of_theirs(each, replaced))
                 changes.added.push_back({after, child.name, {*child.value.json, child.value.text->sources}});
             path_.pop_back();
         }
@@ -124,35 +126,67 @@ private:
             edit_children(sources_, *values.ours.json, changes, edits);
     }
 
+    // What a side put in the place of inputs that it removed and that the other side changed. A node's file may have
+    // renamed its inputs, and takes either the old ones or the new ones.
+    struct Replaced {
+        std::vector<Path> by_ours{}, by_theirs{};
+    };
+
+    Replaced find_replaced(const GraphText& ours, const Children& children) const {
+        if (path_.size() != 3 || path_[0] != "nodes" || path_[2] != "in") return {};
+        const TreeValue type = find(ours, {path_[0], path_[1], "node"});
+        if (!type || type.json->kind != Json::Kind::String || !is_file_name(type.json->string)) return {};
+        const auto below = [&](const TreeChild& child) {
+            Path path = path_;
+            path.push_back(child.name);
+            return path;
+        };
+        Replaced replaced;
+        bool ours_replaces = false, theirs_replaces = false;
+        for (const TreeChild& child : children.ours()) {
+            const Three& each = children[child.name];
+            theirs_replaces |= each.base && !each.theirs && !is_same(each.base, each.ours);
+            if (!each.base && !each.theirs) replaced.by_ours.push_back(below(child));
+        }
+        for (const TreeChild& child : children.theirs()) {
+            const Three& each = children[child.name];
+            ours_replaces |= each.base && !each.ours && !is_same(each.base, each.theirs);
+            if (!each.base && !each.ours) replaced.by_theirs.push_back(below(child));
+        }
+        if (!ours_replaces) replaced.by_ours.clear();
+        if (!theirs_replaces) replaced.by_theirs.clear();
+        return replaced;
+    }
+
     // True: it is removed.
-    bool merge_child_of_ours(const Three& each) {
+    bool merge_child_of_ours(const Three& each, const Replaced& replaced) {
         if (each.theirs) {
             merge(each);
             return false;
         }
         if (wish_.decided.count(path_)) return wish_.prefer == Side::Theirs;
-        if (!each.base) return false;
+        if (!each.base) return wish_.prefer == Side::Theirs && !replaced.by_ours.empty();
         if (is_same(each.base, each.ours)) return true;
-        return note(Kind::TheirsRemoved) && wish_.prefer == Side::Theirs;
+        return note(Kind::TheirsRemoved, replaced.by_theirs) && wish_.prefer == Side::Theirs;
     }
 
-    bool takes_child_of_theirs(const Three& each) {
+    bool takes_child_of_theirs(const Three& each, const Replaced& replaced) {
         if (wish_.decided.count(path_)) return wish_.prefer == Side::Theirs;
-        if (!each.base) return true;
+        if (!each.base) return wish_.prefer == Side::Theirs || replaced.by_theirs.empty();
         if (is_same(each.base, each.theirs)) return false;
-        return note(Kind::OursRemoved) && wish_.prefer == Side::Theirs;
+        return note(Kind::OursRemoved, replaced.by_ours) && wish_.prefer == Side::Theirs;
     }
 
     // False: it is no matter of the graph.
-    bool note(Kind kind) {
+    bool note(Kind kind, const std::vector<Path>& added) {
         if (path_.front() == "ui") return false;
-        conflicts_.push_back({kind, path_});
+        conflicts_.push_back({.kind = kind, .path = path_, .added = added});
         return true;
     }
 
     void conflict(Kind kind, const Three& values) {
         if ((path_.empty() || path_.front() != "ui")) {
-            conflicts_.push_back({kind, path_});
+            conflicts_.push_back({.kind = kind, .path = path_});
             take(values);
         }
     }
@@ -195,7 +229,7 @@ void find_order(Path path, const Three& values, const MergeWish& wish, std::vect
         const bool ours_moved = !base || common_names(ours, base, theirs) != before;
         const bool theirs_moved = !base || common_names(theirs, base, ours) != before;
         const bool is_decided = wish.decided.count(path) != 0;
-        if (ours_moved && theirs_moved && !is_decided) conflicts.push_back({Kind::BothReordered, path});
+        if (ours_moved && theirs_moved && !is_decided) conflicts.push_back({.kind = Kind::BothReordered, .path = path});
         const bool takes = (ours_moved && theirs_moved) || is_decided ? wish.prefer == Side::Theirs : theirs_moved;
         if (takes) reorder_children(ours.text->sources, *ours.json, order, edits);
         return;

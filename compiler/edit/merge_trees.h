@@ -22,6 +22,7 @@ struct TreeConflict {
     enum class Kind { BothChanged, BothAdded, OursRemoved, TheirsRemoved, BothReordered };
     Kind kind = Kind::BothChanged;
     Path path{};
+    std::vector<Path> added{};  // in the place of what a side removed: inputs of a node that is a file
 };
 
 struct MergedTrees {

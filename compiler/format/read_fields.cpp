@@ -45,7 +45,8 @@ void report_type(Reading& reading, const Json& json, std::string_view what, std:
     std::string found(describe(json.kind));
     if (json.kind == Json::Kind::Number) found = shown(reading.sources.text(json.span));
     if (json.kind == Json::Kind::Bool) found = json.boolean ? "true" : "false";
-    if (json.kind == Json::Kind::Array) found = fmt::format("an array of {}", json.elements.size());
+    if (json.kind == Json::Kind::Array)
+        found = json.elements.empty() ? "an empty array" : fmt::format("an array of {}", json.elements.size());
     const bool is_container = json.kind == Json::Kind::Array || json.kind == Json::Kind::Object;
     reading.diagnostics.report(Code::WrongJsonType, is_container ? opening(json) : json.span, what, wanted, found);
 }

@@ -86,10 +86,11 @@ TextPrinter stage_printer(const graph::Session& session, const ir::Module& tidie
                        session.kept ? &session.kept->texts : nullptr);
 }
 
-void print_pass(const graph::Session& session, const LinkedPass& pass, const std::string& name, Result& result) {
+void print_pass(graph::Session& session, const LinkedPass& pass, const std::string& name, Result& result) {
     TextPrinter vertex = stage_printer(session, pass.vertex, Stage::Vertex, pass.pass->name, name);
     TextPrinter fragment = stage_printer(session, pass.fragment, Stage::Fragment, pass.pass->name, name);
     for (const Target& target : session.options.targets) {
+        if (graph::must_stop(session)) return;
         result.shaders.push_back(vertex.print(target, result.reflection, session.sources));
         result.shaders.push_back(fragment.print(target, result.reflection, session.sources));
     }

@@ -22,6 +22,7 @@ public:
 
     template <class T>
     void key(const char* name, T& value, std::string_view) {
+        if (is_other_version_) return;
         if (const Json* json = object_.find(name))
             read(name, *json, value);
         else
@@ -29,11 +30,11 @@ public:
     }
     template <class T>
     void optional(const char* name, T& value, const T&, std::string_view) {
-        if (const Json* json = object_.find(name)) read(name, *json, value);
+        read_if_there(name, value);
     }
     template <class T>
     void key_if(bool, const char* name, T& value, std::string_view) {
-        if (const Json* json = object_.find(name)) read(name, *json, value);
+        read_if_there(name, value);
     }
 
     void version(const char* name, int version, std::string_view doc) {
@@ -42,6 +43,7 @@ public:
         if (found == version) return;
         diagnostics_.report(Code::ImpossibleValue, object_.find(name)->span, name, version)
             .note("another version of Patina has written this reflection");
+        is_other_version_ = true;
     }
     void meta(std::string& json) {
         if (const Json* meta = object_.find("meta")) json = sources_.text(meta->span);
@@ -93,9 +95,16 @@ private:
             diagnostics_.report(Code::UnknownWord, json->span, graph::shown(name), "a sampler");
     }
 
+    template <class T>
+    void read_if_there(const char* name, T& value) {
+        const Json* const json = is_other_version_ ? nullptr : object_.find(name);
+        if (json) read(name, *json, value);
+    }
+
     bool refuse(std::string_view name, const Json& json, std::string_view wanted) {
+        const bool is_number = json.kind == Json::Kind::Number;
         diagnostics_.report(Code::WrongJsonType, json.span, fmt::format("'{}'", name), wanted,
-                            graph::describe(json.kind));
+                            is_number ? graph::shown(sources_.text(json.span)) : graph::describe(json.kind));
         return false;
     }
     bool is_list(std::string_view name, const Json& json, std::size_t count) {
@@ -123,7 +132,7 @@ private:
         using Limits = std::numeric_limits<T>;
         const bool fits = json.kind == Json::Kind::Number && json.number == std::floor(json.number) &&
                           json.number >= double(Limits::min()) && json.number <= double(Limits::max());
-        if (!fits) return refuse(name, json, "a whole number that fits in 32 bits");
+        if (!fits) return refuse(name, json, fmt::format("a whole number from {} to {}", Limits::min(), Limits::max()));
         value = static_cast<T>(json.number);
         return true;
     }
@@ -183,6 +192,7 @@ private:
     const Json& object_;
     const SourceMap& sources_;
     Diagnostics& diagnostics_;
+    bool is_other_version_ = false;  // its keys are not known
 };
 
 }  // namespace

@@ -105,6 +105,14 @@ void count_node(Session& session, const Node& node, const ResolvedNode& resolved
     session.stopped = true;
 }
 
+// Reports a sub-graph of so many levels, with those inside it, that is used too far inside others.
+bool is_too_deep(Session& session, std::size_t levels, Span where) {
+    if (session.active.size() + levels <= kMostLevels) return false;
+    session.diagnostics.report(Code::TooDeep, where, kMostLevels)
+        .note("each sub-graph that is used through another one is a level");
+    return true;
+}
+
 // A depth-first search without recursion, so that a chain of ten thousand nodes does not overflow the stack.
 void sort_nodes(Session& session, CheckedGraph& checked) {
     enum class Mark : std::uint8_t { New, Open, Done };
@@ -297,6 +305,7 @@ const CheckedGraph* check_graph(Session& session, std::shared_ptr<const Graph> g
             session.diagnostics.report(Code::DanglingLink, span, inside.text)
                 .note(fmt::format("'{}' is not a sub-graph and has no nodes inside", node.id));
         }
+        if (resolved.subgraph) checked.levels = std::max(checked.levels, 1 + resolved.subgraph->levels);
         count_node(session, node, resolved, checked);
         std::sort(resolved.reads.begin(), resolved.reads.end());
         resolved.reads.erase(std::unique(resolved.reads.begin(), resolved.reads.end()), resolved.reads.end());
@@ -308,19 +317,22 @@ const CheckedGraph* check_graph(Session& session, std::shared_ptr<const Graph> g
 
 const CheckedGraph* load_graph(Session& session, const std::string& path, GraphKind kind, Span where,
                                const Shown& shown) {
-    if (const auto found = session.graphs.find(path); !shown && found != session.graphs.end()) return found->second;
+    if (const auto found = session.graphs.find(path); !shown && found != session.graphs.end())
+        return found->second && is_too_deep(session, found->second->levels, where) ? nullptr : found->second;
     if (std::find(session.active.begin(), session.active.end(), path) != session.active.end()) {
         std::string chain;
         for (const std::string& active : session.active) chain += active + " > ";
         session.diagnostics.report(Code::RecursiveSubgraph, where, chain + path);
         return nullptr;
     }
+    if (is_too_deep(session, 1, where)) return nullptr;
     const std::optional<std::uint32_t> base = load_source(session, path, where);
     if (!base) return nullptr;
     session.active.push_back(path);
     const std::size_t errors = session.diagnostics.error_count();
     const CheckedGraph* checked = nullptr;
-    if (const std::unique_ptr<Json> json = parse_json(session.sources, *base, session.diagnostics)) {
+    if (const std::unique_ptr<Json> json = parse_json(session.sources, *base, session.diagnostics);
+        json && !must_stop(session)) {
         if (auto graph = read_graph(*json, path, session.sources, session.ast, session.diagnostics, kind)) {
             if (shown) {
                 const Expr* value = parse_shown(session, shown);

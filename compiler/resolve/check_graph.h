@@ -7,6 +7,9 @@
 
 namespace patina::graph {
 
+// How many sub-graphs may be used through one another: most steps recurse into them.
+inline constexpr std::size_t kMostLevels = 200;
+
 struct ResolvedNode {
     const nodelang::FunctionDecl* function = nullptr;
     const nodelang::Declarations* home = nullptr;
@@ -21,6 +24,7 @@ struct CheckedGraph {
     std::unordered_map<std::string_view, std::uint32_t> by_id;
     std::vector<std::uint32_t> order;  // all nodes
     std::size_t size = 0;              // nodes, with those of each use of a sub-graph
+    std::size_t levels = 1;            // files that use one another, with this graph's
     bool ok = true;
 
     // Marks the nodes that the expressions read, directly or through other nodes.

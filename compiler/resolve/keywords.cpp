@@ -16,11 +16,11 @@ bool is_switch(const Session& session, std::string_view name) {
                        [&](const SwitchDecl& each) { return each.variable->name == name; });
 }
 
-// The option -D could not distinguish the two.
+// CompileOptions::switches could not distinguish the two.
 void check_name(Session& session, const Property& property) {
     if (!is_keyword(property.binding) || !is_switch(session, property.name)) return;
     session.diagnostics.report(Code::DuplicateId, property.name_span, "switch", property.name)
-        .note(fmt::format("the first is a switch of the rendering paths, which -D {} turns on", property.name));
+        .note("the first is a switch of the rendering paths");
 }
 
 void choose(Session& session, MaterialProperty& entry, const std::string& word) {
@@ -29,9 +29,11 @@ void choose(Session& session, MaterialProperty& entry, const std::string& word) 
         if (is_switch(session, property.name)) return;  // the name means the switch
         const bool can_be = property.type == PropertyType::Bool || property.type == PropertyType::Enum;
         session.diagnostics.report(Code::NotAKeyword, {}, property.name, to_string(property.binding))
-            .note(property.name_span,
-                  can_be ? "add \"as\": \"variant\" or \"specialization\" here, or use 'patina render --set'"
-                         : "only a bool or an enum can be a variant or a constant: use 'patina render --set'");
+            .note(
+                property.name_span,
+                can_be
+                    ? "add \"as\": \"variant\" or \"specialization\" here, or set it when the material is drawn"
+                    : "only a bool or an enum can be a variant or a constant: set this one when the material is drawn");
         return;
     }
     if (const std::optional<double> value = keyword_value(session, property, word)) {

@@ -15,13 +15,17 @@ std::string_view stem_of(std::string_view path) {
     return path.substr(slash, path.find('.', slash) - slash);
 }
 
+bool is_workflow(std::string_view path) {
+    return path.ends_with(".workflow.json");
+}
+
 // Models are named by the stem of their file, as users name them: "unity-brdf1".
 void add_graph(Library& library, std::uint32_t base, std::string_view path) {
-    const bool is_workflow = path.ends_with(".workflow.json");
-    auto& graphs = is_workflow ? library.workflows : library.lighting_models;
+    auto& graphs = is_workflow(path) ? library.workflows : library.lighting_models;
     const std::string name(stem_of(path));
     if (!graphs.try_emplace(name, library.sources, base, std::string(path)).second)
-        library.diagnostics.report(Code::DuplicateId, {base, base}, is_workflow ? "workflow" : "lighting model", name);
+        library.diagnostics.report(Code::DuplicateId, {base, base}, is_workflow(path) ? "workflow" : "lighting model",
+                                   name);
 }
 
 constexpr std::string_view kEngines = "nodes/engines/";
@@ -98,7 +102,8 @@ void add_overlay_file(Library& library, const LibraryFile& file,
 const std::shared_ptr<Graph>& LibraryGraph::get() const {
     std::call_once(once_, [this] {
         const std::unique_ptr<Json> json = parse_json(sources_, base_, diagnostics_);
-        if (json) graph_ = read_graph(*json, path_, sources_, ast_, diagnostics_, {});
+        const GraphKind kind = is_workflow(path_) ? GraphKind::Workflow : GraphKind::Lighting;
+        if (json) graph_ = read_graph(*json, path_, sources_, ast_, diagnostics_, kind);
     });
     return graph_;
 }

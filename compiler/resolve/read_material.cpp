@@ -8,7 +8,7 @@ namespace patina::graph {
 
 MaterialFile read_material(Session& session, std::uint32_t base, const std::string& path) {
     const std::unique_ptr<Json> json = parse_json(session.sources, base, session.diagnostics);
-    if (!json) return {};
+    if (!json || must_stop(session)) return {};
     const bool any_kind = session.options.accept_parts;
     std::shared_ptr<Graph> graph = read_graph(*json, path, session.sources, session.ast, session.diagnostics,
                                               any_kind ? std::nullopt : std::optional(GraphKind::Material));

@@ -254,7 +254,7 @@ void find_path(Session& session) {
         std::string advice =
             is_file ? "name a file with passes NAME.pass.hlsl" : Diagnostics::suggestion(wanted, known);
         const std::string file = wanted + ".pass.hlsl";
-        if (*session.files.find(file).exists) advice = fmt::format("did you mean '{}{}'?", is_file ? "" : "./", file);
+        if (session.files.read(file).text) advice = fmt::format("did you mean '{}{}'?", is_file ? "" : "./", file);
         session.diagnostics.report(Code::UnknownWord, {}, wanted, "a rendering path").note(std::move(advice));
         return;
     }

@@ -59,7 +59,7 @@ runtime::Radiance chosen(runtime::Radiance radiance, const Options& options) {
 
 Environment prefilter(const Picture& picture, const Options& options) {
     if (std::string error = check(picture, options); !error.empty()) return {.error = std::move(error)};
-    runtime::Outcome<runtime::Panorama> around = runtime::panorama_of(image_of(picture), "the picture");
+    runtime::Outcome<runtime::Panorama> around = runtime::panorama_of(image_of(picture), "");
     if (!around) return {.error = std::move(around.error)};
     const double turn = std::remainder(options.rotation, 360.0);
     around.value.radiance = chosen(runtime::turned(std::move(around.value.radiance), turn), options);

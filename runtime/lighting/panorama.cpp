@@ -70,13 +70,13 @@ const Layout* layout_of(const Image& image) {
 }
 
 // Empty, or which numbers of the picture are no light. Those below 0 become 0.
-std::string check_light(Image& image, const std::string& name) {
+std::string check_light(Image& image, const std::string& what) {
     for (int y = 0; y < image.height; y++) {
         for (int x = 0; x < image.width; x++) {
             for (float& value : image.at(x, y).first(3)) {
                 if (!std::isfinite(value))
-                    return "'" + name + "' is no picture of light: the pixel " + std::to_string(x) + "," +
-                           std::to_string(y) + " is not finite";
+                    return what + " is not light everywhere: the pixel " + std::to_string(x) + "," + std::to_string(y) +
+                           " is not finite";
                 value = std::max(value, 0.0f);
             }
         }
@@ -87,14 +87,15 @@ std::string check_light(Image& image, const std::string& name) {
 }  // namespace
 
 Outcome<Panorama> panorama_of(Image image, const std::string& name) {
+    const std::string what = name.empty() ? "the picture" : "'" + name + "'";
     const bool is_sphere = image.width == 2 * image.height;
     const Layout* layout = layout_of(image);
     if (!is_sphere && !layout)
-        return Failure{"'" + name + "' is no picture of all directions: it has " + std::to_string(image.width) + " x " +
+        return Failure{what + " does not show all directions: it has " + std::to_string(image.width) + " x " +
                        std::to_string(image.height) +
                        " pixels, and these shapes are understood: 2:1 (equirectangular), 4:3 and 3:4 (crosses of a "
                        "cube's faces), 6:1 and 1:6 (strips of them)"};
-    if (std::string error = check_light(image, name); !error.empty()) return Failure{error};
+    if (std::string error = check_light(image, what); !error.empty()) return Failure{error};
     const auto kept = std::make_shared<const Image>(std::move(image));
     if (is_sphere)
         return Panorama{.radiance = [kept](glm::vec3 d) { return on_sphere(*kept, d); },

@@ -26,7 +26,7 @@ struct Panorama {
 };
 
 // `image`: linear. Numbers below 0 become 0. A picture of another shape, or with numbers that are not finite, is
-// refused; `name` is for the message.
+// refused; `name` is for the message, and may be empty.
 Outcome<Panorama> panorama_of(Image image, const std::string& name);
 
 // The same, turned by so many degrees about y, counter-clockwise seen from above.

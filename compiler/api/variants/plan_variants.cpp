@@ -47,10 +47,10 @@ void refuse(graph::Session& session, const graph::Graph& graph, const std::vecto
         const std::string left = without(axis);
         if (left == count) continue;
         record.note(axis.property->name_span,
-                    fmt::format("'{}' has {} values: if -D fixes it, the number of combinations is {}",
+                    fmt::format("'{}' has {} values: if it has one value, the number of combinations is {}",
                                 axis.info.property, axis.info.values.size(), left));
     }
-    record.note("-D NAME=VALUE fixes a property, and --variants-limit sets another limit");
+    record.note("give some of them a value, or set another limit");
 }
 
 std::string count_text(double count) {
@@ -110,7 +110,7 @@ void plan_listed(graph::Session& session, const graph::Material& material, const
     std::vector<std::string> fixed;
     for (const graph::MaterialProperty& entry : material.properties) {
         if (entry.property->binding == Binding::Variant && entry.is_chosen)
-            fixed.push_back(fmt::format("-D {}={}", entry.property->name,
+            fixed.push_back(fmt::format("{} = {}", entry.property->name,
                                         graph::keyword_words(*entry.property)[static_cast<std::size_t>(entry.chosen)]));
     }
     const std::vector<std::string_view> views(fixed.begin(), fixed.end());

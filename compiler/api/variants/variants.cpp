@@ -94,6 +94,7 @@ public:
         std::erase_if(options_.targets, [&](const Target& target) { return holds_variants(library, target); });
         fixed_ = options_.switches;
         made_.ok = plan.ok;
+        if (!plan.ok) made_.diagnostics = plan.diagnostics;
     }
 
     VariantSet make(const std::function<void(std::size_t)>& progress) {

@@ -1,4 +1,6 @@
 // patina merge: the three-way merge of graphs, also as git's merge driver.
+#include <fmt/format.h>
+
 #include <memory>
 
 #include "compiler/cli/commands/commands.h"
@@ -27,6 +29,17 @@ std::optional<MergeInput> read_side(const Console& console, const std::string& p
     return MergeInput{.name = std::move(name), .text = std::move(*text)};
 }
 
+// What to do with a file that cannot be merged as a graph. As git's driver, the command has its name.
+std::string advice(const Arguments& arguments) {
+    if (arguments.name.empty())
+        return fmt::format("nothing is merged; 'git merge-file {} {} {}' merges the files as text", arguments.ours,
+                           arguments.base, arguments.theirs);
+    return fmt::format(
+        "git keeps OURS, without markers; to merge it as text: git -c merge.patina.driver='git merge-file %A %O %B' "
+        "checkout --merge -- {}",
+        arguments.name);
+}
+
 Exit merge(const Console& console, const Arguments& arguments) {
     if (console.json && is_standard_output(arguments.output)) {
         complain(console, Complaint::MixedOutput, {"the merged graph"});
@@ -44,7 +57,12 @@ Exit merge(const Console& console, const Arguments& arguments) {
     MergeOptions options = arguments.options;
     options.path = arguments.name.empty() ? arguments.ours : arguments.name;
     const Compiler compiler;
-    const MergeResult merged = merge_graphs(compiler, *base, *ours, *theirs, options);
+    MergeResult merged = merge_graphs(compiler, *base, *ours, *theirs, options);
+    if (merged.state == MergeState::Unreadable && !merged.diagnostics.empty()) {
+        Diagnostic& note = merged.diagnostics.back().notes.emplace_back();
+        note.severity = Severity::Note;
+        note.message = advice(arguments);
+    }
     report(console, merged.diagnostics);
     if (merged.state == MergeState::Unreadable) return kTrouble;
     OutputFiles files;

@@ -47,7 +47,7 @@ struct Shader {
     // Of the pass, or where the functions can be called. It has no meaning for a file that holds all passes.
     Stage stage = Stage::Vertex;
     Target target = Target::Glsl;                 // what it was written for
-    std::string file_name;                        // "rust.forward.frag.glsl"
+    std::string file_name;                        // "rust.forward.frag.glsl"; begins as output_name.h says
     std::string text;                             // the entry point is `main`; functions have none
     std::vector<LineOrigin> line_map;             // ascending by line
     std::vector<int> light_loops{};               // the lines at which a loop over lights begins, from 1

@@ -206,6 +206,30 @@ TEST(StreamedVariants, AreThoseThatWouldHaveBeenKept) {
     }
 }
 
+// Printing is a long step of a large graph.
+TEST(Cancelling, IsPossibleBeforeEachText) {
+    const auto calls = [](std::vector<Target> targets) {
+        std::size_t count = 0;
+        CompileOptions options;
+        options.targets = std::move(targets);
+        options.limits.cancelled = [&] { return ++count == 0; };
+        EXPECT_TRUE(compiler().compile_text("test.graph.json", kThree, options).ok);
+        return count;
+    };
+    EXPECT_EQ(calls({Target::Glsl, Target::Hlsl}), calls({Target::Glsl}) + 1);
+}
+
+TEST(Variants, OfAPlanThatIsNotOkHaveItsErrors) {
+    const CompileOptions options = variant_options();
+    const VariantPlan plan = compiler().plan_variants("v.graph.json", VariantsWanted::All, options, 2);
+    const VariantSet set = compiler().compile_variants("v.graph.json", plan, options);
+    EXPECT_FALSE(set.ok);
+    EXPECT_NE(said(set.diagnostics).find("6 combinations of variants are too many"), std::string::npos)
+        << said(set.diagnostics);
+    // The library does not speak of the command's options.
+    EXPECT_EQ(said(set.diagnostics).find(" -D"), std::string::npos) << said(set.diagnostics);
+}
+
 TEST(StreamedVariants, EndWithAnErrorIfTheProgramsFunctionFails) {
     const CompileOptions options = variant_options();
     const VariantPlan plan = compiler().plan_variants("v.graph.json", VariantsWanted::All, options, kVariantLimit);

@@ -180,6 +180,41 @@ Diagnostic at_line(const Result& result, std::string_view code, int line) {
     return {};
 }
 
+// An id may be any text; the names of the shaders are made of its last part.
+TEST(FileSystem, ShadersHaveNamesThatEverySystemTakes) {
+    const auto name_of = [](const std::string& path) {
+        CompileOptions options;
+        options.targets = {Target::Glsl};
+        const Result result = compiler().compile_text(path, R"({ "patina": 1, "workflow": "unlit" })", options);
+        EXPECT_TRUE(result.ok) << said(result);
+        return result.shaders.empty() ? "" : result.shaders[0].file_name;
+    };
+    EXPECT_EQ(name_of("pack://wet stone/Öl-1.graph.json"), "Öl-1.forward.vert.glsl");
+    EXPECT_EQ(name_of("id:1"), "id_1.forward.vert.glsl");
+    EXPECT_EQ(name_of("asset?id=5&rev=2"), "asset_id=5&rev=2.forward.vert.glsl");
+    EXPECT_EQ(name_of("a\"b<c>|*\n.graph.json"), "a_b_c____.forward.vert.glsl");
+    EXPECT_EQ(name_of(""), "graph.forward.vert.glsl");
+    EXPECT_EQ(name_of("x/"), "graph.forward.vert.glsl");
+    EXPECT_EQ(name_of("Con.v1.graph.json"), "_on.v1.forward.vert.glsl");
+    EXPECT_EQ(name_of("com1.graph.json"), "_om1.forward.vert.glsl");
+    EXPECT_EQ(name_of("cone.graph.json"), "cone.forward.vert.glsl");
+}
+
+// `exists` is for textures: a path is there if its file can be read.
+TEST(FileSystem, APassFileThatIsNotThereIsNotSuggested) {
+    CompileOptions options;
+    options.request = CompileOptions::Passes{.path = "nope"};
+    options.files.exists = [](const std::string&) { return true; };
+    options.files.read = [](const std::string&) { return std::optional<std::string>(); };
+    const std::string graph = R"({ "patina": 1, "workflow": "unlit" })";
+    EXPECT_EQ(said(compiler().compile_text("a.graph.json", graph, options)).find("nope.pass.hlsl"), std::string::npos);
+    options.files.read = [](const std::string& path) {
+        return path == "nope.pass.hlsl" ? std::optional<std::string>("") : std::nullopt;
+    };
+    EXPECT_NE(said(compiler().compile_text("a.graph.json", graph, options)).find("did you mean './nope.pass.hlsl'?"),
+              std::string::npos);
+}
+
 TEST(FileSystem, WhatReadThrowsIsAnErrorWhereTheFileIsNamed) {
     CompileOptions options;
     options.files.exists = [](const std::string&) { return true; };

@@ -22,6 +22,17 @@ std::string said(const Result& result) {
     return all;
 }
 
+TEST(GraphBuilder, SaysWhichNumberIsNone) {
+    for (const double none : {std::nan(""), std::numeric_limits<double>::infinity()}) {
+        GraphBuilder graph("x.graph.json");
+        graph.set("workflow", "unlit").surface("alpha", none);
+        const std::vector<Diagnostic> all = Compiler().compile(graph).diagnostics;
+        ASSERT_EQ(all.size(), 1u);
+        EXPECT_TRUE(all[0].message.ends_with(", not infinity or NaN")) << all[0].message;
+        EXPECT_EQ(all[0].port, "alpha");
+    }
+}
+
 TEST(GraphBuilder, MakesWhatTheFileMakes) {
     GraphBuilder graph("rust.graph.json");
     graph.set("workflow", "metallic-roughness").set("lighting", "unity-brdf1");

@@ -142,6 +142,10 @@ TEST(Overlay, ThatCannotBeReadIsRefused) {
     EXPECT_TRUE(has(text, "mine/a.lighting.json:1:37: error: unknown key 'outpust'")) << text;
     text = refusal({{{"mine/a.workflow.json", "{ \"patina\": 1"}}});
     EXPECT_TRUE(has(text, "mine/a.workflow.json:1:")) << text;
+    text = refusal({{{"mine/two.workflow.json", "{ \"patina\": 1 }"}}});
+    EXPECT_TRUE(has(text, "\"kind\": \"workflow\" is missing") && !has(text, "a material needs")) << text;
+    text = refusal({{{"mine/two.lighting.json", kPaint}}});
+    EXPECT_TRUE(has(text, "mine/two.lighting.json:2:26: error: this file must be a lighting graph")) << text;
     text = refusal({{{"mine/a.hlsl", kDots}}});
     EXPECT_TRUE(has(text, "error: 'mine/a.hlsl' is not a file of a library")) << text;
     text = refusal({{{"mine/b.pass.hlsl", "[pass(\"b\")] float4 main() { return 1; }\n"}}});

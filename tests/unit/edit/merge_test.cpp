@@ -226,6 +226,34 @@ TEST_F(Merges, OneRemovesWhatTheOtherChanges) {
                     {"theirs removes 'nodes.mask', which ours changes", "theirs: removes", "ours: changes"});
 }
 
+// One side renames the input 'k' of a sub-graph in both files, and the other one changes its value.
+TEST_F(Merges, AnInputIsRenamedInAnotherFileAndChanged) {
+    const auto graph = [](const std::string& node, const std::string& in) {
+        return "{\n  \"patina\": 1,\n  \"workflow\": \"unlit\",\n  \"nodes\": [\n    { \"id\": \"n\", \"node\": \"" +
+               node + "\", \"in\": { " + in + " } }\n  ],\n  \"surface\": { \"color\": \"n\" }\n}\n";
+    };
+    const auto file = [&](const std::string& in) { return graph("./gain.subgraph.json", in); };
+    const std::string base = file("\"k\": 2"), changed = file("\"k\": 3"), renamed = file("\"gain\": 2");
+    const MergeResult theirs = merge(base, changed, renamed), ours = merge(base, renamed, changed);
+    for (const MergeResult& each : {theirs, ours}) {
+        EXPECT_EQ(each.state, MergeState::Conflicts);
+        ASSERT_FALSE(each.diagnostics.empty());
+    }
+    EXPECT_EQ(side_of(theirs.text, true), changed) << theirs.text;
+    EXPECT_EQ(side_of(theirs.text, false), renamed) << theirs.text;
+    EXPECT_EQ(side_of(ours.text, true), renamed) << ours.text;
+    EXPECT_EQ(side_of(ours.text, false), changed) << ours.text;
+    const std::string said = to_text(theirs.diagnostics.front());
+    for (const char* part :
+         {"theirs removes 'nodes.n.in.k', which ours changes", "from 2 to 3", "theirs: adds 'nodes.n.in.gain': 2"})
+        EXPECT_NE(said.find(part), said.npos) << said;
+    // What nobody changes goes along, and a node of the library has the same inputs for both sides.
+    EXPECT_EQ(merge(base, file("\"k\": 2, \"more\": 1"), renamed).text, file("\"gain\": 2, \"more\": 1"));
+    const auto library = [&](const std::string& in) { return graph("Remap", "\"value\": 2, " + in); };
+    const MergeResult both = merge(library("\"inMax\": 2"), library("\"inMax\": 3"), library("\"outMax\": 2"));
+    EXPECT_EQ(side_of(both.text, true), library("\"outMax\": 2, \"inMax\": 3"));
+}
+
 TEST_F(Merges, OneRemovesWhatTheOtherUses) {
     const Lines base;
     Lines removed = base, uses = base;

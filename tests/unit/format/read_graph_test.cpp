@@ -341,7 +341,7 @@ TEST(ReadGraphErrors, Keys) {
     check({
         {R"("^node":[])", "unknown key 'node' in a material | did you mean 'nodes'?"},
         {R"("^outputs":{})", "unknown key 'outputs' in a material | 'outputs' belongs to a sub-graph"},
-        {R"("surface":^[])", "'surface' must be an object, not an array of 0"},
+        {R"("surface":^[])", "'surface' must be an object, not an empty array"},
         {R"("name":^3)", "'name' must be a string, not 3"},
         {R"("precision":"^hallf")", "'hallf' is not a precision | did you mean 'half'?"},
         {R"("nodes":[{"id":"a","node":"X","^inn":{}}])", "unknown key 'inn' in a node | did you mean 'in'?"},
@@ -428,7 +428,7 @@ TEST(ReadGraphErrors, Properties) {
 }
 
 TEST(ReadGraphErrors, Files) {
-    EXPECT_EQ(complaint("^[]"), "a graph must be an object, not an array of 0");
+    EXPECT_EQ(complaint("^[]"), "a graph must be an object, not an empty array");
     EXPECT_EQ(complaint(R"(^{"workflow":"unlit"})"),
               "a graph needs the key 'patina' | add \"patina\": 1, the version of the graph format");
     EXPECT_EQ(complaint(R"({"patina":^2,"foo":1})"),

@@ -416,7 +416,7 @@ TEST(ReadScene, IsForScenes) {
     EXPECT_EQ(message(R"({"patina":1,"workflow":"unlit"})"), "this file must be a scene, not a material");
     EXPECT_EQ(message(R"({"kind":"scene","camera":{"position":[0,0,1]},"objects":[]})"),
               "a scene needs the key 'patina'");
-    EXPECT_EQ(message("[]"), "a scene must be an object, not an array of 0");
+    EXPECT_EQ(message("[]"), "a scene must be an object, not an empty array");
     EXPECT_EQ(message(""), "the file is empty");
     const SceneResult missing = compiler().read_scene("no/such.scene.json");
     ASSERT_EQ(missing.diagnostics.size(), 1u);

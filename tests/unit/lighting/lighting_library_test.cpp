@@ -110,7 +110,7 @@ TEST(LightingLibrary, SaysWhatIsWrong) {
     picture.height = 31;
     EXPECT_EQ(error(picture), "a picture of 64 x 31 pixels with 3 channels has 5952 numbers, not 6144");
     picture.numbers = picture.numbers.first(5952);
-    EXPECT_NE(error(picture).find("'the picture' is no picture of all directions: it has 64 x 31 pixels"),
+    EXPECT_NE(error(picture).find("the picture does not show all directions: it has 64 x 31 pixels"),
               std::string::npos);
     picture.width = 0;
     EXPECT_EQ(error(picture), "a picture has 1 to 16384 pixels on a side, not 0 x 31");
@@ -123,7 +123,7 @@ TEST(LightingLibrary, SaysWhatIsWrong) {
               "rotation is not a finite number");
     Pixels broken = good;
     broken.numbers[3 * (64 * 2 + 5)] = std::numeric_limits<float>::quiet_NaN();
-    EXPECT_EQ(error(broken.picture()), "'the picture' is no picture of light: the pixel 5,2 is not finite");
+    EXPECT_EQ(error(broken.picture()), "the picture is not light everywhere: the pixel 5,2 is not finite");
 }
 
 TEST(LightingLibrary, TheTableOfTheSplitSumBeginsWithAMirror) {

@@ -121,11 +121,11 @@ TEST(Panorama, Turns) {
 
 TEST(Panorama, RefusesWhatIsNoEnvironment) {
     EXPECT_EQ(panorama_of(make_image(100, 90), "a.png").error,
-              "'a.png' is no picture of all directions: it has 100 x 90 pixels, and these shapes are understood: 2:1 "
+              "'a.png' does not show all directions: it has 100 x 90 pixels, and these shapes are understood: 2:1 "
               "(equirectangular), 4:3 and 3:4 (crosses of a cube's faces), 6:1 and 1:6 (strips of them)");
     Image image = make_image(8, 4);
     image.at(5, 2)[1] = std::numeric_limits<float>::infinity();
-    EXPECT_EQ(panorama_of(image, "a.exr").error, "'a.exr' is no picture of light: the pixel 5,2 is not finite");
+    EXPECT_EQ(panorama_of(image, "a.exr").error, "'a.exr' is not light everywhere: the pixel 5,2 is not finite");
     image.at(5, 2)[1] = -4;
     const Outcome<Panorama> made = panorama_of(image, "a.exr");
     ASSERT_TRUE(made) << made.error;

@@ -30,7 +30,7 @@ TEST(TextureLayers, RefusesGridsThatDoNotFit) {
               "'a.png' has 6 x 4 pixels, which the grid [4, 2] does not divide into equal layers");
     EXPECT_EQ(grid_layers(make_image(64, 64), {64, 64}, "a.png").error,
               "the grid [64, 64] of 'a.png' has 4096 layers; a texture may have 2048");
-    EXPECT_EQ(cube_faces(counted(5, 3), "a.png").error.find("'a.png' is no picture of all directions"), 0u);
+    EXPECT_EQ(cube_faces(counted(5, 3), "a.png").error.find("'a.png' does not show all directions"), 0u);
 }
 
 // A strip of faces: right, left, up, down, ahead (-z), behind (+z), each as it is seen from the middle.
