@@ -117,7 +117,7 @@ TEST(Variants, PastTheLimitAreRefusedWithWhatTheyCost) {
     EXPECT_EQ(plan.diagnostics[0].message, "16 combinations of variants are too many: the limit is 15");
     ASSERT_EQ(plan.diagnostics[0].notes.size(), 5u);
     EXPECT_EQ(plan.diagnostics[0].notes[0].message,
-              "'_A' has 2 values: if -D fixes it, the number of combinations is 8");
+              "'_A' has 2 values: if it has one value, the number of combinations is 8");
     EXPECT_EQ(plan.diagnostics[0].notes[3].file, "inner.subgraph.json");
     EXPECT_TRUE(planned(VariantsWanted::All, 16).ok);
     // Three can be reached, and no more are counted than the limit. _C and _D cost nothing.
@@ -126,9 +126,9 @@ TEST(Variants, PastTheLimitAreRefusedWithWhatTheyCost) {
     EXPECT_EQ(reachable.diagnostics[0].message, "the reachable combinations of variants are too many: the limit is 2");
     ASSERT_EQ(reachable.diagnostics[0].notes.size(), 3u);
     EXPECT_EQ(reachable.diagnostics[0].notes[0].message,
-              "'_A' has 2 values: if -D fixes it, the number of combinations is at most 2");
+              "'_A' has 2 values: if it has one value, the number of combinations is at most 2");
     EXPECT_EQ(reachable.diagnostics[0].notes[1].message,
-              "'_B' has 2 values: if -D fixes it, the number of combinations is at most 2");
+              "'_B' has 2 values: if it has one value, the number of combinations is at most 2");
     EXPECT_TRUE(planned(VariantsWanted::Reachable, 3).ok);
 }
 
@@ -184,7 +184,7 @@ TEST(Variants, ThatAreFixedLeaveOutWhatIsListedOtherwise) {
     EXPECT_EQ(none.diagnostics[0].code, "nothing-listed");
     EXPECT_EQ(
         none.diagnostics[0].message,
-        "no entry of 'variants' is left: -D _A=true and -D _B=false exclude all of them; remove one, or list such a "
+        "no entry of 'variants' is left: _A = true and _B = false exclude all of them; remove one, or list such a "
         "combination");
     EXPECT_GT(none.diagnostics[0].line, 1);
 }
