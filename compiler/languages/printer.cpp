@@ -195,10 +195,7 @@ void print_function(Writer& w, FunctionId id, const EntryPoint* entry) {
         else
             Body(w, id, entry).print();
     };
-    // Much is pasted into a long entry function, of the material too: its text is seldom asked for again.
-    constexpr std::size_t kLong = 100;  // instructions
-    const bool is_pasted = entry && w.module[id].insts.size() > kLong;
-    if (w.options.kept && !is_pasted)
+    if (w.options.kept)
         print_kept(w, id, entry, print);
     else
         print();
