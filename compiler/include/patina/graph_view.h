@@ -3,8 +3,8 @@
 //   patina::GraphView view = patina::view_graph(compiler, "rust.graph.json");
 //   for (const patina::GraphEdge& edge : view.edges) draw(view.boxes[edge.from], view.boxes[edge.to]);
 //
-// And a material as a MaterialX document, for programs that read these. What it says is what `patina import` reads
-// back.
+// And a material as a MaterialX document, for programs that read these. `patina import` reads the same material
+// back from it.
 //
 //   patina::MtlxExport made = patina::export_mtlx(compiler, "rust.graph.json", {.folder = "out"});
 //   if (made.ok) save("out/rust.mtlx", made.text);
