@@ -153,7 +153,13 @@ Exit make_variants(const Console& console, const Compiler& compiler, const std::
         show_progress(console, plan.count, static_cast<std::size_t>(std::min(most, static_cast<double>(kMostVariants))),
                       graph);
     };
-    const VariantPlan plan = compiler.plan_variants(graph, wanted_of(wanted.wanted), options, wanted.limit, looking);
+    VariantPlan plan = compiler.plan_variants(graph, wanted_of(wanted.wanted), options, wanted.limit, looking);
+    // The library does not know how its caller gives values and limits.
+    Diagnostic advice;
+    advice.severity = Severity::Note;
+    advice.message = "-D NAME=VALUE gives a property a value, and --variants-limit sets the limit";
+    for (Diagnostic& each : plan.diagnostics)
+        if (each.code == "too-many") each.notes.push_back(advice);
     end_progress(console);
     report(console, plan.diagnostics);
     if (!plan.ok) return Exit::Wrong;
