@@ -1,7 +1,7 @@
 // Custom functions of Unity's shader graphs: what their code becomes.
-#include "tests/unit/importers/shadergraph_import.h"
-
 #include <gtest/gtest.h>
+
+#include "tests/unit/importers/shadergraph_import.h"
 
 namespace patina::importers {
 namespace {
