@@ -226,7 +226,12 @@ void add_snapshot(Program& program) {
     add_include_option(command, options.include_dirs);
     set_check(command, [arguments, update] {
         arguments->options.update = update->count() > 0;
-        if (!arguments->update.empty()) arguments->options.only = arguments->update.front();
+        // Without a case, CLI11 gives an empty word.
+        if (!arguments->update.empty() && !arguments->update.front().empty()) {
+            if (!arguments->options.only.empty())
+                throw CLI::ValidationError("--update", "a case here, or in --only: not both");
+            arguments->options.only = arguments->update.front();
+        }
         take_tolerance(*arguments);
         if (const std::vector<std::string> printed = arguments->printed(); printed.size() > 1)
             throw CLI::ValidationError(printed[0], "and " + printed[1] + " both print to standard output");
