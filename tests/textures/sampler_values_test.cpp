@@ -64,18 +64,19 @@ float ReadEdge(Texture2D picture, SamplerState how = picture.sampler) {
     keep("edge.subgraph.json", R"x({ "patina": 1, "kind": "subgraph",
   "inputs": [ { "name": "picture", "type": "texture2d" }, { "name": "how", "type": "sampler", "default": "nearestClamp" } ],
   "nodes": [ { "id": "read", "node": "./edge.node.hlsl", "in": { "picture": "$picture", "how": "$how" } } ],
-  "outputs": { "out": "read" } })x");
+  "outputs": { "out": "read", "mirrored": "nearestMirror" } })x");
     const std::string graph = fmt::format(R"x("properties": [ {{ {} }} ], "nodes": [
         {{ "id": "a", "node": "./edge.subgraph.json", "in": {{ "picture": "$_T" }} }},
         {{ "id": "b", "node": "./edge.subgraph.json", "in": {{ "picture": "$_T", "how": "nearestRepeat" }} }},
         {{ "id": "how", "expr": "nearestMirror" }},
         {{ "id": "c", "node": "./edge.subgraph.json", "in": {{ "picture": "$_T", "how": "how" }} }},
-        {{ "id": "d", "node": "./edge.node.hlsl", "in": {{ "picture": "$_T" }} }} ],
-      "surface": {{ "color": "= @uv0.x < 0.5 ? float3(a, b, c) : float3(d, 0, 0)" }})x",
+        {{ "id": "d", "node": "./edge.node.hlsl", "in": {{ "picture": "$_T" }} }},
+        {{ "id": "e", "node": "./edge.node.hlsl", "in": {{ "picture": "$_T", "how": "a.mirrored" }} }} ],
+      "surface": {{ "color": "= @uv0.x < 0.5 ? float3(a.out, b.out, c.out) : float3(d, e, 0)" }})x",
                                           kTexture);
     const Image seen = drawn(GetParam(), "parts", graph, {{"_T", columns()}});
     expect_at(seen, 0, 0, {0.8, 0.2, 0.8}, "the default, repeated, mirrored");
-    expect_at(seen, 1, 0, {0.2, 0, 0}, "the texture's own");
+    expect_at(seen, 1, 0, {0.2, 0.8, 0}, "the texture's own, and what a sub-graph gives");
 }
 
 INSTANTIATE_TEST_SUITE_P(Via, SamplerValues, testing::Values("glsl", "hlsl", "cpu"));
