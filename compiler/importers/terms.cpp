@@ -55,7 +55,8 @@ Term rewritten(const Term& term, Type type, std::string text, std::vector<Term::
     Term made{.type = type, .base = std::move(text), .parts = std::move(parts)};
     made.is_color = term.is_color;
     made.name = term.name;
-    made.sources = term.sources;
+    made.nodes = term.nodes;
+    made.owner = term.owner;
     return made;
 }
 
@@ -64,6 +65,24 @@ Term of_parts(const Term& term, Type type, std::vector<Term::Part> parts) {
     std::string list;
     for (const Term::Part& part : parts) list += (list.empty() ? "" : ", ") + part.text;
     return rewritten(term, type, fmt::format("{}({})", word(type), list), std::move(parts));
+}
+
+// The first rows and columns of a matrix.
+Term corner(const Term& term, Type type) {
+    const std::size_t rows = width(type);
+    if (term.is_constant()) {
+        Term made = term;
+        made.type = type;
+        made.numbers.clear();
+        for (std::size_t i = 0; i < rows * rows; ++i)
+            made.numbers.push_back(term.numbers[i / rows * width(term.type) + i % rows]);
+        return made;
+    }
+    std::string list;
+    for (std::size_t i = 0; i < rows; ++i)
+        list += fmt::format("{}{}[{}].{}", i > 0 ? ", " : "", at_least(term.text(), kPrimary), i,
+                            kComponents.substr(0, rows));
+    return rewritten(term, type, fmt::format("{}({})", word(type), list));
 }
 
 bool is_letter(char c) {
@@ -77,34 +96,6 @@ bool is_of_link(char c) {
 }
 
 }  // namespace
-
-bool is_vector(Type type) {
-    return type >= Type::Float && type <= Type::Float4;
-}
-
-std::size_t width(Type type) {
-    if (is_vector(type)) return static_cast<std::size_t>(type) - static_cast<std::size_t>(Type::Float) + 1;
-    if (type == Type::Matrix3 || type == Type::Matrix4) return type == Type::Matrix3 ? 3 : 4;
-    return type == Type::Bool ? 1 : 0;
-}
-
-Type vector_type(std::size_t count) {
-    return static_cast<Type>(static_cast<std::size_t>(Type::Float) + std::clamp<std::size_t>(count, 1, 4) - 1);
-}
-
-std::string_view word(Type type) {
-    switch (type) {
-        case Type::Bool: return "bool";
-        case Type::Float: return "float";
-        case Type::Float2: return "float2";
-        case Type::Float3: return "float3";
-        case Type::Float4: return "float4";
-        case Type::Matrix3: return "float3x3";
-        case Type::Matrix4: return "float4x4";
-        case Type::None: break;
-    }
-    return "nothing";
-}
 
 bool Term::is_all(double value) const {
     return is_constant() && std::ranges::all_of(numbers, [&](double each) { return each == value; });
@@ -135,6 +126,7 @@ bool Term::is_short() const {
 }
 
 Value Term::value() const {
+    if (type == Type::Gradient && base.empty() && gradient) return gradient_value(*gradient);
     if (is_constant() && type == Type::Bool) return patina::importers::flag(numbers[0] != 0);
     if (is_constant() && is_vector(type)) {
         if (is_all(numbers[0])) return patina::importers::number(static_cast<float>(numbers[0]));
@@ -157,12 +149,49 @@ Term flag_term(bool value) {
     return {.type = Type::Bool, .numbers = {value ? 1.0 : 0.0}};
 }
 
+Term stand_in(Type type) {
+    switch (type) {
+        case Type::Float2: return constant({1, 0});
+        case Type::Float3: return constant({1, 0, 1});
+        case Type::Float4: return constant({1, 0, 1, 1});
+        case Type::Bool: return flag_term(false);
+        case Type::Matrix2:
+        case Type::Matrix3:
+        case Type::Matrix4: {
+            Term made{.type = type};
+            const std::size_t rows = width(type);
+            for (std::size_t i = 0; i < rows * rows; ++i) made.numbers.push_back(i % (rows + 1) == 0 ? 1 : 0);
+            return made;
+        }
+        case Type::Gradient: {
+            Term made{.type = type};
+            made.gradient = std::make_shared<const Gradient>(
+                Gradient{.colors = {{.time = 0, .value = {1, 0, 1}}}, .alphas = {{.time = 0, .value = {1}}}});
+            return made;
+        }
+        case Type::Sampler: return link("trilinearRepeat", type);  // what a slot has if nothing is connected
+        case Type::None:
+        case Type::Float:
+        case Type::Texture2D:
+        case Type::Texture2DArray:
+        case Type::Texture3D:
+        case Type::Cubemap:
+        case Type::Connection:
+        case Type::VirtualTexture: break;
+    }
+    return number_term(1);
+}
+
 Term link(std::string text, Type type) {
     return {.type = type, .base = std::move(text)};
 }
 
 Term expression(std::string text, Type type) {
-    Term made{.type = type, .base = std::move(text)};
+    return {.type = type, .base = std::move(text)};
+}
+
+Term parsed(std::string text, Type type) {
+    Term made = expression(std::move(text), type);
     if (const auto value = read_number(made.base)) {
         made.numbers = {*value};
         return converted(Term{.type = Type::Float, .numbers = {*value}}, type, true);
@@ -205,7 +234,7 @@ Term swizzled(const Term& term, std::string_view components) {
         }
         if (numbers.size() == components.size()) {
             Term made = constant(numbers);
-            made.sources = term.sources;
+            made.nodes = term.nodes;
             return made;
         }
         return components.size() == 1 ? rewritten(term, type, parts[0].text) : of_parts(term, type, parts);
@@ -231,9 +260,13 @@ Term swizzled(const Term& term, std::string_view components) {
     }
     const std::string_view letters = term.is_color ? kChannels : kComponents;
     std::string before = term.swizzle;
-    if (before.empty()) before = letters.substr(0, count);
+    if (before.empty()) {
+        before = letters.substr(0, count);
+        made.base_width = count;
+    }
     made.swizzle.clear();
     for (const char each : components) made.swizzle += before[std::min(index_of(each), before.size() - 1)];
+    if (made.swizzle == letters) made.swizzle.clear();
     if (made.swizzle == letters.substr(0, count) && term.swizzle.empty()) made.swizzle.clear();
     return made;
 }
@@ -241,7 +274,7 @@ Term swizzled(const Term& term, std::string_view components) {
 Term flipped(const Term& term) {
     if (!term.from_top.empty()) {
         Term made = link(term.from_top, Type::Float2);
-        made.sources = term.sources;
+        made.nodes = term.nodes;
         return made;
     }
     if (term.is_constant() && term.numbers.size() > 1) return constant({term.numbers[0], 1 - term.numbers[1]});
@@ -260,6 +293,7 @@ Term converted(const Term& term, Type type, bool may_stay_number) {
         if (term.is_constant()) return flag_term(term.numbers[0] != 0);
         return rewritten(term, Type::Bool, at_least(swizzled(term, "x").text(), kCompare) + " != 0");
     }
+    if (is_matrix(type) && is_matrix(term.type) && width(type) < width(term.type)) return corner(term, type);
     if (!is_vector(type) || !is_vector(term.type)) return {};
     const std::size_t from = width(term.type), to = width(type);
     if (from > to) return swizzled(term, (term.is_color ? kChannels : kComponents).substr(0, to));

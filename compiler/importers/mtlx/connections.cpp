@@ -192,7 +192,7 @@ Term GraphMaker::geometry(std::string_view property, Type type) {
     Term made;
     if (property == "UV0" || property == "UV1") {
         const std::string id = property == "UV0" ? "uv" : "uv1", semantic = property == "UV0" ? "@uv0" : "@uv1";
-        made = terms::expression(fmt::format("float2({0}.x, 1 - {0}.y)", semantic), Type::Float2);
+        made = terms::parsed(fmt::format("float2({0}.x, 1 - {0}.y)", semantic), Type::Float2);
         made.name = id;
         made.from_top = semantic;
         return made;
@@ -239,7 +239,7 @@ Term GraphMaker::input(Scope& scope, const Element& node, const Port& port, bool
     if (made.is_constant() && terms::is_vector(made.type) && made.numbers.size() > 1 && may_stay_number &&
         made.is_all(made.numbers[0]) && made.type == type) {
         Term number = terms::number_term(made.numbers[0]);
-        number.sources = made.sources;
+        number.nodes = made.nodes;
         return number;
     }
     Term converted = terms::converted(made, type, may_stay_number);

@@ -57,7 +57,7 @@ Term GraphMaker::evaluate(Scope& scope, const Element& node, std::string_view ou
         made = computed(scope, node, output);
         --depth_;
     }
-    made.sources.insert(number_of(node));
+    made.nodes.insert(number_of(node));
     const bool is_coordinates = made.from_top == "@uv0" || made.from_top == "@uv1";
     if (made.name.empty() || (!made.is_link() && !is_coordinates)) made.name = terms::camel_case(node.name());
     // Outputs of one node are written again: they are links.
@@ -134,7 +134,7 @@ std::string GraphMaker::add_node(const Element& node, GraphNode made, std::strin
 }
 
 void GraphMaker::written(const Term& term, std::string_view where) {
-    for (const std::size_t each : term.sources)
+    for (const std::size_t each : term.nodes)
         if (outcomes_[each].where.empty()) outcomes_[each].where = where;
 }
 
@@ -156,17 +156,7 @@ Term GraphMaker::magenta(const Element& node, Type type, std::string_view reason
     import_.has_refused = true;
     const bool is_input = node.category == "input" || node.category == "output" || node.category == "bindinput";
     if (!is_input) refuse(node, std::string(reason));
-    Term made;
-    switch (type) {
-        case Type::Bool: made = terms::flag_term(false); break;
-        case Type::Float2: made = terms::constant({1, 0}); break;
-        case Type::Float3: made = terms::constant({1, 0, 1}); break;
-        case Type::Float4: made = terms::constant({1, 0, 1, 1}); break;
-        case Type::Matrix3: made = {.type = type, .numbers = {1, 0, 0, 0, 1, 0, 0, 0, 1}}; break;
-        case Type::Matrix4: made = {.type = type, .numbers = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}}; break;
-        case Type::Float:
-        case Type::None: made = terms::number_term(1); break;
-    }
+    const Term made = terms::stand_in(type);
     const std::string id = ids_.unique(terms::camel_case(node.name()), "refused");
     file_.nodes.push_back(
         {.id = id, .expression = made.text(), .more = {{"note", text(fmt::format("not imported: {}", reason))}}});
@@ -226,7 +216,7 @@ Term GraphMaker::property_of(const Element& input) {
             made.type = Type::Float4;
             made = terms::swizzled(made, "rgb");
         }
-        if (type == "integer") made = terms::expression(fmt::format("float({})", made.base), Type::Float);
+        if (type == "integer") made = terms::parsed(fmt::format("float({})", made.base), Type::Float);
         remark(Remark::Kind::Taken, fmt::format("input '{}'", input.name()),
                fmt::format("the property '{}'", property.name), input);
         file_.properties.push_back(std::move(property));

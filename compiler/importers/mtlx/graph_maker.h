@@ -98,7 +98,7 @@ public:
     Term sampled_normal(const Element& node, const Term& texel, const Term& scale);
     std::string noise_file(std::string_view kind);
     std::size_t uses(const Scope& scope, const Element& node) const;
-    // Its number among the sources of terms; it is reported.
+    // Its number among the nodes of terms; it is reported.
     std::size_t note(const Element& node);
     Term literal(const Element& input, std::string_view type, std::string_view text);
     // The text with its placeholders filled in.

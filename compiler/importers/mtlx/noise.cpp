@@ -126,7 +126,7 @@ public:
         const std::size_t count = std::max<std::size_t>(terms::width(type_of_word(node_.type())), 1);
         const bool is_worley = node_.category.starts_with("worley"), is_cell = node_.category.starts_with("cell");
         Term position = maker_.input(scope_, node_, position_port(is_flat_));
-        sources_ = position.sources;
+        nodes_ = position.nodes;
         if (is_worley) {
             if (maker_.word_of(scope_, node_, "style") == "1")
                 maker_.approximate(node_, "the distances to the nearest points, not the numbers of their cells");
@@ -140,17 +140,17 @@ public:
             made = terms::swizzled(call(" vector", position, 3), "xy");
         } else if (count == 2) {
             const Term first = maker_.named(position);
-            made = terms::expression(
+            made = terms::parsed(
                 fmt::format("float2({}, {})", call("", first, 1).text(), call("", elsewhere(first), 1).text()),
                 Type::Float2);
         } else {
             const Term first = count == 4 ? maker_.named(position) : position;
             made = call(" vector", first, 3);
             if (count == 4)
-                made = terms::expression(
-                    fmt::format("float4({}, {})", made.text(), call("", elsewhere(first), 1).text()), Type::Float4);
+                made = terms::parsed(fmt::format("float4({}, {})", made.text(), call("", elsewhere(first), 1).text()),
+                                     Type::Float4);
         }
-        made.sources.insert(sources_.begin(), sources_.end());
+        made.nodes.insert(nodes_.begin(), nodes_.end());
         if (is_cell) return terms::converted(made, type_of_word(node_.type()));
         return scaled(made);
     }
@@ -187,7 +187,7 @@ private:
                 made.inputs.push_back({"jitter", jitter.value()});
         const std::string id = maker_.add_node(node_, std::move(made));
         Term all;
-        all.sources = sources_;
+        all.nodes = nodes_;
         maker_.written(all, fmt::format("the node '{}'", id));
         return terms::link(id, terms::vector_type(components));
     }
@@ -196,7 +196,7 @@ private:
         Term made = maker_.input(
             scope_, node_, {.name = std::string(name), .type = std::string(type), .otherwise = std::string(otherwise)},
             true);
-        sources_.insert(made.sources.begin(), made.sources.end());
+        nodes_.insert(made.nodes.begin(), made.nodes.end());
         return made;
     }
 
@@ -209,10 +209,10 @@ private:
         if (!amplitude.is_all(1)) text += " * " + terms::at_least(amplitude.text(), terms::kUnary);
         if (!pivot.is_all(0)) text += " + " + terms::at_least(pivot.text(), terms::kProduct);
         if (text == noise.text()) return noise;
-        Term made = terms::expression(text, type_of_word(type));
+        Term made = terms::parsed(text, type_of_word(type));
         made.parts.clear();
-        made.sources = sources_;
-        made.sources.insert(noise.sources.begin(), noise.sources.end());
+        made.nodes = nodes_;
+        made.add_nodes(noise);
         return made;
     }
 
@@ -220,7 +220,7 @@ private:
     Scope& scope_;
     const Element& node_;
     bool is_flat_;
-    std::set<std::size_t> sources_{};
+    std::set<std::size_t> nodes_{};
 };
 
 }  // namespace

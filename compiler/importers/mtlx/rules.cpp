@@ -73,7 +73,7 @@ std::optional<Term> product(const std::string& text, const std::vector<Term>& te
     for (const std::size_t i : {std::size_t{0}, std::size_t{1}})
         if (factors[i].is_all(1) && terms::width(factors[1 - i].type) >= terms::width(factors[i].type)) {
             Term made = factors[1 - i];
-            made.sources.insert(factors[i].sources.begin(), factors[i].sources.end());
+            made.add_nodes(factors[i]);
             return made;
         }
     if (!factors[0].is_constant() || !factors[1].is_constant()) return {};
@@ -156,7 +156,7 @@ Term GraphMaker::filled(Scope& scope, const Element& node, const NodeRule& rule,
             continue;
         }
         made += terms::bracketed(terms[i].text(), made, std::string_view(text).substr(end));
-        holds.sources.insert(terms[i].sources.begin(), terms[i].sources.end());
+        holds.add_nodes(terms[i]);
         at = end;
     }
     made += text.substr(at);
@@ -168,8 +168,8 @@ Term GraphMaker::filled(Scope& scope, const Element& node, const NodeRule& rule,
         made.replace(place, 1, own);
         place += own.size();
     }
-    Term whole = terms::expression(made, type);
-    whole.sources.insert(holds.sources.begin(), holds.sources.end());
+    Term whole = terms::parsed(made, type);
+    whole.add_nodes(holds);
     return whole;
 }
 

@@ -29,18 +29,10 @@ struct At {
 
 // A texel, in the type of the node.
 Term texel_as(const Term& texel, std::string_view type) {
-    if (texel.is_constant()) return terms::converted(texel, type_of_word(type));
-    switch (type_of_word(type)) {
-        case Type::Float: return terms::swizzled(texel, "r");
-        case Type::Float2: return terms::swizzled(texel, "rg");
-        case Type::Float3: return terms::swizzled(texel, "rgb");
-        case Type::None:
-        case Type::Bool:
-        case Type::Float4:
-        case Type::Matrix3:
-        case Type::Matrix4: break;
-    }
-    return texel;
+    const Type wanted = type_of_word(type);
+    if (texel.is_constant()) return terms::converted(texel, wanted);
+    const bool is_part = terms::is_vector(wanted) && wanted != Type::Float4;
+    return is_part ? terms::swizzled(texel, std::string_view("rgb").substr(0, terms::width(wanted))) : texel;
 }
 
 Term without_file(const At& at) {
@@ -76,8 +68,8 @@ Term usd_texture(const At& at) {
         std::string text = made.text();
         if (!scale.is_all(1)) text += " * " + terms::at_least(scale.text(), terms::kUnary);
         if (!bias.is_all(0)) text += " + " + terms::at_least(bias.text(), terms::kProduct);
-        Term whole = terms::expression(text, Type::Float4);
-        whole.sources = made.sources;
+        Term whole = terms::parsed(text, Type::Float4);
+        whole.nodes = made.nodes;
         whole.name = terms::camel_case(at.node.name());
         whole.is_color = true;
         made = at.maker.named(whole);
@@ -98,10 +90,10 @@ Term gltf_coordinates(const At& at) {
         text = terms::at_least(text, terms::kProduct) + " * " + terms::at_least(scale.text(), terms::kUnary);
     if (!turn.is_all(0)) text = fmt::format("Rotate({}, -radians({}), 0)", text, turn.text());
     if (!offset.is_all(0)) text += " + " + terms::at_least(offset.text(), terms::kProduct);
-    Term moved = terms::expression(text, Type::Float2);
+    Term moved = terms::parsed(text, Type::Float2);
     moved.name = terms::camel_case(at.node.name()) + "Uv";
-    for (const std::set<std::size_t>& each : {coordinates.sources, scale.sources, offset.sources, turn.sources})
-        moved.sources.insert(each.begin(), each.end());
+    for (const std::set<std::size_t>& each : {coordinates.nodes, scale.nodes, offset.nodes, turn.nodes})
+        moved.nodes.insert(each.begin(), each.end());
     moved = at.maker.named(moved);
     moved.from_top = moved.base;
     if (at.is_set("pivot") || at.is_set("operationorder"))
@@ -117,12 +109,12 @@ Term gltf_image(const At& at) {
     for (const std::string_view factor : {"factor", "color", "geomcolor"}) {
         if (!at.is_set(factor) || is_color == (factor == "factor")) continue;
         const Term value = at.input(factor, is_color ? "color4" : at.node.type(), "1");
-        const std::set<std::size_t> sources = made.sources;
-        made = terms::expression(fmt::format("{} * {}", made.text(), terms::at_least(value.text(), terms::kUnary)),
-                                 made.type);
+        const std::set<std::size_t> nodes = made.nodes;
+        made =
+            terms::parsed(fmt::format("{} * {}", made.text(), terms::at_least(value.text(), terms::kUnary)), made.type);
         made.is_color = true;
-        made.sources = sources;
-        made.sources.insert(value.sources.begin(), value.sources.end());
+        made.nodes = nodes;
+        made.add_nodes(value);
     }
     if (!is_color) return made;
     made.name = terms::camel_case(at.node.name()) + "Color";
@@ -153,18 +145,18 @@ std::optional<GraphNode> hexagons(const At& at, std::string_view node, std::stri
     Term place = terms::flipped(at.input("texcoord", "vector2", "@UV0"));
     const Term tiling = at.input("tiling", "vector2", "1", true), turn = at.input("rotation", "float", "1");
     if (!tiling.is_all(1)) {
-        const std::set<std::size_t> sources = place.sources;
-        place = terms::expression(fmt::format("{} * {}", terms::at_least(place.text(), terms::kProduct),
-                                              terms::at_least(tiling.text(), terms::kUnary)),
-                                  Type::Float2);
-        place.sources = sources;
-        place.sources.insert(tiling.sources.begin(), tiling.sources.end());
+        const std::set<std::size_t> nodes = place.nodes;
+        place = terms::parsed(fmt::format("{} * {}", terms::at_least(place.text(), terms::kProduct),
+                                          terms::at_least(tiling.text(), terms::kUnary)),
+                              Type::Float2);
+        place.nodes = nodes;
+        place.add_nodes(tiling);
     }
     GraphNode made{.id = {}, .node = std::string(node), .inputs = {{"texture", text(texture)}}};
     if (place.text() != "@uv0") made.inputs.push_back({"uv", place.value()});
     made.inputs.push_back({"density", number(3.4641016F)});  // in each repetition, 2 sqrt(3)
     Term largest =
-        terms::expression(fmt::format("{} * 3.1415927", terms::at_least(turn.text(), terms::kProduct)), Type::Float);
+        terms::parsed(fmt::format("{} * 3.1415927", terms::at_least(turn.text(), terms::kProduct)), Type::Float);
     if (turn.is_constant()) largest = terms::number_term(turn.numbers[0] * 3.1415927);
     made.inputs.push_back({"rotation", largest.value()});
     at.maker.written(place, "the node of the hexagons");
@@ -254,8 +246,8 @@ Term extract(const At& at) {
     for (std::size_t i = 0; i + 1 < count; ++i)
         text += fmt::format("{} < {} ? {} : ", which.text(), static_cast<double>(i) + 0.5,
                             terms::swizzled(value, components.substr(i, 1)).text());
-    Term made = terms::expression(text + terms::swizzled(value, components.substr(count - 1, 1)).text(), Type::Float);
-    made.sources = value.sources;
+    Term made = terms::parsed(text + terms::swizzled(value, components.substr(count - 1, 1)).text(), Type::Float);
+    made.nodes = value.nodes;
     return made;
 }
 
@@ -273,12 +265,12 @@ Term switched(const At& at) {
     Term holds;
     for (int i = 1; i <= last; ++i) {
         const Term value = at.maker.named(at.input(fmt::format("in{}", i), at.node.type(), "0"));
-        holds.sources.insert(value.sources.begin(), value.sources.end());
+        holds.add_nodes(value);
         text += i < last ? fmt::format("{} < {} ? {} : ", which.text(), i, value.text()) : value.text();
     }
-    Term made = terms::expression(text, at.type());
-    made.sources.insert(holds.sources.begin(), holds.sources.end());
-    made.sources.insert(which.sources.begin(), which.sources.end());
+    Term made = terms::parsed(text, at.type());
+    made.add_nodes(holds);
+    made.add_nodes(which);
     return made;
 }
 
@@ -286,9 +278,9 @@ Term switched(const At& at) {
 Term to_world(const At& at, Term tangent) {
     tangent.name = terms::camel_case(at.node.name());
     tangent = at.maker.named(tangent);
-    Term made = terms::expression(fmt::format("NormalTangentToWorld({})", tangent.text()), Type::Float3);
+    Term made = terms::parsed(fmt::format("NormalTangentToWorld({})", tangent.text()), Type::Float3);
     made.tangent = tangent.text();
-    made.sources = tangent.sources;
+    made.nodes = tangent.nodes;
     return made;
 }
 
@@ -306,16 +298,16 @@ Term normalmap(const At& at) {
         return at.maker.geometry("Nworld", Type::Float3);
     std::string text = terms::at_least(value.text(), terms::kProduct) + " * 2 - 1";
     if (is_object) {
-        Term made = terms::expression(fmt::format("Transform({}, Object, World, Normal, true)", text), Type::Float3);
-        made.sources = value.sources;
+        Term made = terms::parsed(fmt::format("Transform({}, Object, World, Normal, true)", text), Type::Float3);
+        made.nodes = value.nodes;
         return made;
     }
     if (!scale.is_all(1))
         text = fmt::format("({}) * {}", text,
                            terms::width(scale.type) == 2 ? fmt::format("float3({}, 1)", scale.text())
                                                          : fmt::format("float3({0}, {0}, 1)", scale.text()));
-    Term made = terms::expression(fmt::format("normalize({})", text), Type::Float3);
-    made.sources = value.sources;
+    Term made = terms::parsed(fmt::format("normalize({})", text), Type::Float3);
+    made.nodes = value.nodes;
     return to_world(at, std::move(made));
 }
 
@@ -350,8 +342,8 @@ Term colorcorrect(const At& at) {
     // The text has "$" where the colour so far stands.
     const auto step = [&](bool changes, std::string text, std::initializer_list<const Term*> of) {
         if (!changes) return;
-        std::set<std::size_t> sources = made.sources;
-        for (const Term* each : of) sources.insert(each->sources.begin(), each->sources.end());
+        std::set<std::size_t> nodes = made.nodes;
+        for (const Term* each : of) nodes.insert(each->nodes.begin(), each->nodes.end());
         made.name = terms::camel_case(at.node.name());
         if (text.find('$') != text.rfind('$')) made = at.maker.named(made);
         for (std::size_t place = 0; (place = text.find('$', place)) != text.npos;) {
@@ -360,8 +352,8 @@ Term colorcorrect(const At& at) {
             text.replace(place, 1, own);
             place += own.size();
         }
-        made = terms::expression(text, Type::Float3);
-        made.sources = sources;
+        made = terms::parsed(text, Type::Float3);
+        made.nodes = nodes;
     };
     const Term hue = number("hue", "0"), saturation = number("saturation", "1"), gamma = number("gamma", "1"),
                lift = number("lift", "0"), gain = number("gain", "1"), contrast = number("contrast", "1"),
@@ -381,8 +373,8 @@ Term colorcorrect(const At& at) {
     step(!exposure.is_all(0), fmt::format("$ * exp2({})", exposure.text()), {&exposure});
     if (!has_alpha) return made;
     Term joined =
-        terms::expression(fmt::format("float4({}, {})", made.text(), terms::swizzled(whole, "a").text()), Type::Float4);
-    joined.sources = made.sources;
+        terms::parsed(fmt::format("float4({}, {})", made.text(), terms::swizzled(whole, "a").text()), Type::Float4);
+    joined.nodes = made.nodes;
     joined.is_color = true;
     return joined;
 }
@@ -402,8 +394,8 @@ Term ramp(const At& at) {
         std::string text = fmt::format("atan2({0}.x - 0.5, {0}.y - 0.5) / 6.28319 + 0.5", at_text);
         if (kind == "2") text = fmt::format("1.414 * distance({}, 0.5)", at_text);
         if (kind == "3") text = fmt::format("2 * max(abs({0}.x - 0.5), abs({0}.y - 0.5))", at_text);
-        place = terms::expression(text, Type::Float);
-        place.sources = coordinates.sources;
+        place = terms::parsed(text, Type::Float);
+        place.nodes = coordinates.nodes;
     }
     place.name = terms::camel_case(at.node.name()) + "At";
     place = at.maker.named(place);
@@ -420,15 +412,15 @@ Term ramp(const At& at) {
                                  terms::at_least(low.text(), terms::kProduct),
                                  terms::at_least(high.text(), terms::kProduct));
         if (how == "2") weight = fmt::format("step({}, {})", high.text(), place.text());
-        std::set<std::size_t> sources = made.sources;
-        for (const std::set<std::size_t>& each : {low.sources, high.sources, next.sources, place.sources})
-            sources.insert(each.begin(), each.end());
+        std::set<std::size_t> nodes = made.nodes;
+        for (const std::set<std::size_t>& each : {low.nodes, high.nodes, next.nodes, place.nodes})
+            nodes.insert(each.begin(), each.end());
         if (i > 2) {
             made.name = terms::camel_case(at.node.name());
             made = at.maker.named(made);
         }
-        made = terms::expression(fmt::format("lerp({}, {}, {})", made.text(), next.text(), weight), Type::Float4);
-        made.sources = sources;
+        made = terms::parsed(fmt::format("lerp({}, {}, {})", made.text(), next.text(), weight), Type::Float4);
+        made.nodes = nodes;
         made.is_color = true;
     }
     return made;

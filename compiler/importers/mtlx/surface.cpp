@@ -71,7 +71,7 @@ void GraphMaker::make_surface(Scope& scope, const Element& shader) {
             if (key == "normal") key = value.tangent.empty() ? "normalWS" : "normalTS";
             if (key == "normalTS") {
                 Term tangent = terms::link(value.tangent, Type::Float3);
-                tangent.sources = value.sources;
+                tangent.nodes = value.nodes;
                 value = tangent;
             }
             if (key == "clearcoatNormalWS" && value.text() == "@normalWS") continue;
@@ -151,7 +151,7 @@ void GraphMaker::make_surface(Scope& scope, const Element& shader) {
                    "the shader has no such input", each);
     }
     Term all;
-    all.sources.insert(number_of(shader));
+    all.nodes.insert(number_of(shader));
     written(all, fmt::format("the surface, lit by '{}'", file_.lighting.empty() ? file_.workflow : file_.lighting));
 }
 

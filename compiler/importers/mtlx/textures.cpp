@@ -105,7 +105,7 @@ Term GraphMaker::sampled(Scope& scope, const Element& node, Term coordinates, st
                        fmt::format("'{}' is no picture that can be read", word_of(scope, node, file_input)));
     if (coordinates.from_top.empty() && !coordinates.is_short()) coordinates = named(coordinates);
     Term place = terms::flipped(coordinates);
-    place.sources = coordinates.sources;
+    place.nodes = coordinates.nodes;
     std::string& id = samples_[property + " " + place.text()];
     if (id.empty()) {
         GraphNode made{.id = {}, .node = "SampleTexture2D", .inputs = {{"texture", text(property)}}};
@@ -115,7 +115,7 @@ Term GraphMaker::sampled(Scope& scope, const Element& node, Term coordinates, st
     }
     written(coordinates, fmt::format("the node '{}'", id));
     Term read;
-    read.sources.insert(number_of(node));
+    read.nodes.insert(number_of(node));
     written(read, fmt::format("the node '{}'", id));
     Term made = terms::link(id, Type::Float4);
     made.is_color = true;
@@ -133,7 +133,7 @@ Term GraphMaker::sampled_normal(const Element& node, const Term& texel, const Te
     written(texel, fmt::format("the node '{}'", id));
     written(scale, fmt::format("the node '{}'", id));
     Term made = terms::link(id, Type::Float3);
-    made.sources = texel.sources;
+    made.nodes = texel.nodes;
     return made;
 }
 
@@ -169,8 +169,8 @@ std::optional<Term> normal_map_of(GraphMaker& maker, Scope& scope, const Element
         place = maker.named(place);
     }
     made.from_top = place.text();
-    made.sources = coordinates.sources;
-    made.sources.insert(maker.note(*found));
+    made.nodes = coordinates.nodes;
+    made.nodes.insert(maker.note(*found));
     return made;
 }
 
@@ -183,9 +183,9 @@ Term tiled_coordinates(GraphMaker& maker, Scope& scope, const Element& node) {
     Term at = port("texcoord", "@UV0");
     const Term tiling = port("uvtiling", "1"), offset = port("uvoffset", "0"),
                image_size = port("realworldimagesize", "1"), tile_size = port("realworldtilesize", "1");
-    std::set<std::size_t> sources = at.sources;
+    std::set<std::size_t> nodes = at.nodes;
     for (const Term* each : {&tiling, &offset, &image_size, &tile_size})
-        sources.insert(each->sources.begin(), each->sources.end());
+        nodes.insert(each->nodes.begin(), each->nodes.end());
     Term made;
     if (!at.from_top.empty() && tiling.is_constant() && offset.is_constant() && image_size.is_constant() &&
         tile_size.is_constant()) {
@@ -205,13 +205,13 @@ Term tiled_coordinates(GraphMaker& maker, Scope& scope, const Element& node) {
         made = terms::link("", Type::Float2);
         if (text == at.from_top) return at;
         // As it is sampled: flipped() gives it back.
-        Term sampled = terms::expression(text, Type::Float2);
+        Term sampled = terms::parsed(text, Type::Float2);
         sampled.name = terms::camel_case(node.name()) + "Uv";
-        sampled.sources = sources;
+        sampled.nodes = nodes;
         sampled = maker.named(sampled);
         made.base = fmt::format("float2({0}.x, 1 - {0}.y)", sampled.base);
         made.from_top = sampled.base;
-        made.sources = sources;
+        made.nodes = nodes;
         return made;
     }
     std::string text = terms::at_least(at.text(), terms::kProduct);
@@ -222,8 +222,8 @@ Term tiled_coordinates(GraphMaker& maker, Scope& scope, const Element& node) {
                            terms::at_least(image_size.text(), terms::kUnary),
                            terms::at_least(tile_size.text(), terms::kUnary));
     if (text == at.text()) return at;
-    made = terms::expression(text, Type::Float2);
-    made.sources = sources;
+    made = terms::parsed(text, Type::Float2);
+    made.nodes = nodes;
     made.name = terms::camel_case(node.name()) + "Uv";
     return maker.named(made);
 }

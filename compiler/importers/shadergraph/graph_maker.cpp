@@ -189,7 +189,7 @@ Term GraphMaker::input(std::size_t index, int slot_id, bool may_stay_number) {
 
 void GraphMaker::set(std::size_t index, int slot, Term term, bool is_handed_on) {
     if (!is_handed_on || !term.owner) term.owner = index;
-    if (std::ranges::find(term.nodes, index) == term.nodes.end()) term.nodes.push_back(index);
+    term.nodes.insert(index);
     // Only a node of its own can be computed in half.
     const bool wants_name = is_half(index) ? !is_handed_on : uses(index, slot) > 1 && !is_short(term);
     if (wants_name && is_value(term.type)) term = named(term);

@@ -162,7 +162,7 @@ void swizzle(GraphMaker& maker, std::size_t node) {
     if (width(value.type) < needs) value = converted(value, vector_type(needs));
     if (!value.is_constant() && value.parts.empty()) value = maker.named(value);
     Term made = swizzled(value, mask);
-    made.nodes.push_back(node);
+    made.nodes.insert(node);
     maker.set(node, 1, made);
 }
 
@@ -272,7 +272,7 @@ void branch_on_connection(GraphMaker& maker, std::size_t node) {
     }
     // In a material, and without a property, nothing is connected.
     Term made = maker.input(node, 2);
-    made.nodes.push_back(node);
+    made.nodes.insert(node);
     maker.set(node, 3, made);
 }
 
