@@ -26,8 +26,8 @@ const Importer* importer_of(const Source& source) {
 
 std::string_view to_string(Remark::Kind kind) {
     switch (kind) {
-        case Remark::Kind::Taken: return "mapped";
-        case Remark::Kind::Changed: return "approximated";
+        case Remark::Kind::Taken: return "exact";
+        case Remark::Kind::Changed: return "approximate";
         case Remark::Kind::LeftOut: return "refused";
     }
     return {};

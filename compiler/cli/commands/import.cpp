@@ -87,7 +87,7 @@ std::string json_of(const std::string& file, std::span<const std::string> writte
     return text + (has_lines ? "\n]}\n" : "]}\n");
 }
 
-// "12 parts: 10 mapped, 1 approximated, 1 refused"
+// "12 parts: 10 exact, 1 approximate, 1 refused"
 std::string summary_of(std::span<const Remark> remarks) {
     std::string text = fmt::format("{} parts", remarks.size());
     for (const Remark::Kind kind : {Remark::Kind::Taken, Remark::Kind::Changed, Remark::Kind::LeftOut})
@@ -173,7 +173,7 @@ void add_import(Program& program) {
     command.add_flag("--allow-refused", arguments->allows_refused,
                      "Exit with 0, even if a graph shows a constant in the place of a part that is refused");
     command.add_flag("--report", arguments->shows_remarks,
-                     "Print what became of each part of the files: mapped, approximated or refused, and why");
+                     "Print what became of each part of the files: exact, approximate or refused, and why");
     command.add_flag("--json", arguments->json, "Print the same as JSON, one object a file, instead of warnings");
     set_work(program, command, [arguments, &program](const Console& console) {
         if (console.json && arguments->json) {

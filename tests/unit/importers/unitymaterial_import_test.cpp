@@ -378,7 +378,7 @@ TEST(UnityMaterial, WhatAGraphDoesNotSayIsApproximated) {
           "the blend factors 4 and 1 of Unity are none that a graph has", "\"queue\": 5000"})
         EXPECT_NE(changed.find(part), std::string::npos) << part << "\n" << changed;
     EXPECT_FALSE(made.has_refused);
-    expect_compiles(made, "approximated");
+    expect_compiles(made, "approximate");
 }
 
 // --- other shaders
