@@ -1,6 +1,7 @@
 #include "compiler/importers/expression_text.h"
 
 #include <algorithm>
+#include <optional>
 #include <set>
 
 #include "compiler/base/text.h"
@@ -30,6 +31,51 @@ std::string_view trimmed(std::string_view text) {
 constexpr std::string_view kReserved[] = {"true",  "false", "if",  "else",  "for",    "return",
                                           "const", "in",    "out", "inout", "struct", "enum",
                                           "void",  "uint",  "int", "bool",  "half",   "float"};
+
+// The value of "1 - 0.5".
+std::optional<double> value_of_pair(std::string_view text) {
+    const std::size_t space = text.find(' ');
+    if (space == text.npos || space + 3 >= text.size() || text[space + 2] != ' ') return {};
+    const auto left = read_number(text.substr(0, space)), right = read_number(text.substr(space + 3));
+    if (!left || !right) return {};
+    switch (text[space + 1]) {
+        case '+': return *left + *right;
+        case '-': return *left - *right;
+        case '*': return *left * *right;
+        case '/': return *right == 0 ? std::nullopt : std::optional(*left / *right);
+        default: return {};
+    }
+}
+
+// Makes the group in these brackets shorter, if that is possible.
+bool folds_group(std::string& text, std::size_t open, std::size_t close) {
+    const std::string inner = text.substr(open + 1, close - open - 1);
+    const char before = open > 0 ? text[open - 1] : ' ';
+    const bool is_call = is_letter(before) || is_digit(before) || before == '_';
+    if (const auto value = value_of_pair(inner)) {
+        const std::string made = digits(*value);
+        text.replace(open + 1, inner.size(), made);
+        return true;
+    }
+    if (is_call) return false;
+    const bool is_number = read_number(inner).has_value();
+    if (is_number && inner.starts_with('-')) {
+        const char sign = open > 1 && before == ' ' ? text[open - 2] : ' ';
+        const bool is_binary = open > 3 && text[open - 3] == ' ' && (sign == '-' || sign == '+');
+        if (!is_binary) return false;
+        text.replace(open, close + 1 - open, inner.substr(1));
+        text[open - 2] = sign == '-' ? '+' : '-';
+        return true;
+    }
+    const bool is_name = !inner.empty() && !is_digit(inner[0]) && std::ranges::all_of(inner, [](char c) {
+        return is_letter(c) || is_digit(c) || c == '_' || c == '$' || c == '@' || c == '.';
+    });
+    if (!is_number && !is_name) return false;
+    const char after = close + 1 < text.size() ? text[close + 1] : ' ';
+    if (is_number && (after == '.' || after == '[')) return false;
+    text.replace(open, close + 1 - open, inner);
+    return true;
+}
 
 }  // namespace
 
@@ -96,6 +142,19 @@ std::string bracketed(const std::string& text, std::string_view before, std::str
         needed = std::max<int>(needed, kOr);
     if (needed > kChoice && text.starts_with("-") && strength(left) > kChoice) return "(" + text + ")";
     return at_least(text, static_cast<Precedence>(std::min<int>(needed, kPrimary)));
+}
+
+std::string folded(std::string text) {
+    for (bool is_changed = true; is_changed;) {
+        is_changed = false;
+        for (std::size_t open = text.find('('); open != text.npos; open = text.find('(', open + 1)) {
+            const std::size_t close = text.find_first_of("()", open + 1);
+            if (close != text.npos && text[close] == ')') is_changed |= folds_group(text, open, close);
+        }
+    }
+    if (text.starts_with("-1 * ") && text.size() > 5 && (is_letter(text[5]) || text[5] == '$' || text[5] == '@'))
+        text.replace(0, 5, "-");
+    return text;
 }
 
 std::vector<std::string> arguments_of(std::string_view list) {

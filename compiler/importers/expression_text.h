@@ -18,6 +18,9 @@ std::string at_least(std::string_view expression, Precedence precedence);
 // In brackets, if an operator before or after it binds more strongly.
 std::string bracketed(const std::string& text, std::string_view before, std::string_view after);
 std::string digits(double number);  // "0.5"
+// The expression without what nobody writes: "x - (-1)" is "x + 1", "(1 - 0.5)" is "0.5", "(uv) / 2" is "uv / 2",
+// "-1 * x" is "-x".
+std::string folded(std::string expression);
 // The arguments of a call at the outer level: "a, f(b, c)" -> "a", "f(b, c)".
 std::vector<std::string> arguments_of(std::string_view list);
 

@@ -62,8 +62,11 @@ Term rewritten(const Term& term, Type type, std::string text, std::vector<Term::
 
 Term of_parts(const Term& term, Type type, std::vector<Term::Part> parts) {
     if (parts.size() == 1 && parts[0].width == width(type)) return rewritten(term, type, parts[0].text);
+    const bool is_one_number = std::ranges::all_of(
+        parts, [&](const Term::Part& each) { return each.width == 1 && each.text == parts[0].text; });
     std::string list;
-    for (const Term::Part& part : parts) list += (list.empty() ? "" : ", ") + part.text;
+    for (const Term::Part& part : parts)
+        if (!is_one_number || list.empty()) list += (list.empty() ? "" : ", ") + part.text;
     return rewritten(term, type, fmt::format("{}({})", word(type), list), std::move(parts));
 }
 
@@ -305,7 +308,7 @@ Term converted(const Term& term, Type type, bool may_stay_number) {
             made.numbers.assign(to, term.numbers[0]);
             return made;
         }
-        return rewritten(term, type, fmt::format("{}({})", word(type), term.text()));
+        return of_parts(term, type, std::vector<Term::Part>(to, Term::Part{term.text(), 1}));
     }
     if (term.is_constant()) {
         Term made = term;

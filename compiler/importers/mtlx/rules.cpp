@@ -168,7 +168,7 @@ Term GraphMaker::filled(Scope& scope, const Element& node, const NodeRule& rule,
         made.replace(place, 1, own);
         place += own.size();
     }
-    Term whole = terms::parsed(made, type);
+    Term whole = terms::parsed(terms::folded(made), type);
     whole.add_nodes(holds);
     return whole;
 }

@@ -157,6 +157,9 @@ void GraphMaker::read_blackboard() {
         properties_[property.id] = name;
         SubgraphPorts::Input port{.name = name, .guid = property.guid, .reference = property.reference, .type = type};
         port.is_perceptual = type == Type::Gradient && gradient_of(member(property.json, "m_Value")).is_perceptual();
+        if (is_vector(type) && property.kind != "Color")
+            port.numbers = type == Type::Float ? std::vector<double>{number_of(property.json, "m_Value")}
+                                               : vector_of(property.json, "m_Value", width(type));
         Declaration made = declaration_of(property);
         const std::string what =
             is_input ? fmt::format("the input '{}'", name) : fmt::format("the property '{}'", name);
@@ -187,6 +190,7 @@ void GraphMaker::read_blackboard() {
             }
             made.type = "int";
             made.value = number(static_cast<double>(chosen));
+            port.numbers = {static_cast<double>(chosen)};
         } else if (made.type.empty()) {
             remark(Remark::Kind::Changed, part, "a graph has no such property", property.place);
             if (is_input) ports_.inputs.push_back(port);

@@ -191,7 +191,7 @@ private:
         return vector_term(type, arguments);
     }
 
-    // "{0} + {1}" with a 0, "{0} * {1}" with a 1: the other one.
+    // "{0} + {1}" with a 0, "{0} * {1}" with a 1: the other one. "{0} * {1}" with a 0: 0.
     std::optional<Term> with_neutral(std::string_view text) {
         const std::size_t end = text.find('}') + 1;
         if (end == 0 || text.size() < end + 4 || text[end] != ' ' || text[end + 2] != ' ') return {};
@@ -203,6 +203,12 @@ private:
         for (const bool from_left : {true, false}) {
             if (!from_left && !is_either) continue;
             const Term dropped = maker_.input(node_, from_left ? right->slot : left->slot, true);
+            if (sign == '*' && is_constant_of(dropped, 0)) {
+                Term made = number_term(0);
+                made.add_nodes(dropped);
+                made.add_nodes(maker_.input(node_, from_left ? left->slot : right->slot, true));
+                return made;
+            }
             if (!is_constant_of(dropped, neutral)) continue;
             is_handed_on_ = true;
             Term made = term_of(from_left ? *left : *right, false);
@@ -234,6 +240,11 @@ private:
             } else {
                 made.base += text[at];
             }
+        }
+        made.base = folded(made.base);
+        if (const auto number = read_number(made.base)) {
+            made.numbers = {*number == 0 ? 0 : *number};
+            made.base.clear();
         }
         return made;
     }

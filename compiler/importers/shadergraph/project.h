@@ -22,6 +22,7 @@ struct SubgraphPorts {
     struct Input {
         std::string name{}, guid{}, reference{};
         Type type = Type::None;
+        std::vector<double> numbers{};  // its default, if that is a number, a vector or an entry
         bool is_dropdown = false;
         bool is_perceptual = false;          // a gradient whose colours are blended in OkLab
         bool is_normal_map = false;          // it is sampled as one

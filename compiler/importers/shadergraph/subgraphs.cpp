@@ -31,6 +31,13 @@ std::optional<int> chosen_entry(const Node& node, const SubgraphPorts::Input& in
     return {};
 }
 
+bool is_default(const SubgraphPorts::Input& input, const Term& term) {
+    if (!term.is_constant() || input.numbers.empty()) return false;
+    for (std::size_t i = 0; i < input.numbers.size(); ++i)
+        if (term.numbers[term.numbers.size() == 1 ? 0 : i] != input.numbers[i]) return false;
+    return term.numbers.size() == 1 || term.numbers.size() == input.numbers.size();
+}
+
 }  // namespace
 
 void make_subgraph_node(GraphMaker& maker, std::size_t index) {
@@ -46,7 +53,8 @@ void make_subgraph_node(GraphMaker& maker, std::size_t index) {
     Term holds;
     for (const SubgraphPorts::Input& input : ports.inputs) {
         if (input.is_dropdown) {
-            if (const auto entry = chosen_entry(at, input))
+            const auto entry = chosen_entry(at, input);
+            if (entry && !is_default(input, number_term(*entry)))
                 made.inputs.push_back({input.name, number_term(*entry).value()});
             continue;
         }
@@ -76,7 +84,7 @@ void make_subgraph_node(GraphMaker& maker, std::size_t index) {
         if (is_value(input.type)) term[0] = converted(term[0], input.type, true);
         maker.shorten(index, term, 0);
         holds.add_nodes(term[0]);
-        made.inputs.push_back({input.name, term[0].value()});
+        if (!is_default(input, term[0])) made.inputs.push_back({input.name, term[0].value()});
     }
     const std::string id = maker.add_node(index, std::move(made));
     maker.written(holds, fmt::format("the node '{}'", id));

@@ -379,6 +379,18 @@ TEST(ShaderGraphImport, SubgraphsAreFoundByGuid) {
     expect_compiles(open, "open sub-graph");
 }
 
+TEST(ShaderGraphImport, InputsOfASubgraphThatHaveItsDefaultsAreLeftOut) {
+    save_shader_graph("Doubled.shadersubgraph", doubled().new_layout(), kGuid);
+    ShaderGraphText graph = user(kGuid, false);
+    graph.nodes[1].slots[0].value = R"({"x":1.0,"y":2.0,"z":3.0})";
+    EXPECT_EQ(text_of(import_graph(graph)).find("inValue"), std::string::npos) << text_of(import_graph(graph));
+    graph.nodes[1].slots[0].value = R"({"x":1.0,"y":2.0,"z":3.5})";
+    EXPECT_NE(text_of(import_graph(graph)).find(R"("inValue": [1, 2, 3.5], "mode": 1)"), std::string::npos)
+        << text_of(import_graph(graph));
+    graph.nodes[1].more.replace(graph.nodes[1].more.find("Twice"), 5, "Once");
+    EXPECT_EQ(text_of(import_graph(graph)).find("mode"), std::string::npos) << text_of(import_graph(graph));
+}
+
 TEST(ShaderGraphImport, SubgraphsAreFoundByName) {
     save_shader_graph("Doubled.shadersubgraph", doubled().new_layout());
     const Imported made = import_graph(user(kGuid));
