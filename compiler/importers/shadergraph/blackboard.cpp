@@ -141,6 +141,15 @@ std::string GraphMaker::property_name(const Property& property) const {
     return found == properties_.end() ? std::string() : found->second;
 }
 
+std::string GraphMaker::name_for_texture(std::string_view property) const {
+    const std::size_t mark = property.rfind('_');
+    const std::string_view end = mark == property.npos ? std::string_view() : property.substr(mark + 1);
+    const bool is_made = end.size() >= 6 && end.find_first_not_of("0123456789abcdefABCDEF") == end.npos;
+    for (const Property& each : graph_.properties)
+        if (is_made && property_name(each) == property && !camel_case(each.name).empty()) return camel_case(each.name);
+    return camel_case(property);
+}
+
 void GraphMaker::read_blackboard() {
     for (const Property& property : graph_.properties) {
         const bool is_keyword = property.kind == "Keyword";

@@ -79,6 +79,8 @@ public:
     Term property_term(std::size_t node);
     const Property* property(std::string_view id) const;
     std::string property_name(const Property& property) const;
+    // For a node that samples the texture "_MainTex": "mainTex"; after the name that is shown, if Unity made the other.
+    std::string name_for_texture(std::string_view property) const;
     // In a sub-graph: the input that says whether that one is connected.
     std::string connected_input(const Property& property);
     // The name of a file with a function; the same for the same text.

@@ -104,7 +104,8 @@ void GraphMaker::make_layout() {
         if (from.group.empty()) continue;
         std::string& ids = members[from.group];
         const auto group = std::ranges::find(graph_.groups, from.group, &Group::id);
-        if (ids.empty() && group != graph_.groups.end()) each.comment = group->title;
+        if (ids.empty() && group != graph_.groups.end())
+            each.comment = group->title.empty() ? "(a group without a title)" : group->title;
         ids += (ids.empty() ? "" : ", ") + text(each.id).json;
     }
     std::string groups, notes;

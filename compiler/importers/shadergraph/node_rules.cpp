@@ -275,7 +275,7 @@ private:
                 term = maker_.texture_constant(node_, type, nullptr, "", 0);
             }
             if (const auto only = only_placeholder(value); only && is_texture(term.type)) {
-                if (only->use != "size") wanted = camel_case(std::string_view(term.text()).substr(1));
+                if (only->use != "size") wanted = maker_.name_for_texture(std::string_view(term.text()).substr(1));
                 has_texel |= only->use != "normal";
                 note_texture(term, only->use);
             }

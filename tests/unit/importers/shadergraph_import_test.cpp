@@ -326,6 +326,16 @@ TEST(ShaderGraphImport, MatricesAreProperties) {
 
 // --- keywords, sub-graphs, functions
 
+TEST(ShaderGraphImport, ASampleIsCalledAsItsTextureIsShownIfUnityMadeTheOtherName) {
+    ShaderGraphText graph = painted();
+    graph.properties[1].name = "Main Texture";
+    graph.properties[1].reference = "Texture2D_12AF58EE";
+    EXPECT_NE(text_of(import_graph(graph)).find(R"("id": "mainTexture")"), std::string::npos)
+        << text_of(import_graph(graph));
+    graph.properties[1].reference = "_Wood";
+    EXPECT_NE(text_of(import_graph(graph)).find(R"("id": "wood")"), std::string::npos) << text_of(import_graph(graph));
+}
+
 TEST(ShaderGraphImport, KeywordsAreVariants) {
     ShaderGraphText graph{
         .keywords =
