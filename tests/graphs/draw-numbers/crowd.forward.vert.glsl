@@ -28,9 +28,7 @@ layout(location = 1) out float vPhase;
 
 vec3 vertexPositionOS(vec3 positionOS, vec3 normalOS, float vertexId, float instanceId)
 {
-    float phase = fract(vertexId * 0.37);
-
-    return positionOS + normalOS * (0.01 * phase + 0.1 * instanceId);
+    return positionOS + normalOS * (0.01 * vertexId + 0.1 * instanceId);
 }
 
 void main()

@@ -37,9 +37,7 @@ struct VertexOutput
 
 float3 vertexPositionOS(float3 positionOS, float3 normalOS, float vertexId, float instanceId)
 {
-    float phase = frac(vertexId * 0.37);
-
-    return positionOS + normalOS * (0.01 * phase + 0.1 * instanceId);
+    return positionOS + normalOS * (0.01 * vertexId + 0.1 * instanceId);
 }
 
 VertexOutput main(VertexInput input)
