@@ -384,7 +384,7 @@ namespace {
 
 // True if a semantic depends on the pixel's position. The visible side does not count, because vertices see the front.
 bool reads_pixel(const PathDeclarations& paths, const SemanticDecl& semantic) {
-    if (semantic.source == SemanticSource::Builtin) return semantic.name != "frontFacing";
+    if (semantic.source == SemanticSource::Builtin) return semantic.builtin == ir::Builtin::FragCoord;
     if (!semantic.function) return false;
     return std::any_of(semantic.function->params.begin(), semantic.function->params.end(), [&](const auto& param) {
         const nodelang::Expr* read = param.initial;

@@ -21,6 +21,36 @@ std::uint32_t instance_semantic(const Lowered& lowered) {
     return static_cast<std::uint32_t>(found - lowered.semantics.begin());
 }
 
+// What the passes of a material may read, by functions that call each other.
+class Readers {
+public:
+    explicit Readers(const Lowered& lowered) : lowered_(lowered) {}
+
+    bool reads(std::uint32_t semantic) {
+        for (const LoweredPass& pass : lowered_.passes) {
+            visit(pass.vertex);
+            visit(pass.fragment);
+            for (const Given<ir::SemanticId>& given : pass.recipes) visit(given.by);
+            for (const Given<ir::FunctionId>& given : pass.replaced) visit(given.by);
+        }
+        return semantics_.contains(semantic);
+    }
+
+private:
+    void visit(ir::FunctionId id) {
+        if (!id || !functions_.insert(id.index).second) return;
+        for (const ir::Inst& inst : lowered_.module[id].insts) {
+            if (inst.op == Op::Call) visit({inst.data});
+            if (inst.op != Op::Semantic || !semantics_.insert(inst.data).second) continue;
+            visit(lowered_.semantics[inst.data].recipe);
+            visit(lowered_.semantics[inst.data].override);
+        }
+    }
+
+    const Lowered& lowered_;
+    std::set<std::uint32_t> functions_, semantics_;
+};
+
 std::uint32_t bytes_of_element(const ir::Module& module, Type type) {
     return (extent(module, type).size + 15) / 16 * 16;
 }
@@ -100,6 +130,10 @@ void index_reads(ir::Module& module, ir::Function& function, const std::set<std:
 bool is_instanced(const Material& material) {
     return std::any_of(material.properties.begin(), material.properties.end(),
                        [](const MaterialProperty& each) { return each.property->binding == Binding::Instance; });
+}
+
+bool reads_instance(const Lowered& lowered) {
+    return Readers(lowered).reads(instance_semantic(lowered));
 }
 
 InstanceSize size_of_instance(const Lowered& lowered, const std::set<std::uint32_t>& globals,

@@ -1,5 +1,6 @@
 // Many instances of an object in one draw. If a property of a material is bound `as: instance`, that property, and the
-// globals of the object that is drawn, become arrays with an element for each instance.
+// globals of the object that is drawn, become arrays with an element for each instance. So do these globals if the
+// material reads the index of the instance.
 #pragma once
 
 #include "compiler/lower/lower.h"
@@ -7,6 +8,8 @@
 namespace patina::graph {
 
 bool is_instanced(const Material& material);
+// Whether a pass of the material may read the index of the instance.
+bool reads_instance(const Lowered& lowered);
 
 // How many bytes of a block one instance takes, and how many there are for all instances.
 struct InstanceSize {

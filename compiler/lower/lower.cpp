@@ -365,8 +365,8 @@ Lowered lower(Session& session, const Material& material, ir::BuildOptions optio
     EngineGlobals declared = declare_engine(engine, *session.paths, *session.declarations, lowering.emitter, on);
     lowering.per_object = std::move(declared.per_object);
     out.reads = std::move(declared.reads);
-    const bool instanced =
-        is_instanced(material) && !session.request.functions && engine.instances == engines::Instances::Arrays;
+    const bool may_be_instanced = !session.request.functions && engine.instances == engines::Instances::Arrays;
+    const bool instanced = may_be_instanced && is_instanced(material);
     out.property_globals = declare_material(
         engine, material, out.module, session.options.keep_variants,
         instanced ? std::optional(out.module.globals[*lowering.per_object.begin()].block) : std::nullopt);
@@ -398,7 +398,8 @@ Lowered lower(Session& session, const Material& material, ir::BuildOptions optio
     } else {
         lower_functions(lowering);
     }
-    if (instanced && !session.diagnostics.has_errors()) {
+    if (session.diagnostics.has_errors()) return out;
+    if (instanced || (may_be_instanced && reads_instance(out))) {
         out.instance_globals = lowering.per_object;
         out.instances = make_instanced(out, out.instance_globals, engine.most_block_bytes);
         if (out.instances == 0) report_large_instance(session, material, out, out.instance_globals);

@@ -109,12 +109,13 @@ private:
         const std::string_view name = inside.semantic.empty() ? module_.semantics[id.index].name : inside.semantic;
         const nodelang::VariableDecl* variable = recipe.declaration ? recipe.declaration->variable : nullptr;
         if (is_lacking(module_.semantics[id.index].name, variable, fmt::format("@{}", name), place)) return;
-        const bool is_interpolated =
-            recipe.source == SemanticSource::Vertex || recipe.source == SemanticSource::Attribute;
+        const ir::Builtin builtin = recipe.declaration ? recipe.declaration->builtin : ir::Builtin::None;
+        const bool is_interpolated = recipe.source == SemanticSource::Vertex ||
+                                     recipe.source == SemanticSource::Attribute ||
+                                     builtin == ir::Builtin::InstanceIndex;  // which the vertex stage passes on
         if (is_interpolated && is_graph(place) && !draws_objects())
             return refuse(place, fmt::format("{} reads '@{}', which the pass cannot provide", said(place), name));
-        const bool is_side = module_.semantics[id.index].type == ir::kBool;  // vertices see the front
-        if (recipe.source == SemanticSource::Builtin && is_graph(place) && place.at_vertex && !is_side)
+        if (builtin == ir::Builtin::FragCoord && is_graph(place) && place.at_vertex)
             return refuse(place, fmt::format("{} reads '@{}', which vertices do not have", said(place), name));
         if (recipe.source == SemanticSource::Builtin && !is_graph(place)) check_builtin(*recipe.declaration, place);
         if (!recipe.recipe) return;

@@ -57,6 +57,10 @@ constexpr OtherName kOtherNames[] = {
      "a virtual texture needs an engine that streams its tiles: sample a texture of each layer"},
     {"gl_FragCoord", "@fragCoord"},
     {"gl_FrontFacing", "@frontFacing"},
+    {"gl_VertexIndex", "@vertexId"},
+    {"gl_VertexID", "@vertexId"},
+    {"gl_InstanceIndex", "@instanceId"},
+    {"gl_InstanceID", "@instanceId"},
     // HLSL and Unity
     {"mad", "a * b + c"},
     {"log10", "log(x) / log(10)"},
@@ -109,7 +113,8 @@ constexpr OtherName kOtherNames[] = {
     {"SubGraph", "", "a sub-graph is a file: \"node\": \"./name.subgraph.json\""},
     {"Sub-graph", "", "a sub-graph is a file: \"node\": \"./name.subgraph.json\""},
     {"CustomFunction", "", "a function of your own is a file: \"node\": \"./name.node.hlsl\""},
-    {"CustomInterpolator", "", "a value of each vertex is a node with \"stage\": \"vertex\""},
+    {"CustomInterpolator", "",
+     "a node with \"stage\": \"vertex\" is computed for each vertex, and what reads it gets the interpolated value"},
     {"SamplerState", "", "a sampler belongs to the property of a texture: \"sampler\": { \"wrap\": \"clamp\" }"},
     {"Texture2DAsset", "", "a texture is a property of the type 'texture2d', with the file as its default"},
     {"Texture2DArrayAsset", "", "a texture is a property of the type 'texture2dArray', with the file as its default"},
@@ -120,8 +125,9 @@ constexpr OtherName kOtherNames[] = {
     {"Preview", "", "'patina render --node NAME' shows the value of a node"},
     {"BranchOnInputConnection", "",
      "no input knows whether it is connected: give a sub-graph an input of the type 'bool'"},
-    {"VertexID", "", "the number of a vertex is not known to a graph"},
-    {"InstanceID", "", "the number of an instance is not known to a graph"},
+    {"Instance", "",
+     "Unity shows a custom interpolator by this name, which is a node with \"stage\": \"vertex\"; the number of an "
+     "instance is the node 'InstanceId'"},
     {"EyeIndex", "0", "a graph is drawn for one eye"},
     // C and C++
     {"fabs", "abs"},

@@ -186,3 +186,39 @@ float4 VertexColor(
 ) {
     return color;
 }
+
+/// Which vertex of the mesh it is: 0 for the first one.
+///
+/// Each vertex has its own number, in the order of the mesh; vertices that triangles share have one number. The number is
+/// exact up to 16777216 (2^24). The fragment stage has no vertices: there, it is interpolated. To have the whole number
+/// of a vertex, read it in the `vertex` block or in a node with `"stage": "vertex"`.
+///
+/// Vulkan's `gl_VertexIndex` includes the vertex offset of the draw. Direct3D's `SV_VertexID` does not. Draw without an
+/// offset to have the same numbers in both.
+///
+/// test: VertexId(0) == 0
+/// test: VertexId(70001) == 70001
+[node("Input/Vertex Id")] [also("VertexIndex")] [inFloat]
+float VertexId(
+    [hidden] float index = vertexId  ///< read from the draw
+) {
+    return index;
+}
+
+/// Which instance of the draw it is: 0 for the first one, and where one object is drawn alone.
+///
+/// A material with this node is drawn with many instances at once. The reflection says how many one draw can have
+/// (`mostInstances`), and each draw counts from 0. The number is exact up to 16777216 (2^24). In Unity, it is 0 if the
+/// material does not enable GPU instancing.
+///
+/// Vulkan's `gl_InstanceIndex` includes the first instance of the draw. Direct3D's `SV_InstanceID` does not. Draw from
+/// instance 0 to have the same numbers in both.
+///
+/// test: InstanceId(0) == 0
+/// test: InstanceId(70001) == 70001
+[node("Input/Instance Id")] [also("InstanceIndex")] [inFloat]
+float InstanceId(
+    [hidden] float index = instanceId  ///< read from the draw
+) {
+    return index;
+}

@@ -19,6 +19,8 @@ float4 meshVertex(float4 position = wholePositionWS) {
 
 /// Index of the drawn instance. It selects the properties and matrices of the instance (compiler/lower/instances.h).
 [builtin("instanceIndex")] int instanceIndex;
+/// Index of the vertex that the vertex stage computes.
+[builtin("vertexIndex")] int vertexIndex;
 
 /// The baked light of this point: light of the lightmap, the remaining share of the main light, and shadows.
 [semantic("pixel")]

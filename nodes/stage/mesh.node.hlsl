@@ -23,6 +23,17 @@
 /// Pixel centre in x and y (from the top left), depth in z.
 [builtin("fragCoord")] float4 fragCoord;
 
+/// Which vertex of the mesh it is: 0 for the first. It is exact up to 16777216 (2^24). In the fragment stage it is interpolated.
+[semantic("vertex")]
+float vertexId(int index = vertexIndex) {
+    return float(index);
+}
+/// Which instance of the draw it is: 0 for the first, and where only one object is drawn. It is exact up to 16777216 (2^24).
+[semantic("pixel")]
+float instanceId(int index = instanceIndex) {
+    return float(index);
+}
+
 /// The material is visible from both sides ("cull": "off" or "front").
 [static("cull", "off", "front")] bool twoSided;
 /// The material is not drawn where alpha is below alphaClip.

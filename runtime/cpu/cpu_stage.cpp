@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <optional>
+#include <span>
 
 #include "runtime/values/vertex_inputs.h"
 
@@ -17,17 +19,38 @@ void append_attribute(const Vertex& vertex, const VertexSource& source, unsigned
     out.insert(out.end(), numbers, numbers + std::min(components, 4u));
 }
 
-bool is_instance(const StageValue& input) {
-    return input.is_builtin && input.name == "instanceIndex";
+// Which vertex of the mesh, and which instance of the draw.
+struct Drawn {
+    std::size_t vertex = 0;
+    std::uint32_t instance = 0;
+};
+
+// The value of an index that the stage reads; null: it is an attribute of the mesh.
+std::optional<double> index_of(const StageValue& input, const Drawn& drawn) {
+    if (input.is_builtin && input.name == "vertexIndex") return double(drawn.vertex);
+    if (input.is_builtin && input.name == "instanceIndex") return double(drawn.instance);
+    return {};
+}
+
+// `sources`: by input; null for an index.
+void append_inputs(const Interpreter& stage, std::span<const VertexSource* const> sources, const Mesh& mesh,
+                   const Drawn& drawn, std::vector<double>& out) {
+    for (std::size_t i = 0; i < sources.size(); i++) {
+        const StageValue& input = stage.inputs()[i];
+        if (const std::optional<double> index = index_of(input, drawn))
+            out.push_back(*index);
+        else
+            append_attribute(mesh.vertices[drawn.vertex], *sources[i], input.components, out);
+    }
 }
 
 }  // namespace
 
 Outcome<std::vector<ClipVertex>> run_vertices(Interpreter& stage, const Mesh& mesh, std::uint32_t instance) {
-    std::vector<const VertexSource*> sources;  // null: the instance
+    std::vector<const VertexSource*> sources;
     for (const StageValue& input : stage.inputs()) {
-        sources.push_back(is_instance(input) ? nullptr : vertex_source(input.name));
-        if (!sources.back() && !is_instance(input))
+        sources.push_back(vertex_source(input.name));
+        if (!sources.back() && !index_of(input, {}))
             return Failure{"the preview meshes have no vertex input '" + input.name + "'"};
     }
     std::vector<ClipVertex> result;
@@ -35,13 +58,8 @@ Outcome<std::vector<ClipVertex>> run_vertices(Interpreter& stage, const Mesh& me
         std::size_t count = std::min<std::size_t>(4, mesh.vertices.size() - first);
         QuadInputs quad;
         for (std::size_t lane = 0; lane < 4; lane++) {
-            const Vertex& vertex = mesh.vertices[first + std::min(lane, count - 1)];
-            for (std::size_t i = 0; i < sources.size(); i++) {
-                if (sources[i])
-                    append_attribute(vertex, *sources[i], stage.inputs()[i].components, quad.lanes[lane]);
-                else
-                    quad.lanes[lane].push_back(instance);
-            }
+            const std::size_t vertex = first + std::min(lane, count - 1);
+            append_inputs(stage, sources, mesh, {.vertex = vertex, .instance = instance}, quad.lanes[lane]);
         }
         QuadOutputs outputs = stage.run(quad);
         for (std::size_t lane = 0; lane < count; lane++) {
@@ -61,16 +79,13 @@ Outcome<std::vector<ClipVertex>> run_vertices(Interpreter& stage, const Mesh& me
     return result;
 }
 
-std::vector<TracedValue> trace_vertex(Interpreter& stage, const Vertex& vertex, std::uint32_t instance) {
+std::vector<TracedValue> trace_vertex(Interpreter& stage, const Mesh& mesh, std::uint32_t vertex,
+                                      std::uint32_t instance) {
+    std::vector<const VertexSource*> sources;
+    for (const StageValue& input : stage.inputs()) sources.push_back(vertex_source(input.name));
     QuadInputs quad;
-    for (std::vector<double>& lane : quad.lanes) {
-        for (const StageValue& input : stage.inputs()) {
-            if (is_instance(input))
-                lane.push_back(instance);
-            else
-                append_attribute(vertex, *vertex_source(input.name), input.components, lane);
-        }
-    }
+    for (std::vector<double>& lane : quad.lanes)
+        append_inputs(stage, sources, mesh, {.vertex = vertex, .instance = instance}, lane);
     return stage.trace(quad, 0);
 }
 

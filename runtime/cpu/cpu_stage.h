@@ -18,7 +18,8 @@ namespace patina::runtime {
 // In the mesh's order. Varyings are the stage's outputs except the position, end to end. `instance`: the drawn one.
 Outcome<std::vector<ClipVertex>> run_vertices(Interpreter& stage, const Mesh& mesh, std::uint32_t instance = 0);
 // One vertex of a mesh that run_vertices() took.
-std::vector<TracedValue> trace_vertex(Interpreter& stage, const Vertex& vertex, std::uint32_t instance = 0);
+std::vector<TracedValue> trace_vertex(Interpreter& stage, const Mesh& mesh, std::uint32_t vertex,
+                                      std::uint32_t instance = 0);
 
 // Where a fragment input comes from.
 struct InputSource {

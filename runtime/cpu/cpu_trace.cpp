@@ -271,7 +271,7 @@ private:
         const Mesh& mesh = *step.step->mesh;
         for (std::size_t corner = 0; corner < 3; corner++) {
             const std::uint32_t index = mesh.indices[3 * triangle.index + corner];
-            trace.corners[corner] = trace_vertex(vertex, mesh.vertices[index], triangle.instance);
+            trace.corners[corner] = trace_vertex(vertex, mesh, index, triangle.instance);
             name_lights(*step.step, trace.corners[corner]);
         }
     }

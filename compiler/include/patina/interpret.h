@@ -48,7 +48,7 @@ struct QuadOutputs {
 struct StageValue {
     std::string name;         // input: positionOS, uv0, a varying's name; or frontFacing, fragCoord
     unsigned components = 1;  // 1 to 4
-    bool is_builtin = false;  // "position" output; "frontFacing" (0 or 1), "fragCoord", "instanceIndex" inputs
+    bool is_builtin = false;  // "position" output; "frontFacing" (0, 1), "fragCoord", "vertexIndex", "instanceIndex"
     bool is_flat = false;     // whole numbers: one value for a triangle
 };
 

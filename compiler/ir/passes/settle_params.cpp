@@ -43,12 +43,13 @@ private:
         return std::all_of(sites_[f].begin(), sites_[f].end(), holds);
     }
 
-    // True if the value is read from globals alone, at places that are constants, or is a constant.
-    static bool is_read(const Function& function, Value value) {
+    // True if the value is read from globals alone, at places that are constants, or is a constant. What an included
+    // file declares may be known to the entry function alone: Unity's values of the mesh are its parameter.
+    bool is_read(const Function& function, Value value) const {
         const Inst& inst = function[value];
         if (inst.op == Op::Constant) return true;
         if (inst.type.is_opaque()) return false;
-        if (inst.op == Op::Global) return true;
+        if (inst.op == Op::Global) return module_.globals[inst.data].group != Group::Included;
         const auto args = function.args(inst);
         const bool is_part = inst.op == Op::Swizzle || inst.op == Op::Extract || inst.op == Op::Index;
         return is_part && std::all_of(args.begin(), args.end(), [&](Value arg) { return is_read(function, arg); });

@@ -92,6 +92,17 @@ half4 NormalTexel(half4 texel)
     return half4(UnpackNormal(texel) * 0.5 + 0.5, 1);
 }
 
+// Which instance of a draw is drawn; 0 where Unity draws one object.
+int InstanceIndex()
+{
+#if defined(UNITY_INSTANCING_ENABLED) || defined(UNITY_PROCEDURAL_INSTANCING_ENABLED) || \
+    defined(UNITY_STEREO_INSTANCING_ENABLED)
+    return unity_InstanceID;
+#else
+    return 0;
+#endif
+}
+
 // 0 directional, 1 point, 2 spot
 int LightType()
 {

@@ -13,6 +13,12 @@
 [foreign("v.texcoord2.xy")] [gives("uv2")] float2 meshUv2;
 [foreign("v.texcoord3.xy")] [gives("uv3")] float2 meshUv3;
 [foreign("v.color")] [gives("vertexColor")] float4 meshColor;
+/// 0 where Unity draws one object, and in passes that do not know instances.
+[foreign] int InstanceIndex();
+[gives("instanceIndex")]
+int unityInstanceIndex() {
+    return InstanceIndex();
+}
 
 [foreign] [gives("objectToWorld")] float4x4 unity_ObjectToWorld;
 [foreign] [gives("worldToObject")] float4x4 unity_WorldToObject;

@@ -13,10 +13,9 @@
 #endif
 #ifdef INSTANCING_ON
 #define UNITY_VERTEX_INPUT_INSTANCE_ID uint instanceID : SV_InstanceID;
-#define UNITY_SETUP_INSTANCE_ID(input) \
-    {                                  \
-        uint instance = input.instanceID; \
-    }
+#define UNITY_INSTANCING_ENABLED
+static uint unity_InstanceID;
+#define UNITY_SETUP_INSTANCE_ID(input) unity_InstanceID = input.instanceID
 #define UNITY_TRANSFER_INSTANCE_ID(input, output) output.instanceID = input.instanceID
 #else
 #define UNITY_VERTEX_INPUT_INSTANCE_ID
