@@ -56,8 +56,6 @@ private:
             }
             options_.targets.insert(options_.targets.end(), meant.begin(), meant.end());
         }
-        if (json.kind == Json::Kind::Array && json.elements.empty())
-            reading_.diagnostics.report(Code::EmptyList, json.span, "targets");
     }
 
     // Passes, functions or a preview.

@@ -68,11 +68,13 @@ bool is_same(const Expr& a, const Expr& b, const Renaming& renaming) {
         case Expr::Kind::Property:
             if (!renaming.dollar.match(a.text, b.text)) return false;
             break;
+        case Expr::Kind::Member:
+            if (reads_surface(a) ? !renaming.surface.match(a.text, b.text) : a.text != b.text) return false;
+            break;
         case Expr::Kind::Number:
         case Expr::Kind::Bool:
         case Expr::Kind::List:
         case Expr::Kind::Semantic:
-        case Expr::Kind::Member:
         case Expr::Kind::Index:
         case Expr::Kind::Call:
         case Expr::Kind::Method:
@@ -125,7 +127,9 @@ TreeValue member_value(const TreeValue& object, const JsonMember& member) {
 const NamePairs* names_of(const TreeValue& object, const JsonMember& member, const Renaming& renaming) {
     if (member.key != identity_of(object.kind) || member.value.kind != Json::Kind::String) return nullptr;
     if (object.kind == ObjectKind::Node) return &renaming.nodes;
-    return object.kind == ObjectKind::Property || object.kind == ObjectKind::Input ? &renaming.dollar : nullptr;
+    if (object.kind == ObjectKind::Property) return &renaming.dollar;
+    if (object.kind != ObjectKind::Input) return nullptr;
+    return object.text->kind == ObjectKind::Lighting ? &renaming.surface : &renaming.dollar;
 }
 
 TreeValue child_at(const TreeValue& value, std::size_t i) {
@@ -252,6 +256,11 @@ bool is_same(const TreeValue& a, const TreeValue& b, const Renaming& renaming) {
         case Json::Kind::Object: return a.kind == b.kind && is_same_object(a, b, renaming);
     }
     return false;
+}
+
+bool reads_surface(const Expr& expr) {
+    return expr.kind == Expr::Kind::Member && expr.args[0]->kind == Expr::Kind::Semantic &&
+           expr.args[0]->text == "surface";
 }
 
 std::string to_string(const Path& path) {

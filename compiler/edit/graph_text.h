@@ -78,7 +78,7 @@ struct NamePairs {
     bool match(std::string_view a, std::string_view b) const;
 };
 struct Renaming {
-    NamePairs nodes{}, dollar{};  // read as `name`, and as `$name`
+    NamePairs nodes{}, dollar{}, surface{};  // read as `name`, as `$name` and as `@surface.name`
 };
 bool is_same(const TreeValue& a, const TreeValue& b, const Renaming& renaming = {});
 
@@ -97,5 +97,7 @@ struct PlacedExpr {
     const nodelang::Expr* expr;
 };
 std::vector<PlacedExpr> expressions_of(const Graph& graph);
+// True for `@surface.name`.
+bool reads_surface(const nodelang::Expr& expr);
 
 }  // namespace patina::graph

@@ -6,14 +6,8 @@ namespace patina::graph {
 namespace {
 
 bool has_name(const GraphText& text, std::string_view list, std::string_view name) {
-    // Properties and inputs are read alike.
-    for (const std::string_view each :
-         {std::string_view("nodes"), std::string_view("properties"), std::string_view("inputs")}) {
-        if ((each == "nodes") != (list == "nodes")) continue;
-        const std::vector<std::string_view> names = names_of(*text.graph, each);
-        if (std::find(names.begin(), names.end(), name) != names.end()) return true;
-    }
-    return false;
+    const std::vector<std::string_view> names = names_read_like(*text.graph, list);
+    return std::find(names.begin(), names.end(), name) != names.end();
 }
 
 const Rename* find_rename(const std::vector<Rename>& renames, const Rename& like) {

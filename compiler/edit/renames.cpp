@@ -2,32 +2,48 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 
 namespace patina::graph {
 namespace {
 
 using nodelang::Expr;
 
-constexpr std::string_view kLists[] = {"nodes", "properties", "inputs"};
 constexpr std::size_t kMostPairs = 250'000;  // that are compared; of more names, none is taken as a rename
 
-bool is_node_list(std::string_view list) {
-    return list == "nodes";
+// How the names of a list are read.
+enum class ReadAs { Node, Dollar, Surface };
+struct List {
+    std::string_view name;
+    ReadAs as;
+};
+constexpr List kLists[] = {
+    {"nodes", ReadAs::Node}, {"properties", ReadAs::Dollar}, {"inputs", ReadAs::Dollar}, {"surface", ReadAs::Surface}};
+
+ReadAs read_as(std::string_view list) {
+    return std::find_if(std::begin(kLists), std::end(kLists), [&](const List& each) { return each.name == list; })->as;
+}
+
+// An expression that reads a name.
+std::optional<ReadAs> read_as(const Expr& expr) {
+    if (expr.kind == Expr::Kind::Name) return ReadAs::Node;
+    if (expr.kind == Expr::Kind::Property) return ReadAs::Dollar;
+    if (reads_surface(expr)) return ReadAs::Surface;
+    return std::nullopt;
 }
 
 template <class Visit>
 void for_each_name(const Expr& expr, const Visit& visit) {
-    if (expr.kind == Expr::Kind::Name || expr.kind == Expr::Kind::Property) visit(expr);
+    if (const std::optional<ReadAs> as = read_as(expr)) visit(expr, *as);
     for (const Expr* argument : expr.args) for_each_name(*argument, visit);
 }
 
 // The places that read each name of a list.
 std::map<std::string_view, std::set<std::string>> readers_of(const Graph& graph, std::string_view list) {
     std::map<std::string_view, std::set<std::string>> readers;
-    const Expr::Kind kind = is_node_list(list) ? Expr::Kind::Name : Expr::Kind::Property;
     for (const PlacedExpr& placed : expressions_of(graph)) {
-        for_each_name(*placed.expr, [&](const Expr& name) {
-            if (name.kind == kind) readers[name.text].insert(to_string(placed.path));
+        for_each_name(*placed.expr, [&](const Expr& name, ReadAs as) {
+            if (as == read_as(list)) readers[name.text].insert(to_string(placed.path));
         });
     }
     return readers;
@@ -38,15 +54,14 @@ public:
     Finder(const GraphText& before, const GraphText& after) : before_(before), after_(after) {}
 
     std::vector<Rename> find() {
-        for (const std::string_view list : kLists) find_names_that_changed(list);
+        for (const List& list : kLists) find_names_that_changed(list.name);
         std::vector<Candidate> candidates;
-        for (const std::string_view list : kLists) find_candidates(list, candidates);
+        for (const List& list : kLists) find_candidates(list.name, candidates);
         std::stable_sort(candidates.begin(), candidates.end(),
                          [](const Candidate& a, const Candidate& b) { return a.common > b.common; });
         choose(candidates);
         // With the pairs alone, what is called alike must still be alike.
-        renaming_.nodes.any_of_a.clear();
-        renaming_.dollar.any_of_a.clear();
+        for (NamePairs* names : {&renaming_.nodes, &renaming_.dollar, &renaming_.surface}) names->any_of_a.clear();
         while (drop_false_pairs()) {
         }
         std::sort(chosen_.begin(), chosen_.end(), [](const Candidate& a, const Candidate& b) {
@@ -65,7 +80,14 @@ private:
         std::size_t common = 0;  // readers
     };
 
-    NamePairs& pairs_of(std::string_view list) { return is_node_list(list) ? renaming_.nodes : renaming_.dollar; }
+    NamePairs& pairs_of(std::string_view list) {
+        switch (read_as(list)) {
+            case ReadAs::Node: return renaming_.nodes;
+            case ReadAs::Dollar: return renaming_.dollar;
+            case ReadAs::Surface: break;
+        }
+        return renaming_.surface;
+    }
 
     void find_names_that_changed(std::string_view list) {
         const std::vector<std::string_view> a = names_of(*before_.graph, list), b = names_of(*after_.graph, list);
@@ -102,7 +124,7 @@ private:
                 // Two nodes that compute the same can stand for each other. Two properties with one declaration are
                 // often different ones: a reader tells.
                 const bool is_read = old_readers != readers_before.end();
-                if (is_read && common == 0 && !is_node_list(list)) continue;
+                if (is_read && common == 0 && read_as(list) != ReadAs::Node) continue;
                 candidates.push_back(
                     {list, before_names[i], after_names[j], old_children[i].value, new_children[j].value, common});
             }
@@ -110,12 +132,12 @@ private:
     }
 
     void choose(const std::vector<Candidate>& candidates) {
-        std::set<std::pair<bool, std::string_view>> old_names, new_names;
+        std::set<std::pair<ReadAs, std::string_view>> old_names, new_names;
         for (const Candidate& candidate : candidates) {
-            const bool of_nodes = is_node_list(candidate.list);
-            if (old_names.count({of_nodes, candidate.from}) || new_names.count({of_nodes, candidate.to})) continue;
-            old_names.insert({of_nodes, candidate.from});
-            new_names.insert({of_nodes, candidate.to});
+            const ReadAs as = read_as(candidate.list);
+            if (old_names.count({as, candidate.from}) || new_names.count({as, candidate.to})) continue;
+            old_names.insert({as, candidate.from});
+            new_names.insert({as, candidate.to});
             pairs_of(candidate.list).pairs.emplace(candidate.from, candidate.to);
             chosen_.push_back(candidate);
         }
@@ -144,8 +166,18 @@ std::vector<std::string_view> names_of(const Graph& graph, std::string_view list
         for (const Node& node : graph.nodes) names.push_back(node.id);
     } else if (list == "properties") {
         for (const Property& property : graph.properties) names.push_back(property.name);
-    } else if (graph.kind == GraphKind::Subgraph) {
+    } else if (graph.kind == (list == "inputs" ? GraphKind::Subgraph : GraphKind::Lighting)) {
         for (const Input& input : graph.inputs) names.push_back(input.name);
+    }
+    return names;
+}
+
+std::vector<std::string_view> names_read_like(const Graph& graph, std::string_view list) {
+    std::vector<std::string_view> names;
+    for (const List& each : kLists) {
+        if (each.as != read_as(list)) continue;
+        const std::vector<std::string_view> more = names_of(graph, each.name);
+        names.insert(names.end(), more.begin(), more.end());
     }
     return names;
 }
@@ -157,28 +189,29 @@ std::vector<Rename> find_renames(const GraphText& before, const GraphText& after
 
 std::vector<TextEdit> rename_edits(const GraphText& text, std::span<const Rename> renames) {
     if (!text.graph || renames.empty()) return {};
-    std::map<std::string_view, std::string_view> nodes, dollar;
-    for (const Rename& rename : renames) (is_node_list(rename.list) ? nodes : dollar).emplace(rename.from, rename.to);
+    using Name = std::pair<ReadAs, std::string_view>;
+    std::map<Name, std::string_view> names;
+    for (const Rename& rename : renames) names.emplace(Name(read_as(rename.list), rename.from), rename.to);
     std::map<std::uint32_t, TextEdit> edits;  // by place: a pass reads the values of the material
-    const auto edit = [&](Span span, std::string_view name, const auto& names) {
-        const auto found = names.find(name);
+    const auto edit = [&](Span span, std::string_view name, ReadAs as) {
+        const auto found = names.find({as, name});
         if (found != names.end()) edits.emplace(span.begin, TextEdit{span, std::string(found->second)});
     };
     const Graph& graph = *text.graph;
-    for (const Node& node : graph.nodes) edit(node.id_span, node.id, nodes);
-    for (const Property& property : graph.properties) edit(property.name_span, property.name, dollar);
-    if (graph.kind == GraphKind::Subgraph) {
-        for (const Input& input : graph.inputs) edit(input.name_span, input.name, dollar);
+    for (const Node& node : graph.nodes) edit(node.id_span, node.id, ReadAs::Node);
+    for (const Property& property : graph.properties) edit(property.name_span, property.name, ReadAs::Dollar);
+    for (const Input& input : graph.inputs) {
+        if (graph.kind == GraphKind::Subgraph) edit(input.name_span, input.name, ReadAs::Dollar);
+        if (graph.kind == GraphKind::Lighting) edit(input.name_span, input.name, ReadAs::Surface);
     }
     for (const ListedVariant& variant : graph.variants) {
-        for (const ListedVariant::Value& value : variant.values) edit(value.name_span, value.name, dollar);
+        for (const ListedVariant::Value& value : variant.values) edit(value.name_span, value.name, ReadAs::Dollar);
     }
     for (const PlacedExpr& placed : expressions_of(graph)) {
-        for_each_name(*placed.expr, [&](const Expr& name) {
-            if (name.kind == Expr::Kind::Name) return edit(name.span, name.text, nodes);
-            Span span = name.span;
-            if (text.sources.text(span).substr(0, 1) == "$") ++span.begin;
-            edit(span, name.text, dollar);
+        for_each_name(*placed.expr, [&](const Expr& name, ReadAs as) {
+            Span span = as == ReadAs::Surface ? name.name_span : name.span;
+            if (as == ReadAs::Dollar && text.sources.text(span).substr(0, 1) == "$") ++span.begin;
+            edit(span, name.text, as);
         });
     }
     std::vector<TextEdit> all;

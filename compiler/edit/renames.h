@@ -1,5 +1,5 @@
-// Names of a graph that changed: nodes, properties and the inputs of a sub-graph. A name is what other values read, so
-// a rename changes every reader, and is not a removal and an addition.
+// Names of a graph that changed: nodes, properties, and the inputs of a sub-graph or a lighting graph. A name is what
+// other values read, so a rename changes every reader, and is not a removal and an addition.
 //
 //   for (const Rename& rename : find_renames(*base, *theirs)) ...
 //   std::string renamed = apply(ours.sources, ours.base, rename_edits(ours, renames));
@@ -13,7 +13,7 @@
 namespace patina::graph {
 
 struct Rename {
-    std::string list;  // "nodes", "properties", "inputs"
+    std::string list;  // "nodes", "properties", "inputs"; of a lighting graph "surface"
     std::string from, to;
 
     friend bool operator==(const Rename&, const Rename&) = default;
@@ -28,5 +28,8 @@ std::vector<TextEdit> rename_edits(const GraphText& text, std::span<const Rename
 
 // The names of a list, in the order of the text.
 std::vector<std::string_view> names_of(const Graph& graph, std::string_view list);
+
+// All names that are read as those of the list are: a property and an input of a sub-graph are both `$name`.
+std::vector<std::string_view> names_read_like(const Graph& graph, std::string_view list);
 
 }  // namespace patina::graph

@@ -79,14 +79,33 @@ CompileOptions options_of(const Arguments& arguments) {
     return options;
 }
 
-// Compiles a graph and validates its shaders.
-Checked check_graph(const Compiler& compiler, const Arguments& arguments, const std::string& graph) {
+// The error for a sub-graph or a lighting graph, which compiles only as a part of a material.
+Checked part_without_budget(Result result) {
+    Diagnostic note;
+    note.severity = Severity::Note;
+    note.message =
+        "a budget is for materials: check this file without --max-instructions and --max-textures, or check a material "
+        "that uses it";
+    result.diagnostics.front().notes.push_back(std::move(note));
+    return {.diagnostics = std::move(result.diagnostics), .ok = false};
+}
+
+// Compiles a graph and validates its shaders. A part in a folder or a list has no budget: what it costs depends on the
+// material that uses it.
+Checked check_graph(const Compiler& compiler, const Arguments& arguments, const Input& input) {
     CompileOptions options = options_of(arguments);
-    options.accept_parts = true;
-    const Result result = compile_if_foreign(compiler, graph, std::move(options));
+    Result result = compile_if_foreign(compiler, input.path, options);
+    const bool is_material = result.ok;
+    if (!is_material) {
+        options.accept_parts = true;
+        Result part = compile_if_foreign(compiler, input.path, std::move(options));
+        if (part.ok && input.from == Input::From::CommandLine && budget_of(arguments).has_limits())
+            return part_without_budget(std::move(result));
+        result = std::move(part);
+    }
     Checked checked{.diagnostics = result.diagnostics, .ok = result.ok};
     validate_shaders(arguments, result, checked);
-    check_budgets(arguments, graph, result, checked);
+    if (is_material) check_budgets(arguments, input.path, result, checked);
     return checked;
 }
 
@@ -129,10 +148,10 @@ Checked check_node_file(const Compiler& compiler, const Arguments& arguments, co
     return checked;
 }
 
-Checked check_file(const Compiler& compiler, const Arguments& arguments, const std::string& file) {
-    if (file.ends_with(".pass.hlsl")) return check_pass_file(compiler, arguments, file);
-    if (file.ends_with(".hlsl")) return check_node_file(compiler, arguments, file);
-    return check_graph(compiler, arguments, file);
+Checked check_file(const Compiler& compiler, const Arguments& arguments, const Input& input) {
+    if (input.path.ends_with(".pass.hlsl")) return check_pass_file(compiler, arguments, input.path);
+    if (input.path.ends_with(".hlsl")) return check_node_file(compiler, arguments, input.path);
+    return check_graph(compiler, arguments, input);
 }
 
 }  // namespace
@@ -171,7 +190,7 @@ void add_check(Program& program) {
         return work_on(
             console, inputs->files, arguments->inputs.jobs,
             [&](const Input& input) {
-                return is_scene(input.path) ? Checked{} : check_file(compiler, *arguments, input.path);
+                return is_scene(input.path) ? Checked{} : check_file(compiler, *arguments, input);
             },
             [&](const Input& input, Checked& checked) {
                 report(console, checked.diagnostics);

@@ -104,7 +104,8 @@ PATINA_API void patina_reply_error(patina_reply* reply, const char* reason);
 //
 // `options` is a JSON object, or null. All keys may be left out:
 //
-//   "targets"       list of languages and engines: "glsl", "hlsl", "unity"; without it GLSL and HLSL
+//   "targets"       list of languages and engines: "glsl", "hlsl", "unity"; without it GLSL and HLSL. An
+//                   empty list: the graph is checked, and nothing is written
 //   "path"          the rendering path: "forward", "deferred", a file
 //   "passes"        list of passes, instead of all of the path
 //   "preview"       a port that is shown instead of the surface: "mask.r", "surface.roughness"

@@ -483,5 +483,86 @@ TEST_F(Merges, SubgraphsAndLightingGraphs) {
                  replaced(replaced(lighting, "0.3", "0.4"), "@light.radiance", "@light.color"));
 }
 
+// What the other side adds reads the input by its new name, whichever side renamed it.
+TEST_F(Merges, ARenamedInputOfASubgraph) {
+    const std::string base = R"({
+  "patina": 1,
+  "kind": "subgraph",
+  "inputs": [
+    { "name": "level", "type": "float", "default": 0.5 },
+    { "name": "other", "type": "float", "default": 0.5 }
+  ],
+  "nodes": [
+    { "id": "half", "expr": "$level * 0.5" }
+  ],
+  "outputs": { "amount": "half" }
+}
+)";
+    const std::string renamed = replaced(base, "level", "rust");
+    const std::string more = replaced(base, R"("half" })", R"("half", "raw": "$level" })");
+    ASSERT_NE(more, base);
+    expect_clean(base, renamed, more, replaced(more, "level", "rust"));
+    expect_clean(base, more, renamed, replaced(more, "level", "rust"));
+}
+
+TEST_F(Merges, ARenamedInputOfALightingGraph) {
+    const std::string base = R"json({
+  "patina": 1,
+  "kind": "lighting",
+  "surface": [
+    { "name": "rim", "type": "float3", "default": 0.3 },
+    { "name": "wrap", "type": "float", "default": 0.3 }
+  ],
+  "nodes": [
+    { "id": "ndotl", "node": "NdotL" },
+    { "id": "wrapped", "expr": "saturate(ndotl + @surface.wrap)" }
+  ],
+  "direct": "= wrapped * @light.radiance * @surface.rim.g"
+}
+)json";
+    const auto with_name = [](const std::string& text, const std::string& name) {
+        return replaced(replaced(text, "\"rim\"", "\"" + name + "\""), "@surface.rim", "@surface." + name);
+    };
+    const std::string renamed = with_name(base, "edge");
+    const std::string more =
+        replaced(base, "rim.g\"\n", "rim.g\",\n  \"indirect\": \"= @surface.diffuseColor * @surface.rim\"\n");
+    ASSERT_NE(more, base);
+    expect_clean(base, renamed, more, with_name(more, "edge"));
+    expect_clean(base, more, renamed, with_name(more, "edge"));
+
+    const MergeResult twice = merge(base, renamed, with_name(base, "border"));
+    EXPECT_EQ(twice.state, MergeState::Conflicts);
+    ASSERT_FALSE(twice.diagnostics.empty());
+    EXPECT_EQ(twice.diagnostics.front().message, "both sides rename 'surface.rim'");
+}
+
+// A node and a property may have the name of an input: each is read in its own way.
+TEST_F(Merges, OnlyWhatReadsTheInputIsRenamed) {
+    const std::string base = R"json({
+  "patina": 1,
+  "kind": "lighting",
+  "properties": [
+    { "name": "rim", "type": "float", "default": 1 }
+  ],
+  "surface": [
+    { "name": "rim", "type": "float", "default": 0.3 }
+  ],
+  "nodes": [
+    { "id": "rim", "expr": "@surface.rim * $rim" }
+  ],
+  "direct": "= rim * @light.radiance"
+}
+)json";
+    const auto renamed = [](const std::string& text) {
+        return replaced(
+            replaced(text, R"("rim", "type": "float", "default": 0.3)", R"("edge", "type": "float", "default": 0.3)"),
+            "@surface.rim", "@surface.edge");
+    };
+    const std::string more = replaced(base, "radiance\"", "radiance * @surface.rim * $rim\"");
+    ASSERT_NE(more, base);
+    expect_clean(base, renamed(base), more, renamed(more));
+    expect_clean(base, more, renamed(base), renamed(more));
+}
+
 }  // namespace
 }  // namespace patina
