@@ -1,6 +1,8 @@
 // ForwardBase and ForwardAdd of the ShaderLab files, drawn by the runtime through stand-ins for Unity's includes, show
 // what the runtime's own path shows: in a project of linear space and in one of gamma space, whose pictures are
 // decoded.
+#include <filesystem>
+
 #include "unity/pictures.h"
 
 namespace patina::unity {
