@@ -17,7 +17,7 @@ std::optional<double> constant_value(const Known& known, const Expr& expr, const
             if (variable && variable->is_const && variable->value && !variable->type.array_size) {
                 return constant_value(known, *variable->value, scope);
             }
-            return variable ? static_value(known, *variable) : std::nullopt;
+            return variable ? static_value(known, *variable, nullptr).constant : std::nullopt;
         }
         case Expr::Kind::Unary: {
             const std::optional<double> a = of(0);

@@ -111,8 +111,9 @@ Typed named_value(Emitter& emitter, const Expr& expr, Scope& scope) {
     const VariableDecl* variable = scope.declarations->variable(expr.text);
     if (variable && !(scope.environment && scope.environment->hides(expr.text))) {
         if (variable->is_const) return file_constant(emitter, *variable, scope);
-        if (const std::optional<double> known = static_value(emitter.known, *variable))
-            return {.value = scope.builder->constant(ir::kBool, {*known}), .type = ir::kBool};
+        const StaticValue known = static_value(emitter.known, *variable, scope.builder);
+        if (known.constant) return {.value = scope.builder->constant(ir::kBool, {*known.constant}), .type = ir::kBool};
+        if (known.emitted) return {.value = known.emitted, .type = ir::kBool};
         if (emitter.known.externs.contains(variable) && !scope.environment)
             return extern_value(emitter, *variable, scope);
     }

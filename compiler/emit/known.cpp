@@ -23,9 +23,10 @@ void share_extern(Known& known, const nodelang::VariableDecl& variable, const no
     if (const std::optional<ir::GlobalId> global = find_extern(known, known_as)) known.externs[&variable] = *global;
 }
 
-std::optional<double> static_value(const Known& known, const nodelang::VariableDecl& variable) {
-    if (const auto found = known.statics.find(&variable); found != known.statics.end()) return found->second;
-    return known.make_static ? known.make_static(variable) : std::nullopt;
+StaticValue static_value(const Known& known, const nodelang::VariableDecl& variable, ir::Builder* builder) {
+    const auto found = known.statics.find(&variable);
+    if (found != known.statics.end()) return {.constant = found->second};
+    return known.make_static ? known.make_static(variable, builder) : StaticValue{};
 }
 
 }  // namespace patina::emit

@@ -16,6 +16,10 @@
 #include "compiler/ir/ir.h"
 #include "compiler/nodelang/ast.h"
 
+namespace patina::ir {
+class Builder;
+}
+
 namespace patina::emit {
 
 // A function that a pass calls and that the graph provides.
@@ -25,15 +29,22 @@ struct Slot {
     bool needs_quad = false;
 };
 
+// The value of a [static]: 0 or 1, or a bool that was emitted. Neither: it is not known here.
+struct StaticValue {
+    std::optional<double> constant{};
+    ir::Value emitted{};
+};
+
 struct Known {
     std::map<std::string, Slot, std::less<>> slots{};
     std::map<const nodelang::VariableDecl*, ir::GlobalId> externs{};
     std::map<const nodelang::VariableDecl*, double> statics{};  // [static] variables, which are 0 or 1
     // Members that a struct gets beyond those of its declaration, before anything reads the struct.
     std::map<const nodelang::StructDecl*, std::vector<ir::Member>> extra_members{};
-    // Makes a slot or a static that is not listed above. If there is no such slot, the maker reports why at `at`.
+    // Makes a slot or a static that is not listed above. If there is no such slot, the maker reports why at `at`. A
+    // static that keywords decide is emitted, if there is a builder.
     std::function<const Slot*(const nodelang::FunctionDecl& slot, Span at)> make_slot{};
-    std::function<std::optional<double>(const nodelang::VariableDecl& variable)> make_static{};
+    std::function<StaticValue(const nodelang::VariableDecl& variable, ir::Builder* builder)> make_static{};
 };
 
 const Slot* find_slot(const Known& known, std::string_view name);
@@ -42,6 +53,6 @@ std::string_view slot_name(const Known& known, ir::FunctionId function);
 std::optional<ir::GlobalId> find_extern(const Known& known, const nodelang::VariableDecl& variable);
 // `variable` means the same global as `known_as`.
 void share_extern(Known& known, const nodelang::VariableDecl& variable, const nodelang::VariableDecl& known_as);
-std::optional<double> static_value(const Known& known, const nodelang::VariableDecl& variable);
+StaticValue static_value(const Known& known, const nodelang::VariableDecl& variable, ir::Builder* builder);
 
 }  // namespace patina::emit

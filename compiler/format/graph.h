@@ -126,6 +126,8 @@ struct RenderState {
     Span surface_span;  // of the value of "surface"; empty if there is none
     Cull cull = Cull::Back;
     std::optional<bool> depth_write;
+    bool allows_override = false;  // "materialOverride": a material can have another kind, other faces and depth
+    bool is_overridable = false;   // the same, in an engine that can do it (resolve/surface_choices.cpp)
     std::optional<Compare> depth_test;
     std::optional<std::array<double, 2>> depth_offset;  // factor, units
     std::optional<StencilState> stencil;

@@ -155,6 +155,8 @@ constexpr std::array kRender = {
     KeyInfo{"stencil", "the stencil test and the stencil operations", ObjectKind::Stencil},
     KeyInfo{"queue", "the render queue, 0 to 5000; opaque surfaces have 2000"},
     KeyInfo{"bounds", "the bounds of the displaced mesh: metres around the mesh, or a box in object space"},
+    KeyInfo{"materialOverride",
+            "whether materials of the engine can change surface, cull, depthWrite, depthTest and alpha clipping"},
 };
 
 constexpr std::array kStencil = {

@@ -135,6 +135,9 @@ RenderState read_render(Reading& reading, const Json& json) {
     if (const Json* stencil = json.find("stencil")) render.stencil = read_stencil(reading, *stencil);
     if (const Json* queue = json.find("queue")) render.queue = read_int(reading, *queue, "'queue'", 0, kLastQueue);
     if (const Json* bounds = json.find("bounds")) render.bounds = read_bounds(reading, *bounds);
+    if (const Json* chosen = json.find("materialOverride")) {
+        render.allows_override = read_bool(reading, *chosen, "'materialOverride'").value_or(false);
+    }
     return render;
 }
 

@@ -32,12 +32,58 @@ ir::Rate rate_of(SemanticSource source) {
     return ir::Rate::Pixel;
 }
 
+// The value of a property that chooses the kind of the surface ("materialOverride"): a bool, or an enum as an int.
+Value read_choice(const Lowering& lowering, std::string_view name, ir::Builder& builder) {
+    const std::size_t index = lowering.material.property_index.find(name)->second;
+    const MaterialProperty& entry = lowering.material.properties[index];
+    const Type type = entry.property->type == PropertyType::Bool ? ir::kBool : ir::kInt;
+    const ir::GlobalId keyword = lowering.out.property_globals[index].keyword;
+    return keyword ? builder.emit(Op::Global, type, {}, keyword.index) : builder.constant(type, {entry.chosen});
+}
+
+// Whether the surface is one of these kinds, where materials choose it. A surface that blends may be clipped, too.
+Value read_kind(const Lowering& lowering, std::span<const std::string_view> words, ir::Builder& builder) {
+    const auto is_asked = [&](SurfaceKind kind) {
+        return std::find(words.begin(), words.end(), to_string(kind)) != words.end();
+    };
+    const auto either = [&](Value a, Value b) { return a ? builder.emit(Op::Or, ir::kBool, {a, b}) : b; };
+    Value blends{}, is_any{};
+    bool asks_for_all = true;
+    for (int i = 0; const BlendingKind& each : kBlendingKinds) {
+        if (is_asked(each.kind)) {
+            const Value blend = read_choice(lowering, kBlendChoice, builder);
+            blends =
+                either(blends, builder.emit(Op::Equal, ir::kBool, {blend, builder.constant(ir::kInt, {double(i)})}));
+        }
+        asks_for_all = asks_for_all && is_asked(each.kind);
+        ++i;
+    }
+    if (blends) {
+        is_any = read_choice(lowering, kTransparentChoice, builder);
+        if (!asks_for_all) is_any = builder.emit(Op::And, ir::kBool, {is_any, blends});
+    }
+    if (is_asked(SurfaceKind::Cutout)) is_any = either(is_any, read_choice(lowering, kClipChoice, builder));
+    if (is_asked(SurfaceKind::Opaque)) {
+        const Value other =
+            either(read_choice(lowering, kTransparentChoice, builder), read_choice(lowering, kClipChoice, builder));
+        is_any = either(is_any, builder.emit(Op::Not, ir::kBool, {other}));
+    }
+    return is_any;
+}
+
 void declare_statics(Lowering& lowering) {
     const RenderState& render = lowering.material.graph->graph->render;
+    const auto depends_on_choice = [&](const StaticDecl& asked) {
+        return render.is_overridable && asked.about == StaticDecl::About::Surface &&
+               std::find(asked.words.begin(), asked.words.end(), kChosenKind) == asked.words.end();
+    };
     const auto is_true = [&](const StaticDecl& asked, std::string_view word) {
         switch (asked.about) {
-            case StaticDecl::About::Surface: return word == to_string(render.surface);
-            case StaticDecl::About::Cull: return word == to_string(render.cull);
+            case StaticDecl::About::Surface:
+                return word == kChosenKind ? render.is_overridable : word == to_string(render.surface);
+            case StaticDecl::About::Cull:
+                // A material may show both sides. While it shows the front alone, the answer makes no difference.
+                return word == to_string(render.is_overridable ? Cull::Off : render.cull);
             case StaticDecl::About::Clip:
             case StaticDecl::About::UvOrigin:
             case StaticDecl::About::Slot:
@@ -47,12 +93,21 @@ void declare_statics(Lowering& lowering) {
         return false;
     };
     for (const StaticDecl& asked : lowering.session.paths->statics) {
-        if (asked.is_of_passes()) continue;  // known later (lower_passes.cpp)
-        if (asked.is_of_engine()) continue;  // known already (declare_engine())
+        if (asked.is_of_passes()) continue;      // known later (lower_passes.cpp)
+        if (asked.is_of_engine()) continue;      // known already (declare_engine())
+        if (depends_on_choice(asked)) continue;  // emitted where it is read
         const bool is_any = std::any_of(asked.words.begin(), asked.words.end(),
                                         [&](std::string_view word) { return is_true(asked, word); });
         lowering.emitter.known.statics[asked.variable] = is_any ? 1 : 0;
     }
+    if (!render.is_overridable) return;
+    lowering.emitter.known.make_static = [&lowering](const nodelang::VariableDecl& variable, ir::Builder* builder) {
+        emit::StaticValue made;
+        for (const StaticDecl& asked : lowering.session.paths->statics)
+            if (builder && asked.variable == &variable && asked.about == StaticDecl::About::Surface)
+                made.emitted = read_kind(lowering, asked.words, *builder);
+        return made;
+    };
 }
 
 void declare_semantics(Lowering& lowering) {

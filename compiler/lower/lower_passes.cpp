@@ -23,7 +23,12 @@ public:
     void run() {
         emit::Emitter& emitter = lowering_.emitter;
         emitter.known.make_slot = [this](const FunctionDecl& slot, Span at) { return slot_of(slot, at); };
-        emitter.known.make_static = [this](const VariableDecl& variable) { return static_value(variable); };
+        // Statics of the surface are known already, unless materials choose its kind (lower.cpp).
+        emitter.known.make_static = [this, of_surface = emitter.known.make_static](const VariableDecl& variable,
+                                                                                   ir::Builder* builder) {
+            const std::optional<double> known = static_value(variable);
+            return known || !of_surface ? emit::StaticValue{.constant = known} : of_surface(variable, builder);
+        };
         const std::vector<std::string>& wanted = lowering_.session.request.passes;
         if (lowering_.material.pass) return lower_extra();
         if (wanted.empty() && lowering_.session.request.path == kAllPaths) {
@@ -159,7 +164,11 @@ private:
 
     // --- one pass
 
-    SurfaceKind surface() const { return lowering_.material.graph->graph->render.surface; }
+    // Every pass draws opaque surfaces: a material that chooses its kind has all passes.
+    SurfaceKind surface() const {
+        const RenderState& render = lowering_.material.graph->graph->render;
+        return render.is_overridable ? SurfaceKind::Opaque : render.surface;
+    }
 
     static bool draws_objects(const PassDecl& pass) { return pass.state.draws == PassDraws::Objects; }
 
@@ -170,7 +179,7 @@ private:
     // The engine may read the depth or the lit colour that a pass leaves, so the pass must hold the nearest surface.
     Refusal refusal_of_depth(const PassDecl& pass) const {
         const RenderState& render = lowering_.material.graph->graph->render;
-        if (!has_own_passes() || !(pass.is_alone || pass.state.targets.empty())) return {};
+        if (!has_own_passes() || !(pass.is_alone || pass.state.targets.empty()) || render.is_overridable) return {};
         const ir::Origin where{.span = {render.span.begin, render.span.begin + 1}};
         if (!render.depth_write.value_or(true))
             return {.reason = "it writes depth, and the material does not", .where = where, .is_news = true};

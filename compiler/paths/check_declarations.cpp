@@ -142,7 +142,8 @@ private:
         one_of(key, words_of(static_words()), "a query of [static]");
         for (std::size_t i = 1; i < attribute.args.size(); ++i) {
             const Expr& given = *attribute.args[i];
-            if (key.text == "surface") one_of(given, texts<SurfaceKind>(), "a surface kind");
+            if (key.text == "surface" && given.text != kChosenKind)
+                one_of(given, texts<SurfaceKind>(), "a surface kind");
             if (key.text == "cull") one_of(given, texts<Cull>(), "a cull mode");
             if (key.text == "slot") slot(given);
             if (key.text == "pass") pass(given);

@@ -66,6 +66,9 @@ struct StaticDecl {
     bool is_of_engine() const { return about == About::Clip || about == About::UvOrigin; }
 };
 
+// [static("surface", "chosen")]: true if each material chooses its kind of surface.
+inline constexpr std::string_view kChosenKind = "chosen";
+
 // [foreign("_Time.y")] float seconds; an included file declares it.
 struct ForeignDecl {
     const nodelang::VariableDecl* variable = nullptr;

@@ -1,7 +1,7 @@
 // Warns of what a material states and does not use: lighting with a workflow that has none, alpha on an opaque surface,
 // a cut-off without cutout, a stencil that neither tests nor writes. If the graph itself states that the surface is
 // opaque, there is no warning of alpha and the cut-off: such a material has the inputs in common with similar ones of
-// other kinds.
+// other kinds. A graph whose materials choose the kind needs the inputs of all.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -31,6 +31,7 @@ bool reads_surface(const Graph& lighting, std::string_view member) {
 }
 
 void warn_of_alpha(Session& session, const RenderState& render, const PortValue& port) {
+    if (render.allows_override) return;
     std::string_view why, advice;
     switch (render.surface) {
         case SurfaceKind::Opaque:
@@ -54,7 +55,7 @@ void warn_of_alpha(Session& session, const RenderState& render, const PortValue&
 }
 
 void warn_of_cut_off(Session& session, const RenderState& render, const PortValue& port) {
-    const bool is_meant = render.surface == SurfaceKind::Opaque && render.surface_span;
+    const bool is_meant = render.allows_override || (render.surface == SurfaceKind::Opaque && render.surface_span);
     if (render.surface == SurfaceKind::Cutout || is_meant) return;
     session.diagnostics.report(Code::NoEffect, port.name_span, port.name, "only a cutout surface uses it");
 }

@@ -77,6 +77,20 @@ void choose_lighting(Session& session, Graph& graph);
 // The value that the options give to a variant of the lighting model, or nothing. Reports one that it cannot have.
 std::optional<double> chosen_value(Session& session, const Material& material, const Property& variant);
 
+// --- "materialOverride" (surface_choices.cpp)
+// The properties that choose the kind of a surface: a bool, an enum of the kinds that blend, and a bool.
+inline constexpr std::string_view kTransparentChoice = "_Surface", kBlendChoice = "_Blend", kClipChoice = "_AlphaClip";
+struct BlendingKind {
+    SurfaceKind kind;
+    std::string_view word;
+};
+inline constexpr BlendingKind kBlendingKinds[] = {{SurfaceKind::Fade, "Alpha"},
+                                                  {SurfaceKind::Transparent, "Premultiply"},
+                                                  {SurfaceKind::Additive, "Additive"},
+                                                  {SurfaceKind::Multiply, "Multiply"}};
+// Adds them to the graph, if the engine has keywords. Otherwise nothing of the graph can be changed.
+void add_surface_choices(Session& session, Graph& graph);
+
 // --- properties of all graphs: one name is one property (join_properties.cpp)
 struct JoinOptions {
     const std::string& from;  // the graph that names its file

@@ -15,6 +15,7 @@ MaterialFile read_material(Session& session, std::uint32_t base, const std::stri
     if (graph && any_kind) graph = material_around(session, std::move(graph));
     if (!graph) return {};
     choose_lighting(session, *graph);
+    add_surface_choices(session, *graph);
     MaterialFile file{.material = resolve_material(session, std::move(graph), session.request.preview), .passes = {}};
     if (!file.material) return {};
     if (session.pass_file) {

@@ -46,6 +46,12 @@ float instanceId(int index = instanceIndex) {
 [static("surface", "additive")] bool adds;
 /// The background is multiplied by the colour of the material.
 [static("surface", "multiply")] bool multiplies;
+/// The background is seen through the material.
+[static("surface", "fade", "transparent", "additive", "multiply")] bool blends;
+/// Each material chooses which of these it is ("materialOverride"): they are known only to the engine's preprocessor.
+[static("surface", "chosen")] bool choosesKind;
+/// The material may be one that is not drawn where alpha is below alphaClip.
+[static("surface", "cutout", "chosen")] bool mayClip;
 
 /// Object to world space.
 /// space: object to world

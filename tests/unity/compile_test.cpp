@@ -158,11 +158,11 @@ TEST_P(UnityExample, CompilesInEveryVariant) {
 
 // The shaders of the documents that are lit at the vertices, and one with most of what a surface can have.
 TEST(UnityVertexLit, CompilesInEveryVariant) {
-    for (const char* graph :
-         {"examples/sources/diffuse-pixel-level.graph.json", "examples/sources/specular-pixel-level.graph.json",
-          "examples/graphs/ivy.graph.json", "tests/unity/graphs/standard.graph.json",
-          "tests/unity/graphs/fade.graph.json", "tests/unity/graphs/wave.graph.json",
-          "tests/unity/graphs/passes.graph.json", "tests/unity/graphs/tiers_passes.graph.json"}) {
+    for (const char* graph : {"examples/sources/diffuse-pixel-level.graph.json",
+                              "examples/sources/specular-pixel-level.graph.json", "examples/graphs/ivy.graph.json",
+                              "tests/unity/graphs/standard.graph.json", "tests/unity/graphs/fade.graph.json",
+                              "tests/unity/graphs/override.graph.json", "tests/unity/graphs/wave.graph.json",
+                              "tests/unity/graphs/passes.graph.json", "tests/unity/graphs/tiers_passes.graph.json"}) {
         SCOPED_TRACE(graph);
         expect_compiles(graph, "vertex");
     }
@@ -171,7 +171,7 @@ TEST(UnityVertexLit, CompilesInEveryVariant) {
 TEST(UnityTiers, CompileInEveryVariant) {
     for (const char* graph : {"examples/sources/standard.graph.json", "tests/unity/graphs/standard.graph.json",
                               "tests/unity/graphs/fade.graph.json", "tests/unity/graphs/transparent.graph.json",
-                              "tests/unity/graphs/tiers_passes.graph.json"}) {
+                              "tests/unity/graphs/override.graph.json", "tests/unity/graphs/tiers_passes.graph.json"}) {
         SCOPED_TRACE(graph);
         expect_compiles(graph, "tiers");
     }

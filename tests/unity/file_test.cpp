@@ -24,7 +24,7 @@ TEST_P(UnityFile, ReadsAsExpected) {
 INSTANTIATE_TEST_SUITE_P(All, UnityFile,
                          ::testing::Values("tests/unity/graphs/standard", "tests/unity/graphs/wave",
                                            "tests/unity/graphs/passes", "tests/unity/graphs/fade",
-                                           "examples/sources/standard-cutout"),
+                                           "tests/unity/graphs/override", "examples/sources/standard-cutout"),
                          [](const auto& info) {
                              std::string name = info.param.substr(info.param.rfind('/') + 1);
                              std::replace(name.begin(), name.end(), '-', '_');

@@ -33,6 +33,8 @@ std::string why_taken(const graph::Material& material, const engines::Engine& en
         return fmt::format("a name that {} declares", declarer);
     if (languages::is_reserved_word(name)) return "a reserved word of HLSL or GLSL";
     if (languages::safe_identifier(name) != name) return "a name that GLSL reserves";
+    if (material.graph->graph->render.is_overridable && is_state_property(name))
+        return "a name that \"materialOverride\" needs";
     return beside_texture(material, name);
 }
 

@@ -338,17 +338,6 @@ Language make_language() {
 
 }  // namespace
 
-std::string keyword_of(std::string_view property, std::string_view value) {
-    const auto in_capitals = [](std::string_view text) {
-        std::string made(text);
-        for (char& c : made) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-        return made;
-    };
-    std::string made = in_capitals(property);
-    if (!value.empty()) return made + "_" + in_capitals(value);
-    return made == property ? made : made + "_ON";
-}
-
 Module legalize(Module made) {
     made.tests_keywords = !made.keywords.empty();
     if (std::optional<Module> legal = hlsl::legalize(made)) made = std::move(*legal);

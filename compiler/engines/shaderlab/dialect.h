@@ -20,8 +20,9 @@ ir::Module decode_at_once(ir::Module module);
 // True if all reads of a texture use the samplers of others (share_samplers.cpp).
 bool has_no_sampler(const ir::Module& stage, std::uint32_t texture);
 
-// The keyword of a bool property, or of an enum property's value: "_DETAIL", "_MODE_WET". A property whose name is in
-// capitals is its own keyword; another gets "_ON" behind it, as Unity's Toggle does.
+// The keyword (shader_properties.cpp) of a bool property, or of an enum property's value: "_DETAIL", "_MODE_WET". A
+// property whose name is in capitals is its own keyword; another gets "_ON" behind it, as Unity's Toggle does. Two
+// properties have the keywords of Unity's own shaders.
 std::string keyword_of(std::string_view property, std::string_view value);
 
 }  // namespace patina::engines::shaderlab

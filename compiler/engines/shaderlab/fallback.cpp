@@ -37,7 +37,7 @@ bool is_in_fallback(const LinkedPass& pass) {
     const bool moves = !pass.vertex.stage.outputs.empty();  // VertexLit computes the position by the same macro
     const bool is_offset = render.depth_offset && *render.depth_offset != std::array{0.0, 0.0};
     return is_caster(*pass.pass) && render.surface == SurfaceKind::Opaque && render.cull == Cull::Back && !is_offset &&
-           !moves && !discards(pass.fragment);
+           !moves && !discards(pass.fragment) && !render.is_overridable;
 }
 
 std::string_view fallback_word(const graph::Material& material, const graph::Lowered& lowered,

@@ -100,6 +100,7 @@ public:
         out_.line(1, "Properties");
         out_.line(1, "{");
         for (const std::string& line : shader_properties(in_.material, in_.lowered)) out_.line(2, line);
+        for (const std::string& line : state_properties(in_.reflection, in_.passes)) out_.line(2, line);
         out_.line(1, "}");
         out_.line(0, "");
         common();
@@ -234,7 +235,8 @@ private:
             if (name != "Name") tags += fmt::format("\"{}\" = \"{}\" ", name, value);
         }
         if (!tags.empty()) out_.line(3, fmt::format("Tags {{ {}}}", tags));
-        for (const std::string& line : shader_state(in_.reflection.passes[index])) out_.line(3, line);
+        for (const std::string& line : shader_state(in_.reflection.passes[index], in_.passes[index]))
+            out_.line(3, line);
         out_.line(0, "");
         out_.line(3, "CGPROGRAM");
         out_.line(3, fmt::format("#pragma target {}", shader_model(in_.passes[index], passes_, text, shared_)));

@@ -76,8 +76,12 @@ void check_queues(const graph::Material& material, std::span<const LinkedPass> p
                   Diagnostics& diagnostics);
 
 // --- shader_state.cpp
-// The lines of a pass's state that differ from ShaderLab's defaults.
-std::vector<std::string> shader_state(const Pass& pass);
+// The lines of a pass's state that differ from ShaderLab's defaults, or that a material can change.
+std::vector<std::string> shader_state(const Pass& pass, const LinkedPass& linked);
+// The properties that hold the state of a material that can change it ("materialOverride"); else none.
+std::vector<std::string> state_properties(const Reflection& reflection, std::span<const LinkedPass> passes);
+// True if one of them has the name.
+bool is_state_property(std::string_view name);
 // "Transparent+1"
 std::string queue_word(int queue);
 

@@ -146,6 +146,20 @@ Declared declared(const graph::MaterialProperty& entry, bool is_decoded) {
 
 }  // namespace
 
+std::string keyword_of(std::string_view property, std::string_view value) {
+    // Unity's own shaders have other keywords for these two.
+    if (property == graph::kTransparentChoice && value.empty()) return "_SURFACE_TYPE_TRANSPARENT";
+    if (property == graph::kClipChoice && value.empty()) return "_ALPHATEST_ON";
+    const auto in_capitals = [](std::string_view text) {
+        std::string made(text);
+        for (char& c : made) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+        return made;
+    };
+    std::string made = in_capitals(property);
+    if (!value.empty()) return made + "_" + in_capitals(value);
+    return made == property ? made : made + "_ON";
+}
+
 std::string quoted(std::string_view text) {
     std::string made;
     for (const char c : text) made += c == '"' ? '\'' : static_cast<unsigned char>(c) < 0x20 || c == '\\' ? ' ' : c;

@@ -1,6 +1,7 @@
 // Writes the state of a pass in ShaderLab's words.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cctype>
 #include <cstdlib>
 
@@ -83,18 +84,121 @@ std::string blend_line(const Blend& blend) {
     return "Blend " + factors;
 }
 
-}  // namespace
+// --- state that a material can change
 
-std::vector<std::string> shader_state(const Pass& pass) {
-    std::vector<std::string> lines;
+// Unity's numbers, in the order of Patina's words. UnityEngine.Rendering.CompareFunction has 1 for the first of them.
+constexpr int kFactorNumbers[] = {1, 0, 5, 10, 7, 8, 3, 2, 6, 4};  // UnityEngine.Rendering.BlendMode
+constexpr int kCullNumbers[] = {2, 1, 0};                          // UnityEngine.Rendering.CullMode
+
+template <class E>
+std::size_t index_of(E value) {
+    return static_cast<std::size_t>(value);
+}
+
+struct FactorRow {
+    BlendFactor Blend::*factor;
+    std::string_view property, label;
+};
+constexpr FactorRow kFactors[] = {{&Blend::source, "_SrcBlend", "Source Factor"},
+                                  {&Blend::destination, "_DstBlend", "Destination Factor"},
+                                  {&Blend::source_alpha, "_SrcBlendAlpha", "Source Factor of Alpha"},
+                                  {&Blend::destination_alpha, "_DstBlendAlpha", "Destination Factor of Alpha"}};
+constexpr std::string_view kWrite = "_ZWrite", kTest = "_ZTest", kCull = "_Cull";
+
+bool is_overridable(const LinkedPass& pass) {
+    return pass.material->graph->graph->render.is_overridable;
+}
+
+// True if the kinds of surfaces that the pass draws differ in the factor.
+bool depends_on_kind(const graph::PassDecl& pass, BlendFactor Blend::*factor) {
+    return std::any_of(pass.blends.begin(), pass.blends.end(), [&](const graph::BlendRow& row) {
+        return row.blend.*factor != pass.blends.front().blend.*factor;
+    });
+}
+
+// True if the pass has all state that a material can change: the one that draws the object first.
+bool has_all_state(const graph::PassDecl& pass) {
+    return !pass.has_depth && !pass.has_cull && std::all_of(std::begin(kFactors), std::end(kFactors), [&](auto& row) {
+        return depends_on_kind(pass, row.factor);
+    });
+}
+
+// "Blend [_SrcBlend] One, Zero One". Empty if all kinds of surfaces that the pass draws are blended alike.
+std::string chosen_blend_line(const graph::PassDecl& pass) {
+    std::string made = "Blend";
+    bool is_chosen = false;
+    for (const FactorRow& row : kFactors) {
+        const bool depends = depends_on_kind(pass, row.factor);
+        is_chosen = is_chosen || depends;
+        if (&row == &kFactors[2]) made += ',';
+        made += depends ? fmt::format(" [{}]", row.property) : " " + factor_word(pass.blends.front().blend.*row.factor);
+    }
+    return is_chosen ? made : std::string();
+}
+
+// A pass that draws the object again and has its own test, for example the light's, keeps it.
+void add_chosen_state(const Pass& pass, const LinkedPass& linked, std::vector<std::string>& lines) {
+    const graph::PassDecl& declared = *linked.pass->declaration;
+    const Compare own = linked.material->graph->graph->render.depth_test.value_or(Compare::LessEqual);
+    if (!declared.has_cull) lines.push_back(fmt::format("Cull [{}]", kCull));
+    if (!declared.has_depth) lines.push_back(fmt::format("ZWrite [{}]", kWrite));
+    if (declared.has_depth && !pass.depth_write) lines.emplace_back("ZWrite Off");
+    if (!declared.has_depth || (!pass.depth_write && pass.depth_test == own))
+        lines.push_back(fmt::format("ZTest [{}]", kTest));
+    else if (pass.depth_test != Compare::LessEqual)
+        lines.push_back(fmt::format("ZTest {}", compare_word(pass.depth_test)));
+}
+
+void add_fixed_state(const Pass& pass, std::vector<std::string>& lines) {
     if (pass.cull != Cull::Back) lines.push_back(fmt::format("Cull {}", in_capitals(to_string(pass.cull))));
     if (!pass.depth_write) lines.emplace_back("ZWrite Off");
     if (pass.depth_test != Compare::LessEqual) lines.push_back(fmt::format("ZTest {}", compare_word(pass.depth_test)));
+}
+
+}  // namespace
+
+bool is_state_property(std::string_view name) {
+    return name == kWrite || name == kTest || name == kCull ||
+           std::any_of(std::begin(kFactors), std::end(kFactors), [&](auto& row) { return row.property == name; });
+}
+
+std::vector<std::string> state_properties(const Reflection& reflection, std::span<const LinkedPass> passes) {
+    const auto first = std::find_if(passes.begin(), passes.end(), [](const LinkedPass& each) {
+        return is_overridable(each) && has_all_state(*each.pass->declaration);
+    });
+    if (first == passes.end()) return {};
+    const Pass& pass = reflection.passes[static_cast<std::size_t>(first - passes.begin())];
+    std::vector<std::string> lines = {"", "[Header(Render State)]"};
+    const auto add = [&](std::string_view list, std::string_view name, std::string_view label, int value) {
+        lines.push_back(fmt::format("[Enum({})] {} (\"{}\", Float) = {}", list, name, label, value));
+    };
+    const Blend blend = pass.targets.front().blend;
+    for (const FactorRow& row : kFactors)
+        add("UnityEngine.Rendering.BlendMode", row.property, row.label, kFactorNumbers[index_of(blend.*row.factor)]);
+    add("Off, 0, On, 1", kWrite, "Depth Write", pass.depth_write ? 1 : 0);
+    add("UnityEngine.Rendering.CompareFunction", kTest, "Depth Test", static_cast<int>(index_of(pass.depth_test)) + 1);
+    add("UnityEngine.Rendering.CullMode", kCull, "Culled Faces", kCullNumbers[index_of(pass.cull)]);
+    return lines;
+}
+
+std::vector<std::string> shader_state(const Pass& pass, const LinkedPass& linked) {
+    std::vector<std::string> lines;
+    if (is_overridable(linked))
+        add_chosen_state(pass, linked, lines);
+    else
+        add_fixed_state(pass, lines);
     if (pass.depth_bias != 0 || pass.depth_slope_bias != 0)
         lines.push_back(fmt::format("Offset {}, {}", shortest(pass.depth_slope_bias), shortest(pass.depth_bias)));
     if (pass.stencil.is_used()) lines.push_back(stencil_line(pass.stencil));
+    const std::string chosen =
+        is_overridable(linked) && !pass.targets.empty() && !linked.pass->declaration->blends.empty()
+            ? chosen_blend_line(*linked.pass->declaration)
+            : std::string();
     const Blend blend = pass.targets.empty() ? Blend{} : pass.targets.front().blend;
-    if (blend.is_on()) lines.push_back(blend_line(blend));
+    if (!chosen.empty())
+        lines.push_back(chosen);
+    else if (blend.is_on())
+        lines.push_back(blend_line(blend));
     return lines;
 }
 

@@ -133,6 +133,7 @@ std::vector<SchemaRow> make_rows(const SchemaInput& input) {
         {Free, "depthFail", words_schema<StencilOp>()},
         {Free, "queue", R"({"type":"integer","minimum":0,"maximum":5000})"},
         {Free, "bounds", any_of({R"({"type":"number","minimum":0})", text(kBox)})},
+        {Free, "materialOverride", text(kBoolean)},
         {Free, "use", model},
     };
     rows.insert(rows.end(), graph_rows.begin(), graph_rows.end());

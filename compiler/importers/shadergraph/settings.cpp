@@ -51,7 +51,6 @@ struct Lost {
     std::string_view text;
 };
 constexpr Lost kLost[] = {
-    {"m_AllowMaterialOverride", "Allow Material Override", 0, "materials cannot change the graph's settings"},
     {"m_CastShadows", "Cast Shadows", 1, "it casts shadows"},
     {"m_ReceiveShadows", "Receive Shadows", 1, "it receives shadows"},
     {"m_SupportsLODCrossFade", "LOD Cross Fade", 0, "levels of detail do not fade"},
@@ -80,6 +79,8 @@ public:
         made_.has_many_blocks = target_.kind.starts_with("HD");
         surface();
         faces_and_depth();
+        if (whole("m_AllowMaterialOverride", 0) != 0)
+            material_override(difference.empty() && !is_sprite_, is_universal);
         rest();
         return std::move(made_);
     }
@@ -158,6 +159,17 @@ private:
             add(Remark::Kind::Taken, "Depth Test", fmt::format("'{}'", kTests[test]));
         }
     }
+    // The pipelines have it for the materials Lit and Unlit, each with its own list of what can be changed.
+    void material_override(bool is_known, bool is_universal) {
+        constexpr std::string_view kLabel = "Allow Material Override";
+        if (!is_known) return add(Remark::Kind::Changed, kLabel, "materials cannot change the graph's settings");
+        made_.is_overridable = true;
+        made_.render.push_back({"materialOverride", flag(true)});
+        add(Remark::Kind::Taken, kLabel, "\"materialOverride\": true");
+        if (is_universal && made_.is_lit)
+            add(Remark::Kind::Changed, kLabel, "materials cannot change the workflow, nor reject shadows");
+        if (made_.is_clipped_blend) add(Remark::Kind::Changed, kLabel, "materials cannot turn off alpha clipping");
+    }
     bool holder_is_on(std::string_view key) const { return whole(key, 0) != 0; }
 
     void rest() {
@@ -202,8 +214,8 @@ std::string_view Settings::workflow() const {
 bool Settings::uses(std::string_view block) const {
     if (block == "Metallic") return is_lit && !is_specular;
     if (block == "Specular") return is_lit && is_specular;
-    if (block == "Alpha") return is_blended || is_clipped;
-    if (block == "AlphaClipThreshold") return is_clipped;
+    if (block == "Alpha") return is_blended || is_clipped || is_overridable;
+    if (block == "AlphaClipThreshold") return is_clipped || is_overridable;
     return true;
 }
 

@@ -17,6 +17,7 @@ struct Settings {
     std::string lighting{};  // a model; empty: the workflow's own
     bool is_blended = false, is_clipped = false;
     bool is_clipped_blend = false;  // both, which no kind of surface is
+    bool is_overridable = false;    // by materials, which need the inputs of all kinds of surfaces
     bool is_tinted = false;         // multiplied by the colour of the vertices, as sprites are
     bool has_coat = false;
     bool has_many_blocks = false;  // the target has blocks for many kinds of surfaces

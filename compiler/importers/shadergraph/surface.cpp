@@ -129,7 +129,7 @@ void GraphMaker::make_surface() {
         }
         if (key == "alphaClip") {
             clip = term;
-            if (settings.is_clipped_blend) continue;
+            if (settings.is_clipped_blend && !settings.is_overridable) continue;
         }
         if (key.starts_with("normal") && !is_set) continue;
         if (!is_set && term.is_constant() && row->otherwise >= 0 &&

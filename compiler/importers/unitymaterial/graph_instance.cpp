@@ -8,6 +8,7 @@
 #include <iterator>
 #include <optional>
 
+#include "compiler/importers/unitymaterial/chosen_state.h"
 #include "compiler/json/json.h"
 
 namespace patina::importers::unitymaterial {
@@ -183,7 +184,7 @@ Imported make_instance(MaterialMaker& maker, const std::string& name, const Opti
         each.line = each.column = 0;
     }
     if (made.graphs.empty()) return {.error = fmt::format("{}: there is no graph in it", path)};
-    const std::string graph_name = made.graphs.back().name;
+    std::string graph_name = made.graphs.back().name;
     std::string graph_text = made.graphs.back().text;
     if (const auto there = text_in(options.folder, graph_name)) {
         graph_text = *there;
@@ -199,6 +200,13 @@ Imported make_instance(MaterialMaker& maker, const std::string& name, const Opti
     Values values(maker);
     if (const Json* properties = root->find("properties"))
         for (const Json& each : properties->elements) values.read(each);
+    if (std::optional<std::string> changed = with_chosen_state(maker, *root, begin, graph_text)) {
+        // The graph belongs to other materials, too.
+        std::string own_name = name + ".graph.json";
+        if (own_name == graph_name) own_name = name + "-of-the-material.graph.json";
+        graph_name = std::move(own_name);
+        made.graphs.push_back({.name = graph_name, .text = std::move(*changed)});
+    }
     if (const Setting* queue = maker.source().setting("m_CustomRenderQueue")) {
         static constexpr std::string_view kUsual[] = {"-1", "2000", "2450", "3000"};
         const bool is_usual = std::ranges::find(kUsual, queue->text) != std::end(kUsual);

@@ -282,8 +282,8 @@ float4 unityVertex(float3 position = positionOS) {
 [blend("multiply", "dstColor", "zero", "zero", "one")]
 float4 unityForwardBase(float3 position = positionWS) {
     LightingSurface surface = asLit(lightingSurface());
-    if (alphaClip) {
-        discardIf(surface.alpha < surface.alphaClip);
+    if (mayClip) {
+        discardIf(alphaClip && surface.alpha < surface.alphaClip);
     }
     float3 fromLight = direct(surface, lightAt(0, position));
     float3 fromAround = indirect(surface);
@@ -302,8 +302,9 @@ float4 unityForwardBase(float3 position = positionWS) {
 [blend("fade", "srcAlpha", "one", "zero", "one")] [blend("transparent", "one", "one", "zero", "one")]
 float4 unityForwardAdd(float3 position = positionWS) {
     LightingSurface surface = asLit(lightingSurface());
-    if (alphaClip) {
-        discardIf(surface.alpha < surface.alphaClip);
+    if (choosesKind) { discardIf(adds || multiplies); }
+    if (mayClip) {
+        discardIf(alphaClip && surface.alpha < surface.alphaClip);
     }
     float3 color = addedByLight(surface, position);
     return InFog(float4(ProjectColor(color), fades ? surface.alpha : 0), float4(0));
@@ -352,8 +353,8 @@ SplitLight unitySplitLight(float3 position = positionWS) {
 float4 unityVertexBase(float3 position = positionWS, float3 byDiffuse = lightByDiffuse, float3 byBase = lightByBase,
                        float3 other = otherLight, float left = attenuation, float4 ambient = ambientOrLightmapUV) {
     LightingSurface surface = asLit(lightingSurface());
-    if (alphaClip) {
-        discardIf(surface.alpha < surface.alphaClip);
+    if (mayClip) {
+        discardIf(alphaClip && surface.alpha < surface.alphaClip);
     }
     float3 fromLight = float3(0);
     if (isLit) { fromLight = directOfVertices(surface, byDiffuse, byBase, other) * MixedShadow(position, left, ambient); }
@@ -374,8 +375,9 @@ float4 unityVertexBase(float3 position = positionWS, float3 byDiffuse = lightByD
 float4 unityVertexAdd(float3 byDiffuse = lightByDiffuse, float3 byBase = lightByBase, float3 other = otherLight,
                       float left = attenuation) {
     LightingSurface surface = asLit(lightingSurface());
-    if (alphaClip) {
-        discardIf(surface.alpha < surface.alphaClip);
+    if (choosesKind) { discardIf(adds || multiplies); }
+    if (mayClip) {
+        discardIf(alphaClip && surface.alpha < surface.alphaClip);
     }
     LightSum one;
     one.direct = directOfVertices(surface, byDiffuse, byBase, other) * left;
@@ -419,8 +421,8 @@ float3 litByTier(LightingSurface surface, float3 view, float3 direction, float3 
 float4 unityTiersBase(float3 position = positionWS, float3 view = viewDirWS, float left = attenuation,
                       float4 ambient = ambientOrLightmapUV) {
     LightingSurface surface = asLit(lightingSurface());
-    if (alphaClip) {
-        discardIf(surface.alpha < surface.alphaClip);
+    if (mayClip) {
+        discardIf(alphaClip && surface.alpha < surface.alphaClip);
     }
     float3 normal = surface.normalWS;
     float3 radiance = ProjectLightColor() * MixedShadow(position, left, ambient);
@@ -440,8 +442,9 @@ float4 unityTiersBase(float3 position = positionWS, float3 view = viewDirWS, flo
 [blend("fade", "srcAlpha", "one", "zero", "one")] [blend("transparent", "one", "one", "zero", "one")]
 float4 unityTiersAdd(float3 position = positionWS, float3 view = viewDirWS, float left = attenuation) {
     LightingSurface surface = asLit(lightingSurface());
-    if (alphaClip) {
-        discardIf(surface.alpha < surface.alphaClip);
+    if (choosesKind) { discardIf(adds || multiplies); }
+    if (mayClip) {
+        discardIf(alphaClip && surface.alpha < surface.alphaClip);
     }
     float3 direction = normalize(UnityWorldSpaceLightDir(position));
     float3 radiance = ProjectLightColor() * left;
@@ -507,9 +510,10 @@ void unityCasterVertex() {
 [text("fragment end", "SHADOW_CASTER_FRAGMENT(i)")]
 [depth("lessEqual", "write")] [blend("opaque", "one", "zero")] [blend("cutout", "one", "zero")]
 void unityCaster() {
-    if (alphaClip) {
+    if (choosesKind) { discardIf(blends); }
+    if (mayClip) {
         LightingSurface surface = lightingSurface();
-        discardIf(surface.alpha < surface.alphaClip);
+        discardIf(alphaClip && surface.alpha < surface.alphaClip);
     }
 }
 
@@ -540,8 +544,8 @@ float4 BakedShadows(float4 ambientOrLightmapUV, float3 position);
 [blend("opaque", "one", "zero")] [blend("cutout", "one", "zero")]
 UnityTargets unityDeferred(float3 position = positionWS, float4 ambient = ambientOrLightmapUV) {
     LightingSurface surface = lightingSurface();
-    if (alphaClip) {
-        discardIf(surface.alpha < surface.alphaClip);
+    if (mayClip) {
+        discardIf(alphaClip && surface.alpha < surface.alphaClip);
     }
     float3 fromAround = indirect(surface);
     LightSum sum;

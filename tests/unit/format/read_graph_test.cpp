@@ -175,7 +175,8 @@ TEST(ReadGraph, Material) {
       ],
       "vertex": { "positionOS": "@positionOS" },
       "surface": { "color": "a", "alpha": 1 },
-      "render": { "surface": "cutout", "cull": "off", "depthWrite": false, "depthTest": "lessEqual", "queue": 2450 },
+      "render": { "surface": "cutout", "cull": "off", "depthWrite": false, "depthTest": "lessEqual", "queue": 2450,
+        "materialOverride": true },
       "meta": { "k": [1.0, /* c */ "\u0041",], }, "ui": { "a": null }
     })");
     ASSERT_FALSE(r.diagnostics.has_errors()) << r.complaints()[0];
@@ -204,6 +205,7 @@ TEST(ReadGraph, Material) {
     EXPECT_EQ(g.render.depth_write, false);
     EXPECT_EQ(g.render.depth_test, Compare::LessEqual);
     EXPECT_EQ(g.render.queue, 2450);
+    EXPECT_TRUE(g.render.allows_override);
     EXPECT_EQ(g.meta, R"({ "k": [1.0, "A"] })");  // strict JSON again
 }
 

@@ -278,6 +278,7 @@ TEST(Schema, RefusesWhatTheReaderRefuses) {
              R"({"patina":1,"workflow":"unlit","render":{"stencil":{"pass":"incr"}}})",
              R"({"patina":1,"workflow":"unlit","render":{"depthOffset":1}})",
              R"({"patina":1,"workflow":"unlit","render":{"bounds":[1,1]}})",
+             R"({"patina":1,"workflow":"unlit","render":{"materialOverride":1}})",
              R"({"patina":1,"workflow":"unlit","kind":"scene"})",
              R"({"patina":1,"workflow":"unlit","lighting":"phong"})",
              R"({"patina":1,"workflow":"unlit","render":{"surface":"glassy"}})",

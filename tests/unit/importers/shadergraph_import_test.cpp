@@ -475,6 +475,55 @@ TEST(ShaderGraphImport, SettingsBecomeTheRenderState) {
     }
 }
 
+// A graph whose materials choose the kind of the surface has the inputs of all kinds.
+TEST(ShaderGraphImport, MaterialsChangeTheSettings) {
+    struct Case {
+        const char *target, *material, *expected, *lost;
+    };
+    const std::string lost_of_lit = "materials cannot change the workflow, nor reject shadows";
+    const Case cases[] = {
+        {R"("m_SurfaceType":0)", "UniversalUnlitSubTarget", R"({ "materialOverride": true })", ""},
+        {R"("m_SurfaceType":1,"m_AlphaMode":2,"m_RenderFace":1,"m_ZWriteControl":1,"m_ZTestMode":8)",
+         "UniversalUnlitSubTarget",
+         R"({
+    "surface": "additive",
+    "cull": "front",
+    "depthWrite": true,
+    "depthTest": "always",
+    "materialOverride": true
+  })",
+         ""},
+        {R"("m_AlphaClip":true)", "BuiltInLitSubTarget", R"({ "surface": "cutout", "materialOverride": true })", ""},
+        {R"("m_SurfaceType":1)", "UniversalLitSubTarget", R"({ "surface": "fade", "materialOverride": true })",
+         lost_of_lit.c_str()},
+        {R"("m_SurfaceType":1,"m_AlphaClip":true)", "UniversalUnlitSubTarget",
+         R"({ "surface": "fade", "materialOverride": true })", "materials cannot turn off alpha clipping"},
+        {R"("m_SurfaceType":0)", "UniversalSpriteUnlitSubTarget", R"({ "surface": "fade", "cull": "off" })",
+         "materials cannot change the graph's settings"},
+    };
+    for (const Case& each : cases) {
+        ShaderGraphText graph = painted();
+        graph.target = std::string(R"("m_AllowMaterialOverride":true,)") + each.target;
+        graph.material = each.material;
+        graph.blocks.push_back({"SurfaceDescription.Alpha", "Vector1", "0.75"});
+        graph.blocks.push_back({"SurfaceDescription.AlphaClipThreshold", "Vector1", "0.25"});
+        std::string source = graph.new_layout();
+        const std::string target = "UniversalTarget";
+        if (graph.material.starts_with("BuiltIn")) source.replace(source.find(target), target.size(), "BuiltInTarget");
+        const Imported made = import_text(source);
+        const std::string text = text_of(made), lost = each.lost;
+        EXPECT_NE(text.find(std::string(R"("render": )") + each.expected), std::string::npos) << each.target << text;
+        const std::string changed = remarks(made, Remark::Kind::Changed);
+        EXPECT_EQ(changed.find("Allow Material Override") == changed.npos, lost.empty()) << changed;
+        EXPECT_NE(changed.find(lost), std::string::npos) << changed;
+        if (text.find("materialOverride") != std::string::npos) {
+            EXPECT_NE(text.find(R"("alphaClip": 0.25)"), std::string::npos) << text;
+            EXPECT_NE(text.find("0.75"), std::string::npos) << text;
+        }
+        expect_compiles(made, each.target);
+    }
+}
+
 TEST(ShaderGraphImport, LitMaterialsTakeTheirWorkflow) {
     ShaderGraphText graph = painted();
     graph.material = "UniversalLitSubTarget";

@@ -136,6 +136,57 @@ TEST(UnityMaterialOfAGraph, AGraphThatIsThereIsUsed) {
               std::string::npos);
 }
 
+// Where the graph lets materials change its settings, the material has a graph of its own.
+TEST(UnityMaterialOfAGraph, TheStateIsTheMaterials) {
+    struct Case {
+        std::vector<ValueText> numbers;
+        const char *render, *changed;
+    };
+    const Case cases[] = {
+        {{}, nullptr, ""},
+        {{{"_Surface", "0"}, {"_AlphaClip", "0"}, {"_Cull", "2"}, {"_ZWrite", "1"}, {"_ZTest", "4"}}, nullptr, ""},
+        {{{"_Surface", "1"}, {"_Blend", "0"}, {"_ZWrite", "0"}}, R"("surface": "fade", "materialOverride": true)", ""},
+        {{{"_Surface", "1"}, {"_Blend", "1"}, {"_ZWrite", "1"}, {"_Cull", "0"}, {"_ZTest", "8"}},
+         R"("surface": "transparent", "cull": "off", "depthWrite": true, "depthTest": "always", "materialOverride": true)",
+         ""},
+        {{{"_Surface", "1"}, {"_Blend", "2"}, {"_ZWrite", "0"}},
+         R"("surface": "additive", "materialOverride": true)",
+         "'_Blend'"},
+        {{{"_AlphaClip", "1"}, {"_Cull", "1"}},
+         R"("surface": "cutout", "cull": "front", "materialOverride": true)",
+         ""},
+        {{{"_Surface", "1"}, {"_AlphaClip", "1"}, {"_ZWrite", "0"}},
+         R"("surface": "fade", "materialOverride": true)",
+         "'_AlphaClip'"},
+    };
+    for (const Case& each : cases) {
+        const MaterialFolder folder;
+        ShaderGraphText source = graph();
+        source.target = R"("m_AllowMaterialOverride":true)";
+        folder.save("Rock.shadergraph", source.new_layout(), kGraph);
+        MaterialText chosen = material();
+        chosen.textures.clear();
+        chosen.numbers = each.numbers;
+        const Imported made = import_in(folder, chosen);
+        const std::string scene = file_of(made, "x.scene.json");
+        EXPECT_NE(file_of(made, "Rock.graph.json").find(R"("render": { "materialOverride": true })"),
+                  std::string::npos);
+        const std::string changed = remarks(made, Remark::Kind::Changed);
+        EXPECT_EQ(changed.empty(), *each.changed == '\0') << changed;
+        EXPECT_NE(changed.find(each.changed), std::string::npos) << changed;
+        if (!each.render) {
+            EXPECT_NE(scene.find(R"("graph": "Rock.graph.json")"), std::string::npos) << scene;
+            continue;
+        }
+        EXPECT_NE(scene.find(R"("graph": "x.graph.json")"), std::string::npos) << scene;
+        std::string text;  // on one line
+        for (const char c : file_of(made, "x.graph.json"))
+            if (c != '\n' && (c != ' ' || !text.ends_with(' '))) text += c;
+        EXPECT_NE(text.find(each.render), std::string::npos) << text;
+        expect_compiles(made, each.render, "x.graph.json");
+    }
+}
+
 TEST(UnityMaterialOfAGraph, ABrokenGraphIsAnError) {
     const MaterialFolder folder;
     folder.save("Rock.shadergraph", "{", kGraph);
