@@ -116,14 +116,14 @@ std::string unformatted(const GraphFile& graph) {
     return head_of(graph.comment) + made.value().json;
 }
 
+}  // namespace
+
 std::string in_canonical_form(std::string text) {
     SourceMap sources;
     Diagnostics diagnostics;
     const std::uint32_t begin = sources.add("graph", std::move(text));
     return graph::format_graph(sources, begin, diagnostics).text;
 }
-
-}  // namespace
 
 Value number(double value) {
     return std::isfinite(value) ? Value{shortest(value)} : Value{};

@@ -69,6 +69,7 @@ struct GraphFile {
 
 // Empty if the text cannot be JSON: a name or comment is not UTF-8.
 std::string write_graph(const GraphFile& graph);
+std::string in_canonical_form(std::string text);  // of a graph or a scene
 
 // Lights of a scene: those of `patina render`, whose studio lights what has none.
 Value default_lights();

@@ -6,8 +6,6 @@
 #include <cmath>
 #include <span>
 
-#include "compiler/format/canonical_form.h"
-
 namespace patina::importers::unitymaterial {
 namespace {
 
@@ -128,10 +126,7 @@ std::optional<std::string> with_chosen_state(MaterialMaker& maker, const Json& r
     std::string changed(text.substr(0, render->span.begin - begin));
     changed += render_text(*render, made, begin, text);
     changed += text.substr(render->span.end - begin);
-    SourceMap sources;
-    Diagnostics diagnostics;
-    const std::uint32_t base = sources.add("graph", std::move(changed));
-    return graph::format_graph(sources, base, diagnostics).text;
+    return in_canonical_form(std::move(changed));
 }
 
 }  // namespace patina::importers::unitymaterial
