@@ -19,6 +19,7 @@
 #include "compiler/nodelang/other_names.h"
 #include "compiler/nodelang/parse.h"
 #include "compiler/resolve/check_graph.h"
+#include "patina/complaints.h"
 #include "patina/output_name.h"
 #include "patina/version.h"
 
@@ -112,6 +113,16 @@ std::vector<const nodelang::Expr*> read_arguments(graph::Session& session, const
 
 std::string_view version() {
     return PATINA_VERSION_STRING;
+}
+
+std::vector<Hint> hints() {
+    std::vector<Hint> hints;
+    for (const nodelang::OtherName& row : nodelang::other_names()) {
+        std::string text(row.remark);
+        if (!row.own.empty()) text = "written '" + std::string(row.own) + "'" + (text.empty() ? "" : ": " + text);
+        hints.push_back({row.other.substr(0, row.other.find('/')), std::move(text)});
+    }
+    return hints;
 }
 
 std::string output_name(std::string_view path) {

@@ -29,11 +29,7 @@ public:
         : diagnostics_(diagnostics), names_(names), asked_(asked) {}
     Typed name(const Expr& expr, emit::Scope& scope) override {
         for (const NamedValue& named : names_) {
-            if (named.name != expr.text || named.values.empty() || named.values.size() > 4) continue;
-            std::vector<ir::Value> parts;
-            for (double value : named.values) parts.push_back(scope.builder->constant(ir::kFloat, {value}));
-            const ir::Type type = ir::Type::vector(ir::Scalar::Float, static_cast<unsigned>(parts.size()));
-            return {.value = parts.size() == 1 ? parts[0] : scope.builder->construct(type, parts), .type = type};
+            if (named.name == expr.text && has_type(named)) return value_of(named, *scope.builder);
         }
         DiagnosticRecord& record = diagnostics_.report(Code::UnknownName, expr.span, "value", expr.text);
         if (asked_ == Asked::Expression) record.note(fmt::format("give it a value: {}=0.5", expr.text));
@@ -61,6 +57,26 @@ public:
     }
 
 private:
+    static bool has_type(const NamedValue& named) {
+        const std::size_t count = named.values.size();
+        return named.is_matrix ? count == 4 || count == 9 || count == 16 : count >= 1 && count <= 4;
+    }
+
+    static Typed value_of(const NamedValue& named, ir::Builder& builder) {
+        std::vector<ir::Value> parts;
+        for (double value : named.values) parts.push_back(builder.constant(ir::kFloat, {value}));
+        const auto count = static_cast<unsigned>(parts.size());
+        if (count == 1) return {.value = parts[0], .type = ir::kFloat};
+        const unsigned size = count == 4 ? 2 : count == 9 ? 3 : 4;  // of a matrix
+        const ir::Type row = ir::Type::vector(ir::Scalar::Float, named.is_matrix ? size : count);
+        if (!named.is_matrix) return {.value = builder.construct(row, parts), .type = row};
+        std::vector<ir::Value> rows;
+        for (unsigned i = 0; i < size; ++i)
+            rows.push_back(builder.construct(row, std::span(parts).subspan(i * size, size)));
+        const ir::Type type = ir::Type::matrix(ir::Scalar::Float, size, size);
+        return {.value = builder.construct(type, rows), .type = type};
+    }
+
     static constexpr const char* kNameInstead = "write a plain name for it, and give the name a value: x=0.5";
 
     DiagnosticRecord& not_here(Span span, std::string_view name) {

@@ -66,17 +66,29 @@ std::optional<std::vector<double>> read_values(const Compiler& compiler, const s
     return std::move(result.outputs.front().values);
 }
 
+// The same, and "[[1,0],[0,1]]", which has the name as well.
+std::optional<NamedValue> read_named(const Compiler& compiler, const std::string& name, const std::string& text) {
+    if (text.starts_with("[[")) {
+        EvalResult result = compiler.evaluate_expression(text, {});
+        if (!result.ok) return {};
+        return NamedValue{.name = name, .values = std::move(result.outputs.front().values), .is_matrix = true};
+    }
+    std::optional<std::vector<double>> numbers = read_values(compiler, text);
+    if (!numbers || numbers->empty() || numbers->size() > 4) return {};
+    return NamedValue{.name = name, .values = std::move(*numbers)};
+}
+
 // "= pow(x, 2.2)" over the values by their names.
 Outputs evaluate_expression(const Console& console, const Arguments& arguments, const Compiler& compiler,
                             const std::string& expression, const Values& values) {
     std::vector<NamedValue> names;
     for (const auto& [name, text] : values) {
-        const std::optional<std::vector<double>> numbers = read_values(compiler, text);
-        if (!numbers || numbers->empty() || numbers->size() > 4) {
+        std::optional<NamedValue> named = read_named(compiler, name, text);
+        if (!named) {
             complain(console, Complaint::NotNumbers, {name, text});
             return {};
         }
-        names.push_back({.name = name, .values = *numbers});
+        names.push_back(std::move(*named));
     }
     EvalResult result = compiler.evaluate_expression(expression, names, arguments.single);
     report(console, result.diagnostics);
@@ -204,13 +216,14 @@ void add_eval(Program& program) {
          "patina eval --model unity-brdf1 n=0,0,1 l=0,0.6,0.8 v=0,0,1 baseColor=1,0.8,0.2 metallic=1",
          "patina eval --model phong --workflow specular-glossiness l=1,0,1 v=-1,0,1 _Normalization=Classic",
          "patina eval '= pow(0.5, 2.2)'", "patina eval '= smoothstep(0, 1, x)' x=0..1:11",
-         "patina eval --term D_GGX a2=0.1 NoH=0.9"});
+         "patina eval '= mul(m, v)' 'm=[[1,2],[3,4]]' v=1,0", "patina eval --term D_GGX a2=0.1 NoH=0.9"});
     auto arguments = std::make_shared<Arguments>();
     command
         .add_option(
             "NODE NAME=VALUE", arguments->words,
             "A node of the library or its file (.node.hlsl), and its inputs as a graph writes them: 0.5, 0,0,1, "
-            "#ff8800, true, a word; or an expression, '= x * 2', and what its names stand for. FROM..TO:COUNT makes a "
+            "#ff8800, [[1,0],[0,1]], true, a word; or an expression, '= x * 2', and what its names stand for. "
+            "FROM..TO:COUNT makes a "
             "table")
         ->type_name(" ");
     CLI::Option* model = command.add_option(

@@ -63,8 +63,12 @@ Exit print_found(const Console& console, const Compiler& compiler, const Argumen
                  NodeSheetWriter write_sheet) {
     std::vector<const NodeInfo*> found = search_nodes(compiler.nodes(), arguments.words);
     std::erase_if(found, [&](const NodeInfo* node) { return !is_within(node->category, arguments.category); });
-    if (found.empty()) {
-        complain(console, Complaint::UnknownNode, {arguments.words, "; none has all of these words: try fewer"});
+    std::vector<Hint> hints;
+    if (arguments.sheet.empty() && !arguments.json) hints = search_hints(arguments.words, found.empty());
+    if (found.empty() && hints.empty()) {
+        const std::string advice = compiler.node_advice(arguments.words);
+        complain(console, Complaint::UnknownNode,
+                 {arguments.words, "; " + (advice.empty() ? "none has these words: try others" : advice)});
         return Exit::Wrong;
     }
     if (!arguments.sheet.empty()) return write_sheet(console, compiler, found, arguments.sheet);
@@ -74,6 +78,7 @@ Exit print_found(const Console& console, const Compiler& compiler, const Argumen
     }
     std::size_t width = 0;
     for (const NodeInfo* node : found) width = std::max(width, node->name.size());
+    for (const Hint& hint : hints) print(fmt::format("{:<{}}  no node: {}\n", hint.name, width, hint.text));
     for (const NodeInfo* node : found) print(fmt::format("{:<{}}  {}\n", node->name, width, first_sentence(node->doc)));
     return Exit::Ok;
 }
@@ -107,7 +112,7 @@ void add_nodes(Program& program) {
         ->type_name("CATEGORY");
     command
         .add_option("-s,--search", arguments->words,
-                    "List the nodes whose names and texts have these words, the best first")
+                    "List the nodes whose names and texts have these words, the best first; not all must be there")
         ->type_name("WORDS");
     CLI::Option* sheet = command.add_option(
         "--sheet", arguments->sheet, "Write them as a page with a picture of each: one file that needs no other");

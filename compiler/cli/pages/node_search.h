@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "patina/complaints.h"
 #include "patina/patina.h"
 
 namespace patina::cli {
@@ -15,8 +16,12 @@ namespace patina::cli {
 // Capitals, spaces and _ do not count; another program's name for a node does. Null if there is none.
 const NodeInfo* find_named(std::span<const NodeInfo> nodes, std::string_view name);
 
-// The nodes that have each of the words, or one that begins with it, in their names, category or texts. The best comes
-// first: a name counts more than a summary, and that more than the rest.
+// The nodes that have the words in their names, category or texts, the best first. A node's own name counts more than
+// its other names, those more than its summary, and that more than the rest. A node that lacks a word is found, too, if
+// the others say enough about it.
 std::vector<const NodeInfo*> search_nodes(std::span<const NodeInfo> nodes, std::string_view words);
+
+// At most three hints whose names consist of the words; or of them and as many others, if `by_half`.
+std::vector<Hint> search_hints(std::string_view words, bool by_half);
 
 }  // namespace patina::cli

@@ -1,5 +1,5 @@
-// Makes the diagnostics of programs around the compiler: the command, the importers, the runtime. The table is
-// complaints.def; no code is written as a word where it is used.
+// What programs around the compiler say to users: the diagnostics of the command, the importers and the runtime, and
+// hints for names of other programs. The table is complaints.def; no code is written as a word where it is used.
 //
 //   Diagnostic wrong = complaint(Complaint::CannotRead, {"rust.png", "no such file"});
 //   std::puts(to_text(wrong).c_str());   // error: cannot read 'rust.png': no such file [cannot-read]
@@ -7,7 +7,9 @@
 
 #include <initializer_list>
 #include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "patina/patina.h"
 
@@ -35,5 +37,13 @@ PATINA_API std::string_view code_of(Complaint what);
 PATINA_API Diagnostic complaint(Complaint what, std::initializer_list<std::string_view> words);
 // Every row of the table, in its order. Several rows may have the same code.
 PATINA_API std::span<const ComplaintInfo> all_complaints();
+
+// A name of another program that is no node here, and what to write for it.
+struct Hint {
+    std::string_view name;  // "MatrixTranspose"
+    std::string text;       // "written 'transpose(m)'"
+};
+// All of them. NodeInfo has the names that other programs give to nodes.
+PATINA_API std::vector<Hint> hints();
 
 }  // namespace patina

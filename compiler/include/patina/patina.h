@@ -273,10 +273,11 @@ struct EvalResult {
     std::vector<EvalOutput> outputs;      // the primary one first
 };
 
-// A number or vector (one to four components) that expressions may read by its name.
+// A number, a vector (two to four components) or a matrix that expressions may read by its name.
 struct NamedValue {
     std::string name;            // an identifier
-    std::vector<double> values;  // one to four
+    std::vector<double> values;  // one to four; of a matrix, row by row
+    bool is_matrix = false;      // of 4, 9 or 16 values
 };
 
 class GraphBuilder;  // patina/graph_builder.h
