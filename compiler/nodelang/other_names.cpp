@@ -110,7 +110,9 @@ constexpr OtherName kOtherNames[] = {
     {"Sub-graph", "", "a sub-graph is a file: \"node\": \"./name.subgraph.json\""},
     {"CustomFunction", "", "a function of your own is a file: \"node\": \"./name.node.hlsl\""},
     {"CustomInterpolator", "", "a value of each vertex is a node with \"stage\": \"vertex\""},
-    {"SamplerState", "", "a sampler belongs to the property of a texture: \"sampler\": { \"wrap\": \"clamp\" }"},
+    {"SamplerState", "",
+     "a sampler is a word such as \"nearestClamp\" at the input 'sampler' of a node, or a property of the type "
+     "'sampler'"},
     {"Texture2DAsset", "", "a texture is a property of the type 'texture2d', with the file as its default"},
     {"Texture2DArrayAsset", "", "a texture is a property of the type 'texture2dArray', with the file as its default"},
     {"Texture3DAsset", "", "a texture is a property of the type 'texture3d', with the file as its default"},
