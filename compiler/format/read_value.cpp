@@ -2,9 +2,11 @@
 #include <cmath>
 
 #include "compiler/base/file_names.h"
+#include "compiler/base/text.h"
 #include "compiler/format/color.h"
 #include "compiler/format/read_fields.h"
 #include "compiler/format/read_graph.h"
+#include "compiler/format/words.h"
 #include "compiler/nodelang/parse.h"
 
 namespace patina::graph {
@@ -54,9 +56,19 @@ const Expr* rows_expr(Reading& reading, Span span, std::span<const double> numbe
     return add(reading, std::move(rows));
 }
 
+// As a property of a texture has it. A value has a name.
+bool is_sampler(const Json& json) {
+    return json.kind == Json::Kind::Object && (json.find("wrap") || json.find("filter") || json.find("anisotropy"));
+}
+
 // A matrix; or a gradient or a curve: a struct of the node library with one member, an array of float4.
 const Expr* read_array(Reading& reading, const Json& json) {
     const std::optional<PropertyType> type = array_type(json);
+    if (is_sampler(json)) {
+        constexpr auto kNames = sampler_names();
+        report_type(reading, json, "a sampler that is a value", "one of the names " + enumerate(kNames));
+        return nullptr;
+    }
     if (!type) {
         report_type(reading, json, "a value", "a number, true or false, an array, a string, a gradient or a curve");
         return nullptr;

@@ -115,7 +115,9 @@ constexpr OtherName kOtherNames[] = {
     {"CustomFunction", "", "a function of your own is a file: \"node\": \"./name.node.hlsl\""},
     {"CustomInterpolator", "",
      "a node with \"stage\": \"vertex\" is computed for each vertex, and what reads it gets the interpolated value"},
-    {"SamplerState", "", "a sampler belongs to the property of a texture: \"sampler\": { \"wrap\": \"clamp\" }"},
+    {"SamplerState", "",
+     "a sampler is a word such as \"nearestClamp\" at the input 'sampler' of a node, or a property of the type "
+     "'sampler'"},
     {"Texture2DAsset", "", "a texture is a property of the type 'texture2d', with the file as its default"},
     {"Texture2DArrayAsset", "", "a texture is a property of the type 'texture2dArray', with the file as its default"},
     {"Texture3DAsset", "", "a texture is a property of the type 'texture3d', with the file as its default"},

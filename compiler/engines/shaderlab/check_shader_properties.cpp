@@ -226,6 +226,8 @@ void check_shader_properties(const graph::Material& material, const graph::Lower
         if (!is_theirs) names.check(property, !id);
         check_list(property, !id, diagnostics);
         texts.check(property);
+        if (const std::string_view setter = script_setter(property); !setter.empty())
+            diagnostics.report(Code::NoDefault, property.name_span, property.name, setter);
         if (entry.is_file)
             diagnostics.report(Code::NoFileDefault, property.default_span, property.name, default_word(property));
         if (const std::string words = sampler_words(property); !words.empty())

@@ -51,6 +51,8 @@ std::string sampler_words(const graph::Property& property);
 bool is_unity_normal_map(const graph::Property& property);
 // The word for a texture's default if that is a file.
 std::string_view default_word(const graph::Property& property);
+// The method of Unity's class Material that sets a property for which ShaderLab has no type; otherwise empty.
+std::string_view script_setter(const graph::Property& property);
 // The limits of Unity's inspector for an enum: [KeywordEnum] lists this many names, [Enum] this many pairs of name and
 // value.
 constexpr std::size_t kMostKeywords = 9, kMostPairs = 7;

@@ -59,6 +59,29 @@ std::string number(double value) {
     return shortest_decimals(static_cast<float>(value));
 }
 
+std::string joined(std::span<const double> values) {
+    std::string made;
+    for (const double value : values) made += (made.empty() ? "" : ", ") + number(value);
+    return "(" + made + ")";
+}
+
+// "material.SetMatrix("_M", ...): (1, 0), (0, 1)": a matrix by its rows, four vectors on a line.
+void add_script_default(const graph::Property& property, std::string_view setter, std::vector<std::string>& lines) {
+    constexpr std::size_t kOnLine = 4;
+    const bool is_matrix = property.type <= PropertyType::Float4x4;
+    const std::size_t all = property.numbers.size(),
+                      size = is_matrix ? static_cast<std::size_t>(std::lround(std::sqrt(all))) : 4;
+    std::string line = fmt::format("// material.{}(\"{}\", ...):", setter, property.name);
+    for (std::size_t i = 0; i < all; i += size) {
+        if (i > 0 && i / size % kOnLine == 0) {
+            lines.push_back(std::move(line));
+            line = "//    ";
+        }
+        line += " " + joined(std::span(property.numbers).subspan(i, size)) + (i + size < all ? "," : "");
+    }
+    lines.push_back(std::move(line));
+}
+
 std::string vector(const std::array<double, 4>& value, std::size_t count) {
     std::string made;
     for (std::size_t i = 0; i < 4; ++i) made += (i == 0 ? "" : ", ") + number(i < count ? value[i] : 0);
@@ -206,12 +229,17 @@ bool is_unity_normal_map(const graph::Property& property) {
     return property.usage == TextureUsage::Normal && property.swizzle.empty();
 }
 
+std::string_view script_setter(const graph::Property& property) {
+    if (!is_array(property.type)) return {};
+    return property.type <= PropertyType::Float4x4 ? "SetMatrix" : "SetVectorArray";
+}
+
 std::string_view default_word(const graph::Property& property) {
     return property.usage == TextureUsage::Normal ? "bump" : "white";
 }
 
 std::vector<std::string> shader_properties(const graph::Material& material, const graph::Lowered& lowered) {
-    std::vector<std::string> lines;
+    std::vector<std::string> lines, by_script;
     std::string group;
     for (std::size_t i = 0; i < material.properties.size(); ++i) {
         const graph::MaterialProperty& entry = material.properties[i];
@@ -219,7 +247,10 @@ std::vector<std::string> shader_properties(const graph::Material& material, cons
         const graph::PropertyGlobals& globals = lowered.property_globals[i];
         const ir::GlobalId id = globals.texture ? globals.texture : globals.value;
         if (!id && !globals.keyword) continue;  // it is a constant
-        if (is_array(property.type)) continue;  // a script sets it
+        if (const std::string_view setter = script_setter(property); !setter.empty()) {
+            add_script_default(property, setter, by_script);
+            continue;
+        }
         const Declared made = id ? declared(entry, !lowered.module.globals[id.index].decoder.empty()) : switched(entry);
         if (property.group != group) {
             const bool is_first = lines.empty();
@@ -240,6 +271,11 @@ std::vector<std::string> shader_properties(const graph::Material& material, cons
             asset += (asset.empty() ? "" : ", ") + words;
         if (!asset.empty()) line += "  // " + asset;
         lines.push_back(std::move(line));
+    }
+    if (!by_script.empty()) {
+        if (!lines.empty()) lines.emplace_back();
+        lines.emplace_back("// ShaderLab cannot store these: a script sets them. The graph's defaults are");
+        lines.insert(lines.end(), by_script.begin(), by_script.end());
     }
     return lines;
 }

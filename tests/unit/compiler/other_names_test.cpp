@@ -158,7 +158,7 @@ TEST(OtherNames, OfNodesLeadToWhatStandsForThem) {
                                                                     {"Custom Function", "./name.node.hlsl"},
                                                                     {"Texture 2D Asset", "'texture2d'"},
                                                                     {"Keyword", "\"as\": \"variant\""},
-                                                                    {"Sampler State", "\"sampler\""},
+                                                                    {"Sampler State", "\"nearestClamp\""},
                                                                     {"Sample Virtual Texture", "virtual texture"},
                                                                     {"Integer", "'Constant'"},
                                                                     {"Matrix 4x4", "'MatrixConstruction'"}};
