@@ -36,11 +36,15 @@ struct Declaration {
 Declaration number_declaration(const Property& property) {
     Declaration made{.type = "float"};
     const double value = number_of(property.json, "m_Value");
-    const int kind = whole_of(property.json, "m_FloatType");
+    const int kind = whole_in(property.json, "m_FloatType", 0, 0, 3);
     if (kind == 2) {
         made.type = "int";
-        made.value = number(std::round(std::clamp(value, -1e9, 1e9)));
+        const double whole = std::round(std::clamp(value, -1e9, 1e9));
+        made.value = number(whole);
         if (value != std::round(value)) made.difference = "its default is not a whole number";
+        if (value != std::clamp(value, -1e9, 1e9))
+            made.difference = fmt::format(
+                "its default is {}, and a whole number ends at a thousand million: {} is taken", value, whole);
         return made;
     }
     made.value = number(static_cast<float>(value));
@@ -50,6 +54,8 @@ Declaration number_declaration(const Property& property) {
         if (low < high)
             made.more.push_back({"range", list({number(static_cast<float>(std::min(low, value))),
                                                 number(static_cast<float>(std::max(high, value)))})});
+        else
+            made.difference = fmt::format("its range begins at {} and ends at {}: it has none", low, high);
         if (whole_of(property.json, "m_SliderType") == 1) made.difference = "its slider is even, without a power";
     }
     if (kind == 3) made.difference = "it is a number, without the words of its list";
@@ -57,7 +63,7 @@ Declaration number_declaration(const Property& property) {
 }
 
 Declaration color_declaration(const Property& property) {
-    const bool is_hdr = whole_of(property.json, "m_ColorMode") == 1;
+    const bool is_hdr = whole_in(property.json, "m_ColorMode", 0, 0, 1) == 1;
     const std::vector<double> value = vector_of(property.json, "m_Value", 4);
     Declaration made{.type = "color", .value = color_value(value, is_hdr)};
     if (!is_hdr) return made;
@@ -84,7 +90,7 @@ Declaration keyword_declaration(const Property& property) {
     } else {
         made.value = flag(flag_of(property.json, "m_Value"));
     }
-    const int definition = whole_of(property.json, "m_KeywordDefinition");
+    const int definition = whole_in(property.json, "m_KeywordDefinition", 0, 0, 3);
     if (definition != 3) made.more.push_back({"as", text("variant")});
     if (definition == 2 || !flag_of(property.json, "m_IsEditable", true))
         made.difference = "the engine sets it; here it is a variant with a default";
@@ -104,9 +110,9 @@ Declaration declaration_of(const Property& property) {
     }
     const Type type = type_of_property(kind);
     if (type == Type::Sampler) {
-        NearestSampler sampler =
-            nearest_sampler(whole_of(property.json, "m_Value.m_filter"), whole_of(property.json, "m_Value.m_wrap"),
-                            whole_of(property.json, "m_Value.m_anisotropic"));
+        NearestSampler sampler = nearest_sampler(whole_in(property.json, "m_Value.m_filter", 0, 0, 2),
+                                                 whole_in(property.json, "m_Value.m_wrap", 0, 0, 3),
+                                                 whole_in(property.json, "m_Value.m_anisotropic", 0, 0, 4));
         return {.type = "sampler", .value = text(sampler.name), .difference = std::move(sampler.difference)};
     }
     if (type == Type::Gradient)
@@ -179,19 +185,24 @@ void GraphMaker::read_blackboard() {
                 continue;
             }
             port.is_dropdown = true;
-            int chosen = 0;
+            int chosen = -1;
             for (const Json& entry : elements_of(property.json, "m_Entries")) {
                 if (whole_of(&entry, "id") == whole_of(property.json, "m_Value"))
                     chosen = static_cast<int>(port.entries.size());
                 port.entries.emplace_back(text_of(&entry, "displayName"));
             }
+            if (chosen < 0)
+                made.difference = fmt::format("no entry has the number {}: the first one is taken",
+                                              whole_of(property.json, "m_Value"));
             made.type = "int";
-            made.value = number(static_cast<double>(chosen));
+            made.value = number(static_cast<double>(std::max(chosen, 0)));
         } else if (made.type.empty()) {
             remark(Remark::Kind::Changed, part, "a graph has no such property", property.place);
             if (is_input) ports_.inputs.push_back(port);
             continue;
         }
+        for (const std::string& wrong : {property.misread, take_misreads()})
+            if (!wrong.empty()) made.difference += (made.difference.empty() ? "" : "; ") + wrong;
         if (is_input) {
             std::vector<Member> members = {{"name", text(name)}, {"type", text(made.type)}, {"default", made.value}};
             for (Member& each : made.more)

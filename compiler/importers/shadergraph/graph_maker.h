@@ -98,11 +98,14 @@ private:
 
     void find_order();
     void evaluate(std::size_t node);
+    std::string kept_inputs(std::size_t node);
+    void say_misread(std::size_t node, std::string misread);
     void read_blackboard();
     void finish_textures();
     void make_surface();
     Term block_value(const Block& block, Type type);
     void add_pinned(std::string id, const Block& block);
+    void say_block(std::string part, std::string text, Place place);
     void make_outputs();
     void drop_unread();
     void make_layout();

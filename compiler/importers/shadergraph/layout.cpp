@@ -125,7 +125,8 @@ void GraphMaker::make_layout() {
                                                                           {"at", place(note.x, note.y)},
                                                                           {"size", place(note.width, note.height)}})
                                                    .json;
-        remark(Remark::Kind::Taken, fmt::format("note '{}'", note.title), "'ui.notes'", note.place);
+        remark(note.misread.empty() ? Remark::Kind::Taken : Remark::Kind::Changed, fmt::format("note '{}'", note.title),
+               "'ui.notes'" + (note.misread.empty() ? "" : ": " + note.misread), note.place);
     }
     if (!positions.empty()) ui.push_back({"nodes", object(positions)});
     if (!groups.empty()) ui.push_back({"groups", {"[" + groups + "]"}});
@@ -149,6 +150,7 @@ void GraphMaker::report_nodes() {
 
 std::string GraphMaker::part_of(std::size_t index) const {
     const Node& at = node(index);
+    if (!at.part.empty()) return at.part;
     if (const Property* read = property(at.refers))
         return fmt::format("node '{}' ({})", at.name.empty() ? at.kind : at.name, read->name);
     return fmt::format("node '{}'", at.name.empty() ? at.kind : at.name);
