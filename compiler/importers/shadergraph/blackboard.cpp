@@ -30,8 +30,17 @@ struct Declaration {
     std::string type{};
     Value value{};
     std::vector<Member> more{};
+    std::string help{};
     std::string difference{};  // what the graph does not say
 };
+
+// Letters and digits alone, in small letters.
+std::string plain(std::string_view name) {
+    std::string made;
+    for (const char c : identifier(name))
+        if (c != '_') made += c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
+    return made;
+}
 
 Declaration number_declaration(const Property& property) {
     Declaration made{.type = "float"};
@@ -75,25 +84,28 @@ Declaration color_declaration(const Property& property) {
 
 Declaration keyword_declaration(const Property& property) {
     Declaration made{.type = "bool"};
-    const std::vector<Json>& entries = elements_of(property.json, "m_Entries");
-    if (whole_of(property.json, "m_KeywordType") == 1 && !entries.empty()) {
+    const std::vector<KeywordEntry> entries = keyword_entries(property);
+    if (!entries.empty()) {
         made.type = "enum";
-        Names words;
-        std::vector<std::string> values;
-        for (const Json& entry : entries)
-            values.push_back(words.unique(identifier(text_of(&entry, "displayName")), "Value"));
-        std::string all = "[";
-        for (const std::string& each : values) all += (all.size() > 1 ? ", " : "") + text(each).json;
+        std::string all = "[", help;
+        for (const KeywordEntry& each : entries) {
+            all += (all.size() > 1 ? ", " : "") + text(each.word).json;
+            if (plain(each.shown) != plain(each.word))
+                help += fmt::format("{}{} is {}", help.empty() ? "" : ", ", each.word, each.shown);
+            made.difference += (made.difference.empty() || each.difference.empty() ? "" : "; ") + each.difference;
+        }
         made.more.push_back({"values", {all + "]"}});
-        const int chosen = std::clamp(whole_of(property.json, "m_Value"), 0, static_cast<int>(values.size()) - 1);
-        made.value = text(values[static_cast<std::size_t>(chosen)]);
+        if (!help.empty()) made.help = help;
+        const int chosen = whole_in(property.json, "m_Value", 0, 0, static_cast<int>(entries.size()) - 1);
+        made.value = text(entries[static_cast<std::size_t>(chosen)].word);
     } else {
         made.value = flag(flag_of(property.json, "m_Value"));
     }
     const int definition = whole_in(property.json, "m_KeywordDefinition", 0, 0, 3);
     if (definition != 3) made.more.push_back({"as", text("variant")});
     if (definition == 2 || !flag_of(property.json, "m_IsEditable", true))
-        made.difference = "the engine sets it; here it is a variant with a default";
+        made.difference += (made.difference.empty() ? "" : "; ") +
+                           std::string("the engine sets it; here it is a variant with a default");
     return made;
 }
 
@@ -136,6 +148,22 @@ bool is_texture(std::string_view kind) {
 }
 
 }  // namespace
+
+std::vector<KeywordEntry> keyword_entries(const Property& keyword) {
+    std::vector<KeywordEntry> made;
+    if (whole_in(keyword.json, "m_KeywordType", 0, 0, 1) == 0) return made;
+    Names words;
+    for (const Json& entry : elements_of(keyword.json, "m_Entries")) {
+        KeywordEntry each{.shown = std::string(text_of(&entry, "displayName")), .id = whole_of(&entry, "id")};
+        std::string reference(text_of(&entry, "referenceName"));
+        if (reference.empty()) reference = each.shown;
+        each.word = words.unique(identifier(reference), "Value");
+        if (each.word != identifier(reference))
+            each.difference = fmt::format("its entry '{}' is called '{}'", reference, each.word);
+        made.push_back(std::move(each));
+    }
+    return made;
+}
 
 const Property* GraphMaker::property(std::string_view id) const {
     const auto found = std::ranges::find(graph_.properties, id, &Property::id);
@@ -214,6 +242,7 @@ void GraphMaker::read_blackboard() {
             if (property.name != name && !property.name.empty())
                 declared.more.push_back({"label", text(property.name)});
             if (!property.group.empty()) declared.more.push_back({"group", text(property.group)});
+            if (!made.help.empty()) declared.more.push_back({"help", text(made.help)});
             file_.properties.push_back(std::move(declared));
         }
         remark(made.difference.empty() ? Remark::Kind::Taken : Remark::Kind::Changed, part,

@@ -141,6 +141,15 @@ private:
     std::map<std::string, std::string> texture_names_{};  // GUID -> property
 };
 
+// An entry of a keyword that is a list. Unity's symbol is the keyword's reference name, "_", and the entry's.
+struct KeywordEntry {
+    std::string word{};        // in the graph: its reference name
+    std::string difference{};  // from the reference name, in words
+    std::string shown{};       // in an inspector
+    int id = 0;                // of the slot that it chooses
+};
+std::vector<KeywordEntry> keyword_entries(const Property& keyword);  // empty: it is a switch
+
 // Evaluates a node by the table; false: it is not in the table.
 bool apply_rule(GraphMaker& maker, std::size_t node);
 // Evaluates a node that has a function of its own; false: it has none.

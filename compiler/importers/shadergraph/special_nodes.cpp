@@ -233,17 +233,13 @@ void keyword(GraphMaker& maker, std::size_t node) {
         return;
     }
     const std::string name = "$" + maker.property_name(*keyword);
-    const std::vector<Json>& entries = elements_of(keyword->json, "m_Entries");
-    if (whole_of(keyword->json, "m_KeywordType") == 0 || entries.empty()) {
+    const std::vector<KeywordEntry> entries = keyword_entries(*keyword);
+    if (entries.empty()) {
         choose(maker, node, 0, {{name, 1}, {"", 2}});
         return;
     }
     std::vector<std::pair<std::string, int>> cases;
-    Names words;
-    for (const Json& entry : entries)
-        cases.push_back(
-            {fmt::format("{} == {}", name, words.unique(identifier(text_of(&entry, "displayName")), "Value")),
-             whole_of(&entry, "id")});
+    for (const KeywordEntry& each : entries) cases.push_back({fmt::format("{} == {}", name, each.word), each.id});
     choose(maker, node, 0, cases);
 }
 
