@@ -265,16 +265,34 @@ void GraphMaker::approximate(std::size_t index, std::string difference) {
         outcome.text += (outcome.text.empty() ? "" : "; ") + std::move(difference);
 }
 
+// What a refused node reads stays in the graph, for the node that its author puts in its place. In words, by its
+// inputs.
+std::string GraphMaker::kept_inputs(std::size_t index) {
+    std::string made;
+    for (const Slot& slot : node(index).slots) {
+        if (!slot.is_input || !is_linked(index, slot.id)) continue;
+        std::optional<Term> term = linked_term(index, slot.id);
+        if (is_value(term->type)) term = named(*term);
+        const std::string text = term->text();
+        if (text.empty()) continue;
+        made += fmt::format("{}{} = {}", made.empty() ? "" : ", ", slot.name, text);
+        kept_.push_back(text);
+    }
+    return made;
+}
+
 void GraphMaker::refuse(std::size_t index, std::string reason) {
     project_.has_refused = true;
+    const std::string reads = kept_inputs(index);
+    const std::string note = "not imported: " + reason + (reads.empty() ? "" : ". It read " + reads);
     for (const Slot& slot : node(index).slots) {
         if (slot.is_input || !is_used(index, slot.id)) continue;
         const Type type = type_of(index, slot);
         Term value = stand_in(type);
         if (is_value(type)) {
             // A node, so that the place is seen in the graph, too.
-            const std::string id = add_node(
-                index, {.id = {}, .expression = value.text(), .more = {{"note", text("not imported: " + reason)}}});
+            const std::string id =
+                add_node(index, {.id = {}, .expression = value.text(), .more = {{"note", text(note)}}});
             types_[id] = type;
             value = link(id, type);
         } else if (is_texture(type)) {

@@ -133,6 +133,7 @@ private:
     std::vector<DynamicTypes> dynamic_types_{};         // of each node that was evaluated
     std::map<std::string, Term, std::less<>> named_{};  // by text
     std::vector<Outcome> outcomes_{};
+    std::vector<std::string> kept_{};                     // texts of what refused nodes read
     std::map<std::string, std::size_t> owners_{};         // id -> node, for the layout
     std::map<std::string, Type> types_{};                 // of expressions: id -> what those who read it expect
     std::array<bool, 4> reads_uv_{};                      // by set: something reads the node of its coordinates

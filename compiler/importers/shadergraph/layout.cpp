@@ -40,7 +40,7 @@ Value place(double x, double y) {
 
 }  // namespace
 
-// What only refused nodes would read is no part of the graph.
+// What nothing reads is no part of the graph. What refused nodes read is.
 void GraphMaker::drop_unread() {
     std::map<std::string, const GraphNode*, std::less<>> unread;
     for (const GraphNode& each : file_.nodes) unread[each.id] = &each;
@@ -49,6 +49,7 @@ void GraphMaker::drop_unread() {
         for (const Member& each : members)
             if (each.key != "inputs") texts.push_back(each.value.json);
     };
+    texts.assign(kept_.begin(), kept_.end());
     add(file_.surface);
     add(file_.more);
     for (const GraphNode& each : file_.nodes)
@@ -67,7 +68,7 @@ void GraphMaker::drop_unread() {
     }
     for (const auto& [id, each] : unread) {
         Outcome& outcome = outcomes_[owners_[id]];
-        if (outcome.kind != Remark::Kind::LeftOut) outcome.where = "only what is not imported reads it";
+        if (outcome.kind != Remark::Kind::LeftOut) outcome.where = "nothing reads it";
     }
     std::erase_if(file_.nodes, [&](const GraphNode& each) { return unread.contains(each.id); });
 }

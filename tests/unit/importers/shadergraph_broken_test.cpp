@@ -282,16 +282,27 @@ TEST(BrokenShaderGraph, NamesOfFilesStayShort) {
     expect_compiles(made, "a long name");
 }
 
-// What only a refused node would read is not left in the graph.
-TEST(BrokenShaderGraph, NothingIsMadeForARefusedNode) {
+// What a refused node reads stays in the graph, so that its author can put a node of his own in its place.
+TEST(BrokenShaderGraph, WhatARefusedNodeReadsIsKept) {
     ShaderGraphText graph = painted();
-    graph.nodes.push_back({.id = "u", .kind = "NodeOfTheFuture", .slots = {{0}, out(1)}, .name = "Future"});
-    graph.edges = {{"b", 0, "sample", 1}, {"sample", 0, "u", 0}, {"u", 1, "BaseColor"}};
+    graph.nodes.push_back(
+        {.id = "u", .kind = "NodeOfTheFuture", .slots = {{0}, {1}, {2}, out(3)}, .name = "Future", .group = "g"});
+    graph.nodes[4].group = "g";
+    graph.more_of_graph = R"("m_GroupDatas":[{"m_Id":"g"}])";
+    graph.more_objects =
+        R"({"m_Type":"UnityEditor.ShaderGraph.GroupData","m_ObjectId":"g","m_Title":"Where all is mixed"})";
+    graph.edges = {{"b", 0, "sample", 1}, {"sample", 0, "product", 0}, {"a", 0, "product", 1}, {"product", 2, "u", 0},
+                   {"c", 0, "u", 1},      {"u", 3, "BaseColor"}};
     const Imported made = import_graph(graph);
-    EXPECT_EQ(text_of(made).find("SampleTexture2D"), std::string::npos) << text_of(made);
-    EXPECT_NE(remarks(made, Remark::Kind::Taken).find("node 'Sample Texture 2D': only what is not imported reads it"),
-              std::string::npos)
+    const std::string& text = text_of(made);
+    EXPECT_NE(text.find("SampleTexture2D"), std::string::npos) << text;
+    EXPECT_NE(text.find(R"({ "id": "multiply", "expr": "mainTex * $_Tint" })"), std::string::npos) << text;
+    EXPECT_NE(text.find("It read S0 = multiply, S1 = $_Wear"), std::string::npos) << text;
+    EXPECT_NE(text.find("// Where all is mixed"), std::string::npos) << text;
+    EXPECT_NE(remarks(made, Remark::Kind::Taken).find("node 'Multiply': the node 'multiply'"), std::string::npos)
         << remarks(made, Remark::Kind::Taken);
+    EXPECT_NE(remarks(made, Remark::Kind::Taken).find("node 'Lerp': nothing reads it"), std::string::npos);
+    EXPECT_EQ(text.find("lerp"), std::string::npos) << text;
     expect_compiles(made, "refused");
 }
 
