@@ -30,17 +30,30 @@ struct Declaration {
     std::string type{};
     Value value{};
     std::vector<Member> more{};
+    std::string help{};
     std::string difference{};  // what the graph does not say
 };
+
+// Letters and digits alone, in small letters.
+std::string plain(std::string_view name) {
+    std::string made;
+    for (const char c : identifier(name))
+        if (c != '_') made += c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
+    return made;
+}
 
 Declaration number_declaration(const Property& property) {
     Declaration made{.type = "float"};
     const double value = number_of(property.json, "m_Value");
-    const int kind = whole_of(property.json, "m_FloatType");
+    const int kind = whole_in(property.json, "m_FloatType", 0, 0, 3);
     if (kind == 2) {
         made.type = "int";
-        made.value = number(std::round(std::clamp(value, -1e9, 1e9)));
+        const double whole = std::round(std::clamp(value, -1e9, 1e9));
+        made.value = number(whole);
         if (value != std::round(value)) made.difference = "its default is not a whole number";
+        if (value != std::clamp(value, -1e9, 1e9))
+            made.difference = fmt::format(
+                "its default is {}, and a whole number ends at a thousand million: {} is taken", value, whole);
         return made;
     }
     made.value = number(static_cast<float>(value));
@@ -50,6 +63,8 @@ Declaration number_declaration(const Property& property) {
         if (low < high)
             made.more.push_back({"range", list({number(static_cast<float>(std::min(low, value))),
                                                 number(static_cast<float>(std::max(high, value)))})});
+        else
+            made.difference = fmt::format("its range begins at {} and ends at {}: it has none", low, high);
         if (whole_of(property.json, "m_SliderType") == 1) made.difference = "its slider is even, without a power";
     }
     if (kind == 3) made.difference = "it is a number, without the words of its list";
@@ -57,7 +72,7 @@ Declaration number_declaration(const Property& property) {
 }
 
 Declaration color_declaration(const Property& property) {
-    const bool is_hdr = whole_of(property.json, "m_ColorMode") == 1;
+    const bool is_hdr = whole_in(property.json, "m_ColorMode", 0, 0, 1) == 1;
     const std::vector<double> value = vector_of(property.json, "m_Value", 4);
     Declaration made{.type = "color", .value = color_value(value, is_hdr)};
     if (!is_hdr) return made;
@@ -69,25 +84,28 @@ Declaration color_declaration(const Property& property) {
 
 Declaration keyword_declaration(const Property& property) {
     Declaration made{.type = "bool"};
-    const std::vector<Json>& entries = elements_of(property.json, "m_Entries");
-    if (whole_of(property.json, "m_KeywordType") == 1 && !entries.empty()) {
+    const std::vector<KeywordEntry> entries = keyword_entries(property);
+    if (!entries.empty()) {
         made.type = "enum";
-        Names words;
-        std::vector<std::string> values;
-        for (const Json& entry : entries)
-            values.push_back(words.unique(identifier(text_of(&entry, "displayName")), "Value"));
-        std::string all = "[";
-        for (const std::string& each : values) all += (all.size() > 1 ? ", " : "") + text(each).json;
+        std::string all = "[", help;
+        for (const KeywordEntry& each : entries) {
+            all += (all.size() > 1 ? ", " : "") + text(each.word).json;
+            if (plain(each.shown) != plain(each.word))
+                help += fmt::format("{}{} is {}", help.empty() ? "" : ", ", each.word, each.shown);
+            made.difference += (made.difference.empty() || each.difference.empty() ? "" : "; ") + each.difference;
+        }
         made.more.push_back({"values", {all + "]"}});
-        const int chosen = std::clamp(whole_of(property.json, "m_Value"), 0, static_cast<int>(values.size()) - 1);
-        made.value = text(values[static_cast<std::size_t>(chosen)]);
+        if (!help.empty()) made.help = help;
+        const int chosen = whole_in(property.json, "m_Value", 0, 0, static_cast<int>(entries.size()) - 1);
+        made.value = text(entries[static_cast<std::size_t>(chosen)].word);
     } else {
         made.value = flag(flag_of(property.json, "m_Value"));
     }
-    const int definition = whole_of(property.json, "m_KeywordDefinition");
+    const int definition = whole_in(property.json, "m_KeywordDefinition", 0, 0, 3);
     if (definition != 3) made.more.push_back({"as", text("variant")});
     if (definition == 2 || !flag_of(property.json, "m_IsEditable", true))
-        made.difference = "the engine sets it; here it is a variant with a default";
+        made.difference += (made.difference.empty() ? "" : "; ") +
+                           std::string("the engine sets it; here it is a variant with a default");
     return made;
 }
 
@@ -104,9 +122,9 @@ Declaration declaration_of(const Property& property) {
     }
     const Type type = type_of_property(kind);
     if (type == Type::Sampler) {
-        NearestSampler sampler =
-            nearest_sampler(whole_of(property.json, "m_Value.m_filter"), whole_of(property.json, "m_Value.m_wrap"),
-                            whole_of(property.json, "m_Value.m_anisotropic"));
+        NearestSampler sampler = nearest_sampler(whole_in(property.json, "m_Value.m_filter", 0, 0, 2),
+                                                 whole_in(property.json, "m_Value.m_wrap", 0, 0, 3),
+                                                 whole_in(property.json, "m_Value.m_anisotropic", 0, 0, 4));
         return {.type = "sampler", .value = text(sampler.name), .difference = std::move(sampler.difference)};
     }
     if (type == Type::Gradient)
@@ -130,6 +148,22 @@ bool is_texture(std::string_view kind) {
 }
 
 }  // namespace
+
+std::vector<KeywordEntry> keyword_entries(const Property& keyword) {
+    std::vector<KeywordEntry> made;
+    if (whole_in(keyword.json, "m_KeywordType", 0, 0, 1) == 0) return made;
+    Names words;
+    for (const Json& entry : elements_of(keyword.json, "m_Entries")) {
+        KeywordEntry each{.shown = std::string(text_of(&entry, "displayName")), .id = whole_of(&entry, "id")};
+        std::string reference(text_of(&entry, "referenceName"));
+        if (reference.empty()) reference = each.shown;
+        each.word = words.unique(identifier(reference), "Value");
+        if (each.word != identifier(reference))
+            each.difference = fmt::format("its entry '{}' is called '{}'", reference, each.word);
+        made.push_back(std::move(each));
+    }
+    return made;
+}
 
 const Property* GraphMaker::property(std::string_view id) const {
     const auto found = std::ranges::find(graph_.properties, id, &Property::id);
@@ -191,20 +225,25 @@ void GraphMaker::read_blackboard() {
                 continue;
             }
             port.is_dropdown = true;
-            int chosen = 0;
+            int chosen = -1;
             for (const Json& entry : elements_of(property.json, "m_Entries")) {
                 if (whole_of(&entry, "id") == whole_of(property.json, "m_Value"))
                     chosen = static_cast<int>(port.entries.size());
                 port.entries.emplace_back(text_of(&entry, "displayName"));
             }
+            if (chosen < 0)
+                made.difference = fmt::format("no entry has the number {}: the first one is taken",
+                                              whole_of(property.json, "m_Value"));
             made.type = "int";
-            made.value = number(static_cast<double>(chosen));
-            port.numbers = {static_cast<double>(chosen)};
+            made.value = number(static_cast<double>(std::max(chosen, 0)));
+            port.numbers = {static_cast<double>(std::max(chosen, 0))};
         } else if (made.type.empty()) {
             remark(Remark::Kind::Changed, part, "a graph has no such property", property.place);
             if (is_input) ports_.inputs.push_back(port);
             continue;
         }
+        for (const std::string& wrong : {property.misread, take_misreads()})
+            if (!wrong.empty()) made.difference += (made.difference.empty() ? "" : "; ") + wrong;
         if (is_input) {
             std::vector<Member> members = {{"name", text(name)}, {"type", text(made.type)}, {"default", made.value}};
             for (Member& each : made.more)
@@ -216,6 +255,7 @@ void GraphMaker::read_blackboard() {
             if (property.name != name && !property.name.empty())
                 declared.more.push_back({"label", text(property.name)});
             if (!property.group.empty()) declared.more.push_back({"group", text(property.group)});
+            if (!made.help.empty()) declared.more.push_back({"help", text(made.help)});
             file_.properties.push_back(std::move(declared));
         }
         remark(made.difference.empty() ? Remark::Kind::Taken : Remark::Kind::Changed, part,

@@ -6,16 +6,24 @@
 #include "compiler/importers/shadergraph/graph_maker.h"
 
 namespace patina::importers::shadergraph {
+namespace {
+
+int count_of(const Json* json, std::string_view key) {
+    return whole_in(json, key, std::clamp(whole_of(json, key, 2), 1, 8), 1, 8);
+}
+
+}  // namespace
+
 Gradient gradient_of(const Json* json) {
     Gradient made;
-    for (int i = 0; i < std::clamp(whole_of(json, "m_NumColorKeys", 2), 1, 8); ++i)
+    for (int i = 0; i < count_of(json, "m_NumColorKeys"); ++i)
         made.colors.push_back({.time = number_of(json, fmt::format("ctime{}", i)) / 65535,
                                .value = vector_of(json, fmt::format("key{}", i), 3)});
-    for (int i = 0; i < std::clamp(whole_of(json, "m_NumAlphaKeys", 2), 1, 8); ++i) {
+    for (int i = 0; i < count_of(json, "m_NumAlphaKeys"); ++i) {
         const std::vector<double> key = vector_of(json, fmt::format("key{}", i), 4);
         made.alphas.push_back({.time = number_of(json, fmt::format("atime{}", i)) / 65535, .value = {key[3]}});
     }
-    made.mode = whole_of(json, "m_Mode");
+    made.mode = whole_in(json, "m_Mode", 0, 0, 2);
     return made;
 }
 
@@ -33,7 +41,7 @@ void make_gradient(GraphMaker& maker, std::size_t node) {
     // What a new node has: from black to white, opaque.
     if (made->colors.empty()) made->colors = {{.time = 0, .value = {0, 0, 0}}, {.time = 1, .value = {1, 1, 1}}};
     if (made->alphas.empty()) made->alphas = {{.time = 0, .value = {1}}};
-    made->mode = whole_of(json, "m_SerializableMode");
+    made->mode = whole_in(json, "m_SerializableMode", 0, 0, 2);
     Term term{.type = Type::Gradient};
     term.gradient = std::move(made);
     term.nodes = {node};

@@ -35,10 +35,14 @@ GraphMaker::GraphMaker(Project& project, const ShaderGraph& graph, std::string n
 std::string GraphMaker::make() {
     file_.name = name_;
     for (const ShaderGraph::Problem& problem : graph_.problems)
-        remark(Remark::Kind::Changed, problem.part, problem.text, problem.place);
+        remark(problem.is_lost ? Remark::Kind::LeftOut : Remark::Kind::Changed, problem.part, problem.text,
+               problem.place);
     find_order();
     read_blackboard();
-    for (const std::size_t node : order_) evaluate(node);
+    for (const std::size_t node : order_) {
+        evaluate(node);
+        say_misread(node, take_misreads());
+    }
     if (graph_.is_subgraph)
         make_outputs();
     else
@@ -47,23 +51,28 @@ std::string GraphMaker::make() {
     drop_unread();
     make_layout();
     std::string error = refuse_invalid();
+    for (std::size_t i = 0; i < graph_.nodes.size(); ++i) {
+        say_misread(i, node(i).misread);
+        if (!node(i).lost.empty() && outcomes_[i].kind != Remark::Kind::LeftOut) {
+            outcomes_[i] = {.kind = Remark::Kind::LeftOut, .text = node(i).lost};
+            project_.has_refused = true;
+        }
+        if (const int newest = newest_version(node(i).kind); node(i).version > newest)
+            approximate(i, fmt::format("it is of version {}; {} is the newest that is known: read as that",
+                                       node(i).version, newest));
+    }
     report_nodes();
+    if (const std::string wrong = take_misreads(); !wrong.empty()) remark(Remark::Kind::Changed, "the file", wrong, {});
     return error;
 }
 
 // Nodes that an output depends on, each after what it reads. There are no circles.
 void GraphMaker::find_order() {
     for (const Edge& edge : graph_.edges) {
-        const Slot* from = node(edge.from).slot(edge.from_slot);
-        const Slot* to = node(edge.to).slot(edge.to_slot);
-        if (!from || !to) {
-            remark(Remark::Kind::Changed, fmt::format("edge to '{}'", node(edge.to).name),
-                   "the slot at its end does not exist", edge.place);
-            continue;
-        }
         if (!edges_.try_emplace({edge.to, edge.to_slot}, Key{edge.from, edge.from_slot}).second)
             remark(Remark::Kind::Changed, fmt::format("edge to '{}'", node(edge.to).name),
-                   fmt::format("a second value for '{}': the first one counts", to->name), edge.place);
+                   fmt::format("a second value for '{}': the first one counts", node(edge.to).slot(edge.to_slot)->name),
+                   edge.place);
     }
     std::vector<int> states(graph_.nodes.size(), 0);
     std::vector<std::pair<std::size_t, std::size_t>> path;
@@ -95,6 +104,10 @@ std::size_t GraphMaker::uses(std::size_t index, int slot) const {
     return found == uses_.end() ? 0 : found->second;
 }
 
+void GraphMaker::say_misread(std::size_t index, std::string misread) {
+    if (!misread.empty()) approximate(index, std::move(misread));
+}
+
 void GraphMaker::evaluate(std::size_t index) {
     const Node& at = node(index);
     const bool is_output = std::ranges::any_of(graph_.blocks, [&](const Block& block) { return block.node == index; });
@@ -105,6 +118,10 @@ void GraphMaker::evaluate(std::size_t index) {
             connected.push_back(term->type);
     }
     dynamic_types_[index] = {.vector = dynamic_vector(connected), .matrix = dynamic_matrix(connected)};
+    if (!at.lost.empty()) {
+        refuse(index, at.lost);
+        return;
+    }
     if (is_output || apply_special(*this, index) || apply_rule(*this, index)) return;
     refuse(index, is_in_table(at.kind)
                       ? "it has a setting with a value that this importer does not know"
@@ -165,7 +182,7 @@ Term GraphMaker::input(std::size_t index, int slot_id, bool may_stay_number) {
             made = number_term(made.numbers[0]);
         made = converted(made, is_same && may_stay_number ? made.type : type);
     } else if (type == Type::Texture2D) {
-        made = texture_constant(index, type, json, "m_Texture", whole_of(json, "m_DefaultType"));
+        made = texture_constant(index, type, json, "m_Texture", whole_in(json, "m_DefaultType", 0, 0, 5));
     } else if (type == Type::Texture2DArray) {
         made = texture_constant(index, type, json, "m_TextureArray", 0);
     } else if (type == Type::Texture3D) {
@@ -248,16 +265,34 @@ void GraphMaker::approximate(std::size_t index, std::string difference) {
         outcome.text += (outcome.text.empty() ? "" : "; ") + std::move(difference);
 }
 
+// What a refused node reads stays in the graph, for the node that its author puts in its place. In words, by its
+// inputs.
+std::string GraphMaker::kept_inputs(std::size_t index) {
+    std::string made;
+    for (const Slot& slot : node(index).slots) {
+        if (!slot.is_input || !is_linked(index, slot.id)) continue;
+        std::optional<Term> term = linked_term(index, slot.id);
+        if (is_value(term->type)) term = named(*term);
+        const std::string text = term->text();
+        if (text.empty()) continue;
+        made += fmt::format("{}{} = {}", made.empty() ? "" : ", ", slot.name, text);
+        kept_.push_back(text);
+    }
+    return made;
+}
+
 void GraphMaker::refuse(std::size_t index, std::string reason) {
     project_.has_refused = true;
+    const std::string reads = kept_inputs(index);
+    const std::string note = "not imported: " + reason + (reads.empty() ? "" : ". It read " + reads);
     for (const Slot& slot : node(index).slots) {
         if (slot.is_input || !is_used(index, slot.id)) continue;
         const Type type = type_of(index, slot);
         Term value = stand_in(type);
         if (is_value(type)) {
             // A node, so that the place is seen in the graph, too.
-            const std::string id = add_node(
-                index, {.id = {}, .expression = value.text(), .more = {{"note", text("not imported: " + reason)}}});
+            const std::string id =
+                add_node(index, {.id = {}, .expression = value.text(), .more = {{"note", text(note)}}});
             types_[id] = type;
             value = link(id, type);
         } else if (is_texture(type)) {

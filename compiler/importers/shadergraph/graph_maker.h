@@ -100,11 +100,14 @@ private:
 
     void find_order();
     void evaluate(std::size_t node);
+    std::string kept_inputs(std::size_t node);
+    void say_misread(std::size_t node, std::string misread);
     void read_blackboard();
     void finish_textures();
     void make_surface();
     Term block_value(const Block& block, Type type);
     void add_pinned(std::string id, const Block& block);
+    void say_block(std::string part, std::string text, Place place);
     void make_outputs();
     void drop_unread();
     void make_layout();
@@ -132,6 +135,7 @@ private:
     std::vector<DynamicTypes> dynamic_types_{};         // of each node that was evaluated
     std::map<std::string, Term, std::less<>> named_{};  // by text
     std::vector<Outcome> outcomes_{};
+    std::vector<std::string> kept_{};                     // texts of what refused nodes read
     std::map<std::string, std::size_t> owners_{};         // id -> node, for the layout
     std::map<std::string, Type> types_{};                 // of expressions: id -> what those who read it expect
     std::array<bool, 4> reads_uv_{};                      // by set: something reads the node of its coordinates
@@ -139,6 +143,15 @@ private:
     std::map<std::string, TextureUse> textures_{};        // by name of the property
     std::map<std::string, std::string> texture_names_{};  // GUID -> property
 };
+
+// An entry of a keyword that is a list. Unity's symbol is the keyword's reference name, "_", and the entry's.
+struct KeywordEntry {
+    std::string word{};        // in the graph: its reference name
+    std::string difference{};  // from the reference name, in words
+    std::string shown{};       // in an inspector
+    int id = 0;                // of the slot that it chooses
+};
+std::vector<KeywordEntry> keyword_entries(const Property& keyword);  // empty: it is a switch
 
 // Evaluates a node by the table; false: it is not in the table.
 bool apply_rule(GraphMaker& maker, std::size_t node);

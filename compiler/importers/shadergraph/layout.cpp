@@ -40,7 +40,7 @@ Value place(double x, double y) {
 
 }  // namespace
 
-// What only refused nodes would read is no part of the graph.
+// What nothing reads is no part of the graph. What refused nodes read is.
 void GraphMaker::drop_unread() {
     std::map<std::string, const GraphNode*, std::less<>> unread;
     for (const GraphNode& each : file_.nodes) unread[each.id] = &each;
@@ -49,6 +49,7 @@ void GraphMaker::drop_unread() {
         for (const Member& each : members)
             if (each.key != "inputs") texts.push_back(each.value.json);
     };
+    texts.assign(kept_.begin(), kept_.end());
     add(file_.surface);
     add(file_.more);
     for (const GraphNode& each : file_.nodes)
@@ -67,7 +68,7 @@ void GraphMaker::drop_unread() {
     }
     for (const auto& [id, each] : unread) {
         Outcome& outcome = outcomes_[owners_[id]];
-        if (outcome.kind != Remark::Kind::LeftOut) outcome.where = "only what is not imported reads it";
+        if (outcome.kind != Remark::Kind::LeftOut) outcome.where = "nothing reads it";
     }
     std::erase_if(file_.nodes, [&](const GraphNode& each) { return unread.contains(each.id); });
 }
@@ -126,7 +127,8 @@ void GraphMaker::make_layout() {
                                                                           {"at", place(note.x, note.y)},
                                                                           {"size", place(note.width, note.height)}})
                                                    .json;
-        remark(Remark::Kind::Taken, fmt::format("note '{}'", note.title), "'ui.notes'", note.place);
+        remark(note.misread.empty() ? Remark::Kind::Taken : Remark::Kind::Changed, fmt::format("note '{}'", note.title),
+               "'ui.notes'" + (note.misread.empty() ? "" : ": " + note.misread), note.place);
     }
     if (!positions.empty()) ui.push_back({"nodes", object(positions)});
     if (!groups.empty()) ui.push_back({"groups", {"[" + groups + "]"}});
@@ -150,6 +152,7 @@ void GraphMaker::report_nodes() {
 
 std::string GraphMaker::part_of(std::size_t index) const {
     const Node& at = node(index);
+    if (!at.part.empty()) return at.part;
     if (const Property* read = property(at.refers))
         return fmt::format("node '{}' ({})", at.name.empty() ? at.kind : at.name, read->name);
     return fmt::format("node '{}'", at.name.empty() ? at.kind : at.name);

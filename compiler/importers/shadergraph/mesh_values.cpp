@@ -37,7 +37,7 @@ Term GraphMaker::bound(std::size_t index, const Slot& slot, const Term& otherwis
     if (slot.kind == "UV") return converted(coordinates(index, whole_of(slot.json, "m_Channel")), Type::Float2);
     if (slot.kind == "VertexColor") return link("@vertexColor", Type::Float4);
     if (slot.kind == "ScreenPosition") {
-        const int mode = std::clamp(whole_of(slot.json, "m_ScreenSpaceType"), 0, 4);
+        const int mode = whole_in(slot.json, "m_ScreenSpaceType", 0, 0, 4);
         if (mode == 0) {
             Term made = expression("float4(@screenUV.x, 1 - @screenUV.y, 0, 0)", Type::Float4);
             made.parts = {{"@screenUV.x", 1}, {"1 - @screenUV.y", 1}, {"0", 1}, {"0", 1}};
@@ -49,7 +49,7 @@ Term GraphMaker::bound(std::size_t index, const Slot& slot, const Term& otherwis
     }
     const auto row = std::ranges::find(kBound, slot.kind, &Bound::kind);
     if (row == std::end(kBound)) return otherwise;
-    const int space = std::clamp(whole_of(slot.json, "m_Space"), 0, 4);
+    const int space = whole_in(slot.json, "m_Space", 0, 0, 4);
     return expression(std::string(row->spaces[space == 4 ? 2 : space]), Type::Float3);
 }
 

@@ -43,7 +43,8 @@ SubgraphPorts Project::read_graph(const std::string& path, const std::string& na
     if (!file) return {.error = fmt::format("cannot read '{}'", path)};
     std::string text{std::istreambuf_iterator<char>(file), {}};
     Documents documents = read_documents(path, std::move(text));
-    const ShaderGraph graph = read_shader_graph(documents);
+    const Misreads misreads(documents);
+    const ShaderGraph graph = read_shader_graph(documents, misreads);
     if (!graph.error.empty()) return {.error = graph.error};
     const std::string own =
         file_names.unique(file_word(name), "graph") + (graph.is_subgraph ? ".subgraph.json" : ".graph.json");

@@ -87,6 +87,10 @@ public:
 
 private:
     void add(Remark::Kind kind, std::string_view label, std::string text) {
+        if (const std::string wrong = take_misreads(); !wrong.empty()) {
+            text += (text.empty() ? "" : ": ") + wrong;
+            if (kind == Remark::Kind::Taken) kind = Remark::Kind::Changed;
+        }
         made_.remarks.push_back({.kind = kind,
                                  .part = fmt::format("setting '{}'", label),
                                  .text = std::move(text),
@@ -100,7 +104,10 @@ private:
             if (member(each, key)) return each;
         return nullptr;
     }
-    int whole(std::string_view key, int otherwise) const { return whole_of(holder(key), key, otherwise); }
+    // From 0 to `high`.
+    int whole(std::string_view key, int otherwise, int high = 1) const {
+        return whole_in(holder(key), key, otherwise, 0, high);
+    }
 
     void workflow() {
         if (!made_.is_lit) return;
@@ -110,13 +117,15 @@ private:
         if (made_.has_coat) add(Remark::Kind::Changed, "Clear Coat", "the surface has no coat");
     }
 
+    static bool is_set(const Json& value) { return value.number != 0 || value.boolean || !value.string.empty(); }
+
     bool has_clip() const {
         if (holder("m_AlphaClip")) return whole("m_AlphaClip", 0) != 0;
         return is_clipped_by_slot;
     }
 
     void surface() {
-        const int mode = whole("m_AlphaMode", 0);
+        const int mode = whole("m_AlphaMode", 0, 3);
         made_.is_blended = is_sprite_ || whole("m_SurfaceType", 0) == 1;
         made_.is_clipped = has_clip();
         made_.is_clipped_blend = made_.is_blended && made_.is_clipped;
@@ -124,7 +133,7 @@ private:
         if (made_.is_blended) {
             const bool keeps_reflections = made_.is_lit && whole("m_BlendModePreserveSpecular", 0) != 0;
             static constexpr std::string_view kKinds[] = {"fade", "transparent", "additive", "multiply"};
-            kind = kKinds[std::clamp(mode, 0, 3)];
+            kind = kKinds[mode];
             if (mode == 0 && keeps_reflections) kind = "transparent";
         }
         add(Remark::Kind::Taken, "Surface Type", fmt::format("'{}'", kind));
@@ -140,20 +149,20 @@ private:
         std::string_view cull = is_sprite_ ? "off" : "back";
         if (holder("m_RenderFace")) {
             static constexpr std::string_view kWords[] = {"off", "front", "back"};
-            cull = kWords[std::clamp(whole("m_RenderFace", 2), 0, 2)];
+            cull = kWords[whole("m_RenderFace", 2, 2)];
         } else if (whole("m_TwoSided", 0) != 0 || holder_is_on("m_DoubleSided")) {
             cull = "off";
         }
         add(Remark::Kind::Taken, "Render Face", fmt::format("\"cull\": \"{}\"", cull));
         if (cull != "back") made_.render.push_back({"cull", text(cull)});
-        const int write = whole("m_ZWriteControl", 0);
+        const int write = whole("m_ZWriteControl", 0, 2);
         if (write == 1 || write == 2) {
             made_.render.push_back({"depthWrite", flag(write == 1)});
             add(Remark::Kind::Taken, "Depth Write", write == 1 ? "true" : "false");
         }
         static constexpr std::string_view kTests[] = {"lessEqual", "never",    "less",         "equal", "lessEqual",
                                                       "greater",   "notEqual", "greaterEqual", "always"};
-        const int test = std::clamp(whole("m_ZTestMode", 4), 0, 8);
+        const int test = whole("m_ZTestMode", 4, 8);
         if (test != 4 && test != 0) {
             made_.render.push_back({"depthTest", text(kTests[test])});
             add(Remark::Kind::Taken, "Depth Test", fmt::format("'{}'", kTests[test]));
@@ -174,13 +183,15 @@ private:
 
     void rest() {
         for (const Known& each : kEditorOnly)
-            if (const Json* found = holder(each.key);
-                found && (!text_of(found, each.key).empty() || whole_of(found, each.key) != 0))
+            if (const Json* found = holder(each.key); found && is_set(*found->find(each.key)))
                 add(Remark::Kind::Taken, each.label, std::string(each.text));
         for (const Lost& each : kLost)
             if (const Json* found = holder(each.key);
                 found && number_of(found, each.key, each.otherwise) != each.otherwise)
                 add(Remark::Kind::Changed, each.label, std::string(each.text));
+        if (const std::string wrong = take_misreads(); !wrong.empty())
+            made_.remarks.push_back(
+                {.kind = Remark::Kind::Changed, .part = "settings", .text = wrong, .place = target_.place});
     }
 
 public:
@@ -236,6 +247,7 @@ Settings read_settings(const ShaderGraph& graph) {
             if (each.kind.find(preferred) != std::string::npos) chosen = &each;
     Reader reader(*chosen);
     reader.is_clipped_by_slot = is_clipped_by_slot(graph);
+    take_misreads();  // the slot's block says them
     Settings made = reader.read();
     for (const TargetSettings& each : graph.targets)
         made.remarks.push_back({.kind = Remark::Kind::Taken,

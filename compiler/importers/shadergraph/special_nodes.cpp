@@ -65,8 +65,8 @@ void engine_matrix(GraphMaker& maker, std::size_t node) {
 
 void sampler_state(GraphMaker& maker, std::size_t node) {
     const Json* json = maker.node(node).json;
-    const NearestSampler sampler =
-        nearest_sampler(whole_of(json, "m_filter"), whole_of(json, "m_wrap"), whole_of(json, "m_aniso"));
+    const NearestSampler sampler = nearest_sampler(
+        whole_in(json, "m_filter", 0, 0, 2), whole_in(json, "m_wrap", 0, 0, 3), whole_in(json, "m_aniso", 0, 0, 4));
     if (!sampler.difference.empty()) maker.approximate(node, sampler.difference);
     maker.set(node, 0, link(std::string(sampler.name), Type::Sampler));
     maker.taken(node, fmt::format("the sampler '{}'", sampler.name));
@@ -148,7 +148,7 @@ void swizzle(GraphMaker& maker, std::size_t node) {
     }
     if (mask.empty() && member(at.json, "m_RedChannel")) {  // the first version: always four
         for (const std::string_view key : {"m_RedChannel", "m_GreenChannel", "m_BlueChannel", "m_AlphaChannel"})
-            mask += kLetters[static_cast<std::size_t>(std::clamp(whole_of(at.json, key), 0, 3))];
+            mask += kLetters[static_cast<std::size_t>(whole_in(at.json, key, 0, 0, 3))];
     }
     if (mask.empty()) mask = "xxxx";
     if (mask.size() > 4 || mask.find('?') != mask.npos) {
@@ -202,6 +202,10 @@ void custom_interpolator(GraphMaker& maker, std::size_t node) {
 // --- choices
 
 void property_node(GraphMaker& maker, std::size_t node) {
+    if (!maker.property(maker.node(node).refers)) {
+        maker.refuse(node, "the graph does not have its property");
+        return;
+    }
     maker.set(node, 0, maker.property_term(node));
 }
 
@@ -229,17 +233,13 @@ void keyword(GraphMaker& maker, std::size_t node) {
         return;
     }
     const std::string name = "$" + maker.property_name(*keyword);
-    const std::vector<Json>& entries = elements_of(keyword->json, "m_Entries");
-    if (whole_of(keyword->json, "m_KeywordType") == 0 || entries.empty()) {
+    const std::vector<KeywordEntry> entries = keyword_entries(*keyword);
+    if (entries.empty()) {
         choose(maker, node, 0, {{name, 1}, {"", 2}});
         return;
     }
     std::vector<std::pair<std::string, int>> cases;
-    Names words;
-    for (const Json& entry : entries)
-        cases.push_back(
-            {fmt::format("{} == {}", name, words.unique(identifier(text_of(&entry, "displayName")), "Value")),
-             whole_of(&entry, "id")});
+    for (const KeywordEntry& each : entries) cases.push_back({fmt::format("{} == {}", name, each.word), each.id});
     choose(maker, node, 0, cases);
 }
 

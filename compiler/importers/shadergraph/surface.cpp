@@ -61,6 +61,13 @@ Term GraphMaker::block_value(const Block& block, Type type) {
     return stand_in(type);
 }
 
+// The remark of a block whose value was read.
+void GraphMaker::say_block(std::string part, std::string text, Place place) {
+    const std::string wrong = take_misreads();
+    remark(wrong.empty() ? Remark::Kind::Taken : Remark::Kind::Changed, std::move(part),
+           wrong.empty() ? text : text + ": " + wrong, place);
+}
+
 void GraphMaker::add_pinned(std::string id, const Block& block) {
     const Term term = input(block.node, block.slot);
     written(term, fmt::format("the node '{}'", id));
@@ -79,15 +86,10 @@ void GraphMaker::make_surface() {
     for (const Block& block : graph_.blocks) {
         const std::string part = fmt::format("block '{}'", block.name);
         const bool is_set = is_linked(block.node, block.slot);
-        const Slot* slot = node(block.node).slot(block.slot);
-        if (!slot) {
-            remark(Remark::Kind::Changed, part, "it has no slot: its default is used", block.place);
-            continue;
-        }
         if (const std::size_t hash = block.name.find('#'); block.is_vertex && hash != block.name.npos) {
             const std::string id = camel_case(std::string_view(block.name).substr(0, hash));
             add_pinned(id, block);
-            remark(Remark::Kind::Taken, part, fmt::format("the node '{}', computed for each vertex", id), block.place);
+            say_block(part, fmt::format("the node '{}', computed for each vertex", id), block.place);
             continue;
         }
         if (block.is_vertex) {
@@ -100,7 +102,7 @@ void GraphMaker::make_surface() {
                 const Term term = block_value(block, row->type);
                 written(term, fmt::format("'vertex.{}'", row->input));
                 vertex.push_back({std::string(row->input), term.value()});
-                remark(Remark::Kind::Taken, part, fmt::format("'vertex.{}'", row->input), block.place);
+                say_block(part, fmt::format("'vertex.{}'", row->input), block.place);
             }
             continue;
         }
@@ -113,16 +115,21 @@ void GraphMaker::make_surface() {
                    block.place);
             continue;
         }
-        Term term = block_value(block, row->type);
         std::string key(row->input);
         if (settings.is_specular && key == "smoothness") key = "glossiness";
+        if (!node(block.node).slot(block.slot)) {
+            remark(Remark::Kind::LeftOut, part, "the file does not have its slot", block.place);
+            file_.surface.push_back({key, stand_in(row->type == Type::Float4 ? Type::Float3 : row->type).value()});
+            continue;
+        }
+        Term term = block_value(block, row->type);
         if (block.name == "SpriteColor") {  // a colour with its alpha
             alpha = swizzled(term, "w");
             alpha.owner = term.owner;
             term = swizzled(named(term), "xyz");
         }
         written(term, fmt::format("'surface.{}'", key));
-        remark(Remark::Kind::Taken, part, fmt::format("'surface.{}'", key), block.place);
+        say_block(part, fmt::format("'surface.{}'", key), block.place);
         if (key == "alpha") {
             alpha = term;
             continue;
@@ -185,7 +192,7 @@ void GraphMaker::make_outputs() {
         const Term term = input(block.node, block.slot);
         written(term, fmt::format("the output '{}'", name));
         outputs.push_back({name, output_value(term)});
-        remark(Remark::Kind::Taken, part, fmt::format("the output '{}'", name), block.place);
+        say_block(part, fmt::format("the output '{}'", name), block.place);
     }
     std::string all;
     for (const Value& each : inputs_) all += (all.empty() ? "" : ", ") + each.json;

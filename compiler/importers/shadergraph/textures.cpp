@@ -40,7 +40,7 @@ std::string_view type_word(Type type) {
 // 0 white, 1 black, 2 grey, 3 normal map, 4 linear grey, 5 red
 std::string_view default_word(int kind) {
     static constexpr std::string_view kWords[] = {"white", "black", "gray", "bump", "gray", "white"};
-    return kWords[std::clamp(kind, 0, 5)];
+    return kWords[kind];
 }
 
 }  // namespace
@@ -119,7 +119,7 @@ void GraphMaker::finish_textures() {
             if (property_name(each) == name) source = &each;
         if (source && made->type.empty()) {
             const Type type = type_of_property(source->kind);
-            const int default_type = type == Type::Texture2D ? whole_of(source->json, "m_DefaultType") : 0;
+            const int default_type = type == Type::Texture2D ? whole_in(source->json, "m_DefaultType", 0, 0, 5) : 0;
             const Picture picture = picture_of(project_, member(source->json, "m_Value"));
             made->type = type_word(type);
             made->value = text(picture.file.empty() ? default_word(default_type) : std::string_view(picture.file));
@@ -139,6 +139,8 @@ void GraphMaker::finish_textures() {
         const bool is_data = use.is_linear || (use.is_data && !use.is_color);
         if (made->type == "texture2d" && (use.is_normal || is_data))
             made->more.push_back({"usage", text(use.is_normal ? "normal" : "data")});
+        if (const std::string wrong = (source ? source->misread : "") + take_misreads(); !wrong.empty())
+            difference += (difference.empty() ? "" : "; ") + wrong;
         if (source)
             remark(difference.empty() ? Remark::Kind::Taken : Remark::Kind::Changed,
                    fmt::format("property '{}'", source->name),

@@ -74,10 +74,11 @@ public:
 
     void read() {
         made_.name = material_.word("m_Name");
+        const bool is_newer = version(material_, "the file", 8);
         for (std::size_t i = 0; i < material_.values.size(); ++i) {
             const std::string& key = material_.keys[i];
             const Yaml& value = material_.values[i];
-            if (key == "m_Name") continue;
+            if (key == "m_Name" || (key == "serializedVersion" && is_newer)) continue;
             if (key == "m_Shader" || key == "m_Parent") {
                 (key == "m_Shader" ? made_.shader : made_.parent) = asset_of(&value);
                 (key == "m_Shader" ? made_.shader_place : made_.parent_place) = material_.key_places[i];
@@ -142,7 +143,18 @@ private:
         return false;
     }
 
+    bool version(const Yaml& map, std::string part, int newest) {
+        const Yaml* found = map.find("serializedVersion");
+        double number = 0;
+        if (!found || !read_finite(found->text, number) || number <= newest) return false;
+        problem(std::move(part),
+                fmt::format("it is of version {}; {} is the newest that is known: read as that", found->text, newest),
+                found->place);
+        return true;
+    }
+
     void properties(const Yaml& saved) {
+        version(saved, "setting 'm_SavedProperties'", 3);
         for (const std::string_view key : {"m_Floats", "m_Ints"})
             for (const Entry& each : entries_of(saved.find(key))) {
                 SavedNumber made{.place = each.place};

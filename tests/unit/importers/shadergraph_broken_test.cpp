@@ -39,11 +39,146 @@ TEST(BrokenShaderGraph, WhatIsMissingIsSaid) {
     graph.edges.push_back({"a", 99, "mix", 1});
     graph.nodes.push_back({.id = "u", .kind = "NodeOfTheFuture", .slots = {{0}, out(1)}, .name = "Future"});
     graph.edges.push_back({"u", 1, "mix", 1});
+    graph.edges.push_back({"a", 0, "mix", 99});
+    graph.edges.push_back({"a", 0, "nobody", 1});
     const Imported made = import_graph(graph);
-    EXPECT_NE(remarks(made, Remark::Kind::Changed).find("a node at its end does not exist"), std::string::npos);
-    EXPECT_NE(remarks(made, Remark::Kind::Changed).find("the slot at its end does not exist"), std::string::npos);
-    EXPECT_NE(remarks(made, Remark::Kind::LeftOut).find("'NodeOfTheFuture' is no node"), std::string::npos);
+    EXPECT_TRUE(made.has_refused);
+    const std::string refused = remarks(made, Remark::Kind::LeftOut);
+    for (const char* each :
+         {"edge from the node 'nobody' (slot 0) to 'Lerp' (S1): the node at its beginning does not exist\n",
+          "edge from 'Property' (slot 99) to 'Lerp' (S1): the slot at its beginning does not exist\n",
+          "edge from 'Property' (S0) to 'Lerp' (slot 99): the slot at its end does not exist\n",
+          "edge from 'Property' (S0) to the node 'nobody' (slot 1): the node at its end does not exist\n"})
+        EXPECT_NE(refused.find(each), std::string::npos) << each << "\n" << refused;
+    EXPECT_NE(remarks(made, Remark::Kind::Changed).find("a second value for 'S1': the first one counts"),
+              std::string::npos);
+    EXPECT_NE(text_of(made).find("not imported: the node at its beginning does not exist"), std::string::npos)
+        << text_of(made);
     expect_compiles(made, "missing");
+}
+
+// `text` with the first `from` replaced.
+std::string with(std::string text, const std::string& from, const std::string& to) {
+    const std::size_t at = text.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    return at == std::string::npos ? text : text.replace(at, from.size(), to);
+}
+
+TEST(BrokenShaderGraph, LostObjectsAreRefused) {
+    // A constant that is seen stands for what reads them.
+    const std::string text = painted().new_layout(), old = painted().old_layout();
+    const std::pair<std::string, const char*> broken[] = {
+        {with(text, R"("m_ObjectId":"product")", R"("m_ObjectId":"other")"),
+         "a node: the file has no object 'product'\n"},
+        {with(text, R"("m_ObjectId":"mix.2")", R"("m_ObjectId":"other")"),
+         "node 'Lerp': the file does not have its slot 'mix.2' ("},
+        {with(text, R"("m_ObjectId":"wear")", R"("m_ObjectId":"other")"),
+         "a property: the file has no object 'wear'\n"},
+        {with(text, R"("m_ObjectId":"wear")", R"("m_ObjectId":"other")"),
+         "node 'Property': the graph does not have its property\n"},
+        {with(text, R"("m_ObjectId":"BaseColor.0")", R"("m_ObjectId":"other")"),
+         "block 'BaseColor': the file does not have its slot\n"},
+        {with(old, R"(\"m_GuidSerialized\":\"product\")", R"(\"m_GuidSerialized\":product)"),
+         "a node: its JSON cannot be read\n"},
+        {with(old, R"(\"m_GuidSerialized\":\"product\")", R"(\"m_GuidSerialized\":product)"),
+         "edge from the node 'product' (slot 2) to 'Lerp' (S0): the node at its beginning does not exist\n"},
+        {with(old, R"(\\\"x\\\":0.5)", R"(\\\"x\\\":NaN)"), "node 'Lerp': the JSON of its slot cannot be read (1:"}};
+    for (const auto& [file, reason] : broken) {
+        const Imported made = import_text(file);
+        EXPECT_TRUE(made.has_refused) << reason;
+        EXPECT_NE(remarks(made, Remark::Kind::LeftOut).find(reason), std::string::npos)
+            << reason << "\n"
+            << remarks(made, Remark::Kind::LeftOut) << made.error;
+        expect_compiles(made, reason);
+    }
+}
+
+// A value that is there and cannot be taken is said with its place, and with what is taken.
+TEST(BrokenShaderGraph, WrongValuesAreSaid) {
+    ShaderGraphText graph = painted();
+    graph.target = R"("m_SurfaceType":1,"m_AlphaMode":0,"m_RenderFace":2,"m_ZTestMode":4)";
+    graph.nodes.back().more = R"("m_DrawState":{"m_Position":{"x":1.0,"y":2.0}})";
+    graph.properties.push_back({.id = "ramp",
+                                .kind = "Gradient",
+                                .name = "Ramp",
+                                .value = R"({"m_Mode":0,"m_NumColorKeys":2,"m_NumAlphaKeys":2})"});
+    const std::string text = graph.new_layout(), old = graph.old_layout();
+    struct {
+        const char *from, *to, *said;
+    } const values[] = {
+        {R"("m_Value":0.25)", R"("m_Value":"NaN")",
+         R"(property 'Wear': .*'m_Value' \(\d+:\d+\) is "NaN", not a number: 0 is taken)"},
+        {R"("m_Value":0.25)", R"("m_Value":null)", R"(property 'Wear': .*'m_Value' \(\d+:\d+\) is null, not a number)"},
+        {R"("m_Value":0.25)", R"("m_Value":{"x":[]})", R"(property 'Wear': .* is an object, not a number: 0 is taken)"},
+        {R"("m_Value":0.25)", R"("m_Value":1e308)", R"(property 'Wear': .* is 1e\+308, not a number of 32 bits)"},
+        {R"("x":0.5,"y":0.5)", R"("x":[],"y":0.5)",
+         R"(node 'Lerp': .*'m_Value.x' \(\d+:\d+\) is a list, not a number)"},
+        {R"("m_RangeValues":{"x":0.0,"y":1.0})", R"("m_RangeValues":3)",
+         R"(property 'Wear': .*'m_RangeValues' \(\d+:\d+\) is 3, not an object)"},
+        {R"({"x":0.0,"y":1.0})", R"({"x":1.0,"y":0.0})",
+         R"(property 'Wear': .*its range begins at 1 and ends at 0: it has none)"},
+        {R"("m_FloatType":1)", R"("m_FloatType":7)",
+         R"(property 'Wear': .* is 7, not a number from 0 to 3: 0 is taken)"},
+        {R"("m_Value":0.25,"m_FloatType":1)", R"("m_Value":3e9,"m_FloatType":2)",
+         R"(property 'Wear': .*its default is 3000000000, )"},
+        {R"("m_SurfaceType":1)", R"("m_SurfaceType":"glass")",
+         R"(setting 'Surface Type': 'opaque': 'm_SurfaceType' \(\d+:\d+\) is "glass", not a whole number: 0 is taken)"},
+        {R"("m_SurfaceType":1)", R"("m_SurfaceType":17)",
+         R"(setting 'Surface Type': .*is 17, not a number from 0 to 1: 0 is taken)"},
+        {R"("m_AlphaMode":0)", R"("m_AlphaMode":9)",
+         R"(setting 'Surface Type': .*is 9, not a number from 0 to 3: 0 is taken)"},
+        {R"("m_RenderFace":2)", R"("m_RenderFace":-1)",
+         R"(setting 'Render Face': .*is -1, not a number from 0 to 2: 2 is taken)"},
+        {R"("m_ZTestMode":4)", R"("m_ZTestMode":[])", R"('m_ZTestMode' \(\d+:\d+\) is a list, not a whole number)"},
+        {R"("m_Mode":0)", R"("m_Mode":7)", R"(property 'Ramp': .*is 7, not a number from 0 to 2: 0 is taken)"},
+        {R"("m_NumColorKeys":2)", R"("m_NumColorKeys":200)",
+         R"(property 'Ramp': .*is 200, not a number from 1 to 8: 8 is taken)"},
+        {R"({"x":1.0,"y":2.0})", R"({"x":1e308,"y":[]})",
+         R"(node 'Lerp': .*m_Position.x' .* is 1e\+308, not .*m_Position.y' .* is a list)"},
+        {R"("m_SlotType":0)", R"("m_SlotType":5)", R"(node 'Sample Texture 2D': .*is 5, not a number from 0 to 1)"}};
+    for (const auto& each : values) {
+        const Imported made = import_text(with(text, each.from, each.to));
+        EXPECT_TRUE(std::regex_search(remarks(made, Remark::Kind::Changed), std::regex(each.said)))
+            << each.to << "\n"
+            << remarks(made, Remark::Kind::Changed) << made.error;
+        EXPECT_FALSE(made.has_refused) << each.to;
+        expect_compiles(made, each.to);
+    }
+    const Imported made = import_text(with(old, R"(\"m_AlphaMode\":0)", R"(\"m_AlphaMode\":9)"));
+    EXPECT_TRUE(std::regex_search(remarks(made, Remark::Kind::Changed),
+                                  std::regex(R"('m_AlphaMode' \(1:\d+\) is 9, not a number from 0 to 3)")))
+        << remarks(made, Remark::Kind::Changed);
+}
+
+// Without its lists and ids, nothing of the graph is known.
+TEST(BrokenShaderGraph, BrokenListsAndIdsAreErrors) {
+    const std::string text = painted().new_layout(), old = painted().old_layout();
+    const std::pair<std::string, const char*> broken[] = {
+        {with(text, R"("m_Edges":[{)", R"("m_Edges":7,"more":[{)"), R"(:1:\d+: 'm_Edges' is 7, not a list)"},
+        {with(text, R"("m_Nodes":[)", R"("m_Nodes":"x","more":[)"), R"(:1:\d+: 'm_Nodes' is "x", not a list)"},
+        {with(text, R"("m_Nodes":[{"m_Id":"a"})", R"("m_Nodes":[5)"), R"(:1:\d+: 'a node' is 5, not a reference)"},
+        {with(text, R"("m_Id":0,"m_DisplayName")", R"("m_Id":"four","m_DisplayName")"),
+         R"(:\d+:\d+: 'm_Id' is "four", not a whole number)"},
+        {with(text, R"("m_SlotId":0)", R"("m_SlotId":99999999999999999999)"),
+         R"(SlotId' is 1e\+20, not a whole number)"},
+        {with(old, R"("m_SerializableEdges":[)", R"("m_SerializableEdges":{},"more":[)"),
+         R"(:1:\d+: 'm_SerializableEdges' is an object, not a list)"}};
+    for (const auto& [file, said] : broken)
+        EXPECT_TRUE(std::regex_search(import_text(file).error, std::regex(said))) << said << "\n"
+                                                                                  << import_text(file).error;
+}
+
+TEST(BrokenShaderGraph, NewerVersionsAreSaid) {
+    ShaderGraphText graph = painted();
+    graph.nodes.back().version = 7;
+    const Imported made = import_text(with(graph.new_layout(), R"("m_SGVersion":3)", R"("m_SGVersion":9)"));
+    const std::string changed = remarks(made, Remark::Kind::Changed);
+    EXPECT_NE(changed.find("the file: it is of version 9; 3 is the newest that is known: read as that\n"),
+              std::string::npos)
+        << changed;
+    EXPECT_NE(changed.find("it is of version 7; 0 is the newest that is known: read as that\n"), std::string::npos)
+        << changed;
+    EXPECT_EQ(remarks(import_graph(painted()), Remark::Kind::Changed), "");
 }
 
 // Each level reads the one before it twice: what is noted of a value must not double with each.
@@ -147,16 +282,27 @@ TEST(BrokenShaderGraph, NamesOfFilesStayShort) {
     expect_compiles(made, "a long name");
 }
 
-// What only a refused node would read is not left in the graph.
-TEST(BrokenShaderGraph, NothingIsMadeForARefusedNode) {
+// What a refused node reads stays in the graph, so that its author can put a node of his own in its place.
+TEST(BrokenShaderGraph, WhatARefusedNodeReadsIsKept) {
     ShaderGraphText graph = painted();
-    graph.nodes.push_back({.id = "u", .kind = "NodeOfTheFuture", .slots = {{0}, out(1)}, .name = "Future"});
-    graph.edges = {{"b", 0, "sample", 1}, {"sample", 0, "u", 0}, {"u", 1, "BaseColor"}};
+    graph.nodes.push_back(
+        {.id = "u", .kind = "NodeOfTheFuture", .slots = {{0}, {1}, {2}, out(3)}, .name = "Future", .group = "g"});
+    graph.nodes[4].group = "g";
+    graph.more_of_graph = R"("m_GroupDatas":[{"m_Id":"g"}])";
+    graph.more_objects =
+        R"({"m_Type":"UnityEditor.ShaderGraph.GroupData","m_ObjectId":"g","m_Title":"Where all is mixed"})";
+    graph.edges = {{"b", 0, "sample", 1}, {"sample", 0, "product", 0}, {"a", 0, "product", 1}, {"product", 2, "u", 0},
+                   {"c", 0, "u", 1},      {"u", 3, "BaseColor"}};
     const Imported made = import_graph(graph);
-    EXPECT_EQ(text_of(made).find("SampleTexture2D"), std::string::npos) << text_of(made);
-    EXPECT_NE(remarks(made, Remark::Kind::Taken).find("node 'Sample Texture 2D': only what is not imported reads it"),
-              std::string::npos)
+    const std::string& text = text_of(made);
+    EXPECT_NE(text.find("SampleTexture2D"), std::string::npos) << text;
+    EXPECT_NE(text.find(R"({ "id": "multiply", "expr": "mainTex * $_Tint" })"), std::string::npos) << text;
+    EXPECT_NE(text.find("It read S0 = multiply, S1 = $_Wear"), std::string::npos) << text;
+    EXPECT_NE(text.find("// Where all is mixed"), std::string::npos) << text;
+    EXPECT_NE(remarks(made, Remark::Kind::Taken).find("node 'Multiply': the node 'multiply'"), std::string::npos)
         << remarks(made, Remark::Kind::Taken);
+    EXPECT_NE(remarks(made, Remark::Kind::Taken).find("node 'Lerp': nothing reads it"), std::string::npos);
+    EXPECT_EQ(text.find("lerp"), std::string::npos) << text;
     expect_compiles(made, "refused");
 }
 

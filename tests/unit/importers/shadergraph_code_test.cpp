@@ -72,6 +72,43 @@ TEST(ShaderGraphCode, CodeThatTheNodeLanguageCannotSayBecomesForeign) {
     EXPECT_EQ(glsl.diagnostics[0].code, "foreign-text");
 }
 
+// Code with a mistake is no HLSL either, so it does not become the text of a [foreign] function.
+TEST(ShaderGraphCode, CodeThatIsNoHlslIsRefusedAtItsLine) {
+    const std::pair<const char*, const char*> mistakes[] = {
+        {R"(float3 C = A;\nOut = C * ;)", "line 2 of its code: a value is missing before ';', in 'Out = C * ;'"},
+        {R"(Out = A * B\nfloat x = 1;)", "line 1 of its code: a ';' is missing before 'float', in 'Out = A * B'"},
+        {R"(Out = A * (B + 1;)", "line 1 of its code: "},
+        {R"(Out = A;\nwhile B > 1 { Out = A; })", "line 2 of its code: a '(' is missing before 'B'"},
+        {R"(Out = A;\nfor (int i = 0; i < 3) Out = A;)", "line 2 of its code: a ';' is missing before ')'"},
+        {R"(Out = pow(A, );)", "line 1 of its code: a value is missing before ')'"},
+        {R"(Out = A.;)", "line 1 of its code: a name is missing before ';'"},
+        {R"(Out = A; else Out = A;)", "line 1 of its code: a value is missing before 'else'"},
+        {R"(float = 1;\nOut = A * ? 1 : 2;)", "line 2 of its code: a value is missing before '?'"}};
+    for (const auto& [body, reason] : mistakes) {
+        const Imported made = import_graph(one_node(custom(body), 2));
+        EXPECT_TRUE(made.has_refused) << body;
+        EXPECT_NE(remarks(made, Remark::Kind::LeftOut).find(reason), std::string::npos)
+            << body << "\n"
+            << remarks(made, Remark::Kind::LeftOut);
+        expect_compiles(made, body);
+    }
+}
+
+// All of it is HLSL, and the node language lacks a part of it.
+TEST(ShaderGraphCode, WellFormedHlslBecomesForeign) {
+    for (
+        const char* body :
+        {R"(static const float3 kAll[2] = { float3(1, 0, 0), { 0, 1, 0 } };\nOut = kAll[1] * (float3)A;)",
+         R"(float3 C = (float3)0, D;\n[loop] while (C.x < .5e+1) { C += 1; if (C.y > 2) break; }\nOut = C;)",
+         R"(int i = 0;\ndo { i++; } while (i < 3 && !(B > 1));\nOut = -A * i;)",
+         R"(float x = B > 1 ? 1 : B < 0 ? 2 : (3, 4);\nwhile (x > 9) { --x; continue; }\nOut = A * x;)",
+         R"(uint u = (uint)B;\nswitch (u) { case 0: Out = A; break; default: Out = A * 2; }\nwhile (u > 9u) u >>= 1;)"}) {
+        const Imported made = import_graph(one_node(custom(body), 2));
+        EXPECT_FALSE(made.has_refused) << body << "\n" << remarks(made, Remark::Kind::LeftOut);
+        EXPECT_NE(text_of(made, "Glow.node.hlsl").find("[foreign]"), std::string::npos) << body;
+    }
+}
+
 // What the engine declares is not in the text.
 TEST(ShaderGraphCode, CodeThatReadsTheEngineIsNotForeign) {
     const Imported made =

@@ -350,7 +350,7 @@ TEST(ShaderGraphImport, KeywordsAreVariants) {
               .name = "Quality",
               .value = "1",
               .more =
-                  R"("m_KeywordType":1,"m_IsEditable":true,"m_Entries":[{"id":4,"displayName":"Low","referenceName":"LOW"},{"id":7,"displayName":"High","referenceName":"HIGH"}])",
+                  R"("m_KeywordType":1,"m_IsEditable":true,"m_Entries":[{"id":4,"displayName":"Low","referenceName":"LOW"},{"id":7,"displayName":"As Built","referenceName":"HIGH"}])",
               .reference = "_QUALITY"}},
         .nodes = {{.id = "a",
                    .kind = "KeywordNode",
@@ -366,9 +366,18 @@ TEST(ShaderGraphImport, KeywordsAreVariants) {
     EXPECT_NE(text_of(made).find(R"("name": "_MUD", "type": "bool", "default": true, "as": "variant")"),
               std::string::npos)
         << text_of(made);
-    EXPECT_NE(text_of(made).find(R"("values": ["Low", "High"])"), std::string::npos) << text_of(made);
-    EXPECT_NE(text_of(made).find("$_QUALITY == Low ? 0 : 0.5"), std::string::npos) << text_of(made);
+    // Unity's symbols are made of the reference names. What an inspector shows is a help.
+    EXPECT_NE(text_of(made).find(R"("values": ["LOW", "HIGH"])"), std::string::npos) << text_of(made);
+    EXPECT_NE(text_of(made).find(R"("help": "HIGH is As Built")"), std::string::npos) << text_of(made);
+    EXPECT_NE(text_of(made).find("$_QUALITY == LOW ? 0 : 0.5"), std::string::npos) << text_of(made);
     expect_compiles(made, "keywords");
+    CompileOptions options;
+    options.targets = compiler().targets("unity");
+    const Result unity = compiler().compile_text("x.graph.json", text_of(made), options);
+    bool has_symbol = false;
+    for (const Shader& each : unity.shaders)
+        has_symbol |= each.text.find("_QUALITY_LOW _QUALITY_HIGH") != std::string::npos;
+    EXPECT_TRUE(has_symbol);
 }
 
 TEST(ShaderGraphImport, SubgraphsAreFoundByGuid) {

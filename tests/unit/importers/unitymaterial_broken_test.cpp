@@ -100,6 +100,22 @@ TEST(BrokenUnityMaterial, ValuesThatAreNoNumbersAreSaid) {
     expect_compiles(made, "no blue");
 }
 
+TEST(BrokenUnityMaterial, NewerVersionsAreSaid) {
+    const std::string good = painted().text();
+    EXPECT_EQ(remarks(import_text(good), Remark::Kind::Changed).find("newest"), std::string::npos);
+    const Imported made = import_text(replaced(replaced(good, "serializedVersion: 8", "serializedVersion: 800"),
+                                               "    serializedVersion: 3", "    serializedVersion: 99"));
+    const std::string changed = remarks(made, Remark::Kind::Changed);
+    EXPECT_NE(changed.find("the file: it is of version 800; 8 is the newest that is known: read as that"),
+              std::string::npos)
+        << changed;
+    EXPECT_NE(
+        changed.find("setting 'm_SavedProperties': it is of version 99; 3 is the newest that is known: read as that"),
+        std::string::npos)
+        << changed;
+    expect_compiles(made, "newer");
+}
+
 TEST(BrokenUnityMaterial, PropertiesAreReadOnce) {
     MaterialText material = painted();
     material.numbers.push_back({"_Glossiness", "0.75"});

@@ -110,14 +110,21 @@ TEST(UnityMaterialOfAGraph, KeywordsAreVariants) {
                              .value = "0",
                              .more = R"("m_KeywordType":1,"m_KeywordDefinition":0,"m_IsEditable":true,)"
                                      R"("m_Entries":[{"id":1,"displayName":"Sun","referenceName":"SUN"},)"
-                                     R"({"id":2,"displayName":"Rain","referenceName":"RAIN"}])",
+                                     R"({"id":2,"displayName":"Heavy Rain","referenceName":"WET"}])",
                              .reference = "_SKY"});
     folder.save("Rock.shadergraph", text.new_layout(), kGraph);
     MaterialText on = material();
-    on.keywords = {"_MUD", "_SKY_RAIN"};
-    const std::string scene = file_of(import_in(folder, on), "x.scene.json");
+    on.keywords = {"_MUD", "_SKY_WET", "_SKY_SNOW"};
+    const Imported made = import_in(folder, on);
+    const std::string scene = file_of(made, "x.scene.json");
     EXPECT_NE(scene.find("\"_MUD\": true"), std::string::npos) << scene;
-    EXPECT_NE(scene.find("\"_SKY\": \"Rain\""), std::string::npos) << scene;
+    EXPECT_NE(scene.find("\"_SKY\": \"WET\""), std::string::npos) << scene;
+    std::string keywords;
+    for (const Remark& each : made.remarks)
+        if (each.part.starts_with("keyword")) keywords += each.part + ": " + each.text + "\n";
+    EXPECT_EQ(keywords,
+              "keyword '_MUD': the value of '_MUD'\nkeyword '_SKY_WET': the value of '_SKY'\n"
+              "keywords _SKY_SNOW: not read by this shader\n");
     const std::string off = file_of(import_in(folder, material()), "x.scene.json");
     EXPECT_EQ(off.find("_MUD"), std::string::npos) << off;
 }

@@ -8,6 +8,7 @@
 #include <iterator>
 
 #include "compiler/base/text.h"
+#include "compiler/importers/shadergraph/code/hlsl_grammar.h"
 #include "compiler/importers/shadergraph/code/hlsl_text.h"
 #include "compiler/importers/shadergraph/code/texture_reads.h"
 #include "compiler/importers/shadergraph/code/unknown_words.h"
@@ -214,6 +215,24 @@ std::string engine_word(const Code& code) {
     return unknown(code.main, code.engine_values);
 }
 
+// The first place where the code is no HLSL; empty: it is well-formed.
+std::string grammar_mistake(const Code& code, bool is_file) {
+    const auto said = [&](const HlslFunction& function) -> std::string {
+        const std::optional<SyntaxError> wrong = syntax_error(function.body);
+        if (!wrong) return {};
+        std::string_view line = function.body;
+        for (int i = 1; i < wrong->line; ++i) line.remove_prefix(std::min(line.find('\n') + 1, line.size()));
+        line = line.substr(0, line.find('\n'));
+        line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
+        return fmt::format("line {} of its {}: {}, in '{}'", wrong->line,
+                           is_file ? fmt::format("function '{}'", function.name) : "code", wrong->text,
+                           line.substr(0, 80));
+    };
+    for (const HlslFunction& each : code.helpers)
+        if (std::string wrong = said(each); !wrong.empty()) return wrong;
+    return said(code.main);
+}
+
 // What is wrong with the node file; empty: nothing.
 std::string mistake(const std::string& file, const std::string& text) {
     CompileOptions options;
@@ -255,6 +274,10 @@ void make_custom_function(GraphMaker& maker, std::size_t index) {
     std::string text = node_file(code, name, own, false);
     const std::string any_file = name + ".node.hlsl";
     if (const std::string wrong = mistake(any_file, text); !wrong.empty()) {
+        if (const std::string no_hlsl = grammar_mistake(code, is_file); !no_hlsl.empty()) {
+            maker.refuse(index, "its code is neither the node language nor HLSL: " + no_hlsl);
+            return;
+        }
         if (const std::string word = engine_word(code); !word.empty()) {
             maker.refuse(index, fmt::format("its code is not valid in the node language: {}. Nor is it whole as HLSL: "
                                             "the engine, or another part of its file, declares '{}'",

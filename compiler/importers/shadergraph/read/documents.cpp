@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "compiler/base/diagnostics.h"
+#include "compiler/importers/shadergraph/read/misreads.h"
 
 namespace patina::importers::shadergraph {
 namespace {
@@ -127,43 +128,119 @@ const Json* member(const Json* object, std::string_view path) {
     return object;
 }
 
-std::string_view text_of(const Json* object, std::string_view path) {
-    const Json* found = member(object, path);
-    return found && found->kind == Json::Kind::String ? std::string_view(found->string) : std::string_view();
+namespace {
+
+// The member, if there is something of that name. What lies on the way to it must be objects.
+const Json* asked_for(const Json* object, std::string_view path, std::string_view wanted, std::string_view taken) {
+    std::size_t end = 0;
+    while (object && end < path.size()) {
+        if (object->kind != Json::Kind::Object) {
+            note_misread(*object, end > 0 ? path.substr(0, end - 1) : path, "an object with " + std::string(wanted),
+                         taken);
+            return nullptr;
+        }
+        const std::size_t dot = std::min(path.find('.', end), path.size());
+        object = object->find(path.substr(end, dot - end));
+        end = dot + (dot < path.size());
+    }
+    return object;
 }
 
-double number_of(const Json* object, std::string_view path, double otherwise) {
-    const Json* found = member(object, path);
+// `key`: as a message calls it.
+double number_in(const Json* found, std::string_view key, double otherwise, std::string_view wanted = "a number") {
     if (!found) return otherwise;
     if (found->kind == Json::Kind::Bool) return found->boolean ? 1 : 0;
     // A number of a graph must fit a float of 32 bits, also after it was rounded to its shortest text.
     constexpr double kLargest = 3.4e38;
-    if (found->kind != Json::Kind::Number || !std::isfinite(found->number)) return otherwise;
-    return std::clamp(found->number, -kLargest, kLargest);
+    if (found->kind != Json::Kind::Number || !std::isfinite(found->number)) {
+        note_misread(*found, key, wanted, fmt::format("{}", otherwise));
+        return otherwise;
+    }
+    if (std::abs(found->number) <= kLargest) return found->number;
+    const double nearest = std::copysign(kLargest, found->number);
+    note_misread(*found, key, "a number of 32 bits", fmt::format("{}", nearest));
+    return nearest;
+}
+
+}  // namespace
+
+std::string_view text_of(const Json* object, std::string_view path) {
+    const Json* found = asked_for(object, path, "a text", "none");
+    if (!found) return {};
+    if (found->kind == Json::Kind::String) return found->string;
+    if (found->kind != Json::Kind::Null) note_misread(*found, path, "a text", "none");
+    return {};
+}
+
+double number_of(const Json* object, std::string_view path, double otherwise) {
+    return number_in(asked_for(object, path, "a number", fmt::format("{}", otherwise)), path, otherwise);
 }
 
 int whole_of(const Json* object, std::string_view path, int otherwise) {
-    const double number = number_of(object, path, otherwise);
-    return std::abs(number) < 2147483648.0 ? static_cast<int>(number) : otherwise;
+    const Json* found = asked_for(object, path, "a whole number", fmt::format("{}", otherwise));
+    const double number = number_in(found, path, otherwise, "a whole number");
+    if (std::abs(number) >= 2147483648.0) {
+        note_misread(*found, path, "a whole number of 32 bits", fmt::format("{}", otherwise));
+        return otherwise;
+    }
+    const int whole = static_cast<int>(number);
+    if (whole != number) note_misread(*found, path, "a whole number", fmt::format("{}", whole));
+    return whole;
+}
+
+int whole_in(const Json* object, std::string_view path, int otherwise, int low, int high) {
+    const int whole = whole_of(object, path, otherwise);
+    if (whole >= low && whole <= high) return whole;
+    if (const Json* found = member(object, path))
+        note_misread(*found, path, fmt::format("a number from {} to {}", low, high), fmt::format("{}", otherwise));
+    return otherwise;
+}
+
+int id_of(const Json* object, std::string_view path) {
+    const Json* found = member(object, path);
+    if (!found) return 0;
+    const bool is_whole = found->kind == Json::Kind::Number && std::abs(found->number) < 2147483648.0 &&
+                          std::trunc(found->number) == found->number;
+    if (!is_whole) note_broken(*found, path, "a whole number of 32 bits");
+    return is_whole ? static_cast<int>(found->number) : 0;
 }
 
 bool flag_of(const Json* object, std::string_view path, bool otherwise) {
-    return number_of(object, path, otherwise ? 1 : 0) != 0;
+    const std::string_view taken = otherwise ? "true" : "false";
+    const Json* found = asked_for(object, path, "true or false", taken);
+    if (!found) return otherwise;
+    if (found->kind == Json::Kind::Bool) return found->boolean;
+    if (found->kind == Json::Kind::Number) return found->number != 0;
+    note_misread(*found, path, "true or false", taken);
+    return otherwise;
 }
 
 const std::vector<Json>& elements_of(const Json* object, std::string_view path) {
     static const std::vector<Json> kNone;
-    const Json* found = member(object, path);
-    return found && found->kind == Json::Kind::Array ? found->elements : kNone;
+    const Json* found = asked_for(object, path, "a list", "an empty one");
+    if (!found) return kNone;
+    if (found->kind == Json::Kind::Array) return found->elements;
+    if (found->kind == Json::Kind::Null) return kNone;
+    note_broken(*found, path, "a list");
+    note_misread(*found, path, "a list", "an empty one");
+    return kNone;
 }
 
 std::vector<double> vector_of(const Json* object, std::string_view path, std::size_t count) {
-    const Json* found = member(object, path);
+    const Json* found = asked_for(object, path, "a vector", "0");
     std::vector<double> made(count, 0.0);
-    if (found && found->kind == Json::Kind::Number) std::fill(made.begin(), made.end(), number_of(found, ""));
+    if (!found) return made;
+    if (found->kind == Json::Kind::Number) std::fill(made.begin(), made.end(), number_in(found, path, 0));
+    if (found->kind == Json::Kind::Number) return made;
+    if (found->kind != Json::Kind::Object) {
+        note_misread(*found, path, "a vector", "0");
+        return made;
+    }
     static constexpr std::string_view kNames[] = {"x", "y", "z", "w", "r", "g", "b", "a"};
-    for (std::size_t i = 0; i < std::min<std::size_t>(count, 4); ++i)
-        made[i] = number_of(found, kNames[i], number_of(found, kNames[i + 4], made[i]));
+    for (std::size_t i = 0; i < std::min<std::size_t>(count, 4); ++i) {
+        const std::string_view name = found->find(kNames[i]) ? kNames[i] : kNames[i + 4];
+        made[i] = number_in(found->find(name), fmt::format("{}{}{}", path, path.empty() ? "" : ".", name), 0);
+    }
     return made;
 }
 

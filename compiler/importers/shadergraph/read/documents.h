@@ -60,12 +60,15 @@ private:
 
 Documents read_documents(const std::string& path, std::string text);
 
-// --- members of an object, or what stands for them: a null object has none
+// --- members of an object, or what stands for them: a null object has none. If a member is there and cannot be taken,
+// that is noted (misreads.h).
 
 const Json* member(const Json* object, std::string_view path);  // "m_Conversion.from"
 std::string_view text_of(const Json* object, std::string_view path);
 double number_of(const Json* object, std::string_view path, double otherwise = 0);  // also of true and false
 int whole_of(const Json* object, std::string_view path, int otherwise = 0);         // within +-2^31
+int whole_in(const Json* object, std::string_view path, int otherwise, int low, int high);
+int id_of(const Json* object, std::string_view path);  // one that cannot be taken makes the graph unknown
 bool flag_of(const Json* object, std::string_view path, bool otherwise = false);
 const std::vector<Json>& elements_of(const Json* object, std::string_view path);
 // The components x, y, z, w or r, g, b, a of an object; missing ones are 0.

@@ -27,6 +27,12 @@ public:
             graph_.error = graph_.path + ": it has no object of the type GraphData";
             return;
         }
+        constexpr int kNewest = 3;
+        if (const int version = whole_of(graph_.json, "m_SGVersion"); version > kNewest)
+            graph_.problems.push_back(
+                {"the file",
+                 fmt::format("it is of version {}; {} is the newest that is known: read as that", version, kNewest),
+                 documents_.place(*graph_.json->find("m_SGVersion"))});
         read_nodes();
         read_edges();
         read_blackboard();
@@ -35,16 +41,17 @@ public:
     }
 
 private:
-    void problem(std::string part, std::string text, const Json& at) {
-        graph_.problems.push_back({std::move(part), std::move(text), documents_.place(at)});
+    void lost(std::string part, std::string text, const Json& at) {
+        graph_.problems.push_back({std::move(part), std::move(text), documents_.place(at), true});
     }
     // The object that a reference names; null if it names none. `what`: "a node".
     const Json* target(const Json& reference, std::string_view what) {
+        if (reference.kind != Json::Kind::Object) note_broken(reference, what, "a reference");
         const std::string id(text_of(&reference, "m_Id"));
         if (id.empty()) return nullptr;
         const auto found = by_id_.find(id);
         if (found != by_id_.end()) return found->second;
-        problem(std::string(what), fmt::format("the file has no object '{}'", id), reference);
+        lost(std::string(what), fmt::format("the file has no object '{}'", id), reference);
         return nullptr;
     }
     template <class Each>
@@ -64,8 +71,16 @@ private:
                       .place = documents_.place(json)};
             for (const std::string_view key : {"m_Property.m_Id", "m_Keyword.m_Id", "m_Dropdown.m_Id"})
                 if (node.refers.empty()) node.refers = text_of(&json, key);
-            for_each(&json, "m_Slots", "a slot",
-                     [&](const Json& slot) { node.slots.push_back(read_slot(slot, text_of(&slot, "m_Type"))); });
+            for (const Json& reference : elements_of(&json, "m_Slots")) {
+                const auto slot = by_id_.find(std::string(text_of(&reference, "m_Id")));
+                if (slot != by_id_.end()) {
+                    node.slots.push_back(read_slot(*slot->second, text_of(slot->second, "m_Type")));
+                } else {
+                    const Place at = documents_.place(reference);
+                    node.lost = fmt::format("the file does not have its slot '{}' ({}:{})", text_of(&reference, "m_Id"),
+                                            at.line, at.column);
+                }
+            }
             read_layout(node);
             if (nodes_.try_emplace(node.id, graph_.nodes.size()).second) graph_.nodes.push_back(std::move(node));
         });
@@ -73,16 +88,10 @@ private:
 
     void read_edges() {
         for (const Json& json : elements_of(graph_.json, "m_Edges")) {
-            const auto from = nodes_.find(std::string(text_of(&json, "m_OutputSlot.m_Node.m_Id")));
-            const auto to = nodes_.find(std::string(text_of(&json, "m_InputSlot.m_Node.m_Id")));
-            if (from == nodes_.end() || to == nodes_.end()) {
-                problem("an edge", "a node at its end does not exist", json);
-                continue;
-            }
-            graph_.edges.push_back({.from = from->second,
-                                    .to = to->second,
-                                    .from_slot = whole_of(&json, "m_OutputSlot.m_SlotId"),
-                                    .to_slot = whole_of(&json, "m_InputSlot.m_SlotId"),
+            graph_.edges.push_back({.from_id = std::string(text_of(&json, "m_OutputSlot.m_Node.m_Id")),
+                                    .to_id = std::string(text_of(&json, "m_InputSlot.m_Node.m_Id")),
+                                    .from_slot = id_of(&json, "m_OutputSlot.m_SlotId"),
+                                    .to_slot = id_of(&json, "m_InputSlot.m_SlotId"),
                                     .place = documents_.place(json)});
         }
     }
@@ -126,8 +135,12 @@ private:
         }
         for (const std::string_view context : {"m_VertexContext.m_Blocks", "m_FragmentContext.m_Blocks"})
             for (const Json& reference : elements_of(graph_.json, context)) {
-                const auto found = nodes_.find(std::string(text_of(&reference, "m_Id")));
-                if (found == nodes_.end()) continue;
+                const std::string id(text_of(&reference, "m_Id"));
+                const auto found = nodes_.find(id);
+                if (found == nodes_.end()) {
+                    if (by_id_.contains(id)) lost("a block", fmt::format("the graph has no node '{}'", id), reference);
+                    continue;
+                }
                 const Node& node = graph_.nodes[found->second];
                 const std::string_view name = text_of(node.json, "m_SerializedDescriptor");
                 graph_.blocks.push_back({.name = std::string(name.substr(name.find('.') + 1)),

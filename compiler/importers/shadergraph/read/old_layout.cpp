@@ -75,8 +75,9 @@ private:
     std::pair<const Json*, std::string_view> inner(const Json& element, std::string_view what) {
         const Json* text = member(&element, "JSONnodeData");
         const Json* json = text ? documents_.inner(*text) : nullptr;
-        if (!json) graph_.problems.push_back({std::string(what), "its JSON cannot be read", documents_.place(element)});
-        return {json, text_of(&element, "typeInfo.fullName")};
+        if (!json)
+            graph_.problems.push_back({std::string(what), "its JSON cannot be read", documents_.place(element), true});
+        return {json, json ? text_of(&element, "typeInfo.fullName") : std::string_view()};
     }
 
     void read_nodes() {
@@ -94,8 +95,14 @@ private:
             for (const std::string_view key : {"m_PropertyGuidSerialized", "m_KeywordGuidSerialized"})
                 if (node.refers.empty()) node.refers = text_of(json, key);
             for (const Json& slot : elements_of(json, "m_SerializableSlots")) {
-                const auto [slot_json, slot_type] = inner(slot, "a slot");
-                if (slot_json) node.slots.push_back(read_slot(*slot_json, slot_type));
+                const Json* text = member(&slot, "JSONnodeData");
+                const Json* slot_json = text ? documents_.inner(*text) : nullptr;
+                if (slot_json) {
+                    node.slots.push_back(read_slot(*slot_json, text_of(&slot, "typeInfo.fullName")));
+                } else {
+                    const Place at = documents_.place(slot);
+                    node.lost = fmt::format("the JSON of its slot cannot be read ({}:{})", at.line, at.column);
+                }
             }
             read_layout(node);
             if (!nodes_.try_emplace(node.id, graph_.nodes.size()).second) {
@@ -111,16 +118,10 @@ private:
         for (const Json& element : elements_of(graph_.json, "m_SerializableEdges")) {
             const auto [json, type] = inner(element, "an edge");
             if (!json) continue;
-            const auto from = nodes_.find(std::string(text_of(json, "m_OutputSlot.m_NodeGUIDSerialized")));
-            const auto to = nodes_.find(std::string(text_of(json, "m_InputSlot.m_NodeGUIDSerialized")));
-            if (from == nodes_.end() || to == nodes_.end()) {
-                graph_.problems.push_back({"an edge", "a node at its end does not exist", documents_.place(element)});
-                continue;
-            }
-            graph_.edges.push_back({.from = from->second,
-                                    .to = to->second,
-                                    .from_slot = whole_of(json, "m_OutputSlot.m_SlotId"),
-                                    .to_slot = whole_of(json, "m_InputSlot.m_SlotId"),
+            graph_.edges.push_back({.from_id = std::string(text_of(json, "m_OutputSlot.m_NodeGUIDSerialized")),
+                                    .to_id = std::string(text_of(json, "m_InputSlot.m_NodeGUIDSerialized")),
+                                    .from_slot = id_of(json, "m_OutputSlot.m_SlotId"),
+                                    .to_slot = id_of(json, "m_InputSlot.m_SlotId"),
                                     .place = documents_.place(*json)});
         }
     }
@@ -148,6 +149,17 @@ private:
                                       .material_json = node.json,
                                       .place = node.place});
         const std::span<const MasterSlot> known = slots_of(node.kind);
+        // An input that an edge leads to, and whose slot cannot be read.
+        for (const MasterSlot& each : known) {
+            const bool is_linked = std::ranges::any_of(
+                graph_.edges, [&](const Edge& edge) { return edge.to_id == node.id && edge.to_slot == each.id; });
+            if (is_linked && !node.slot(each.id) && each.block != "Normal")
+                graph_.blocks.push_back({.name = std::string(each.block),
+                                         .is_vertex = each.is_vertex,
+                                         .node = output,
+                                         .slot = each.id,
+                                         .place = node.place});
+        }
         for (const Slot& slot : node.slots) {
             if (!slot.is_input) continue;
             Block block{.name = slot.name, .node = output, .slot = slot.id, .place = node.place};
@@ -158,7 +170,7 @@ private:
             }
             if (block.name == "Normal" && !block.is_vertex && !graph_.is_subgraph) {
                 static constexpr std::string_view kSpaces[] = {"NormalTS", "NormalOS", "NormalWS"};
-                block.name = kSpaces[std::clamp(whole_of(node.json, "m_NormalDropOffSpace"), 0, 2)];
+                block.name = kSpaces[whole_in(node.json, "m_NormalDropOffSpace", 0, 0, 2)];
             }
             if (!graph_.is_subgraph &&
                 known.empty()) {  // a master node of another pipeline: by the names of its inputs

@@ -2,11 +2,13 @@
 // graph gives to its target. Nothing has a meaning yet: classes of nodes are words, settings stay JSON.
 //
 //   Documents documents = read_documents(path, text);
-//   ShaderGraph graph = read_shader_graph(documents);
+//   const Misreads misreads(documents);
+//   ShaderGraph graph = read_shader_graph(documents, misreads);
 //   if (!graph.error.empty()) ...
 #pragma once
 
 #include "compiler/importers/shadergraph/read/documents.h"
+#include "compiler/importers/shadergraph/read/misreads.h"
 
 namespace patina::importers::shadergraph {
 
@@ -26,15 +28,19 @@ struct Node {
     std::string refers{};  // id of the property, keyword or dropdown that it reads
     std::string group{};   // id; empty: none
     double x = 0, y = 0;
+    std::string misread{};  // what of it could not be taken, in words
+    std::string lost{};     // why it cannot be known; empty: it is known
+    std::string part{};     // in the report; empty: by its name
     const Json* json = nullptr;
     Place place{};
 
     const Slot* slot(int slot_id) const;
 };
 struct Edge {
-    std::size_t from = 0, to = 0;  // nodes
+    std::string from_id{}, to_id{};  // of nodes
     int from_slot = 0, to_slot = 0;
     Place place{};
+    std::size_t from = 0, to = 0;  // the nodes, once all are read
 };
 struct Property {
     std::string id{};
@@ -44,6 +50,7 @@ struct Property {
     std::string guid{};       // by which nodes that use a sub-graph name its inputs
     std::string group{};      // heading
     bool is_exposed = true, is_hidden = false;
+    std::string misread{};
     const Json* json = nullptr;
     Place place{};
 };
@@ -54,6 +61,7 @@ struct Group {
 struct Note {
     std::string title{}, text{}, group{};
     double x = 0, y = 0, width = 0, height = 0;
+    std::string misread{};
     Place place{};
 };
 // An input of the target, or of the sub-graph's output.
@@ -89,11 +97,12 @@ struct ShaderGraph {
     struct Problem {
         std::string part, text;
         Place place{};
+        bool is_lost = false;  // it is no part of the graph
     };
-    std::vector<Problem> problems{};  // what the file names and does not have
+    std::vector<Problem> problems{};
 };
 
-ShaderGraph read_shader_graph(Documents& documents);
+ShaderGraph read_shader_graph(Documents& documents, const Misreads& misreads);
 
 // "UnityEditor.ShaderGraph.MultiplyNode" -> "MultiplyNode"
 std::string_view short_class(std::string_view full);
