@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "compiler/exporters/mtlx/flatten.h"
+#include "compiler/exporters/mtlx/smoothing.h"
 #include "compiler/ir/hints.h"
 
 namespace patina::exporters::mtlx {
@@ -453,6 +454,7 @@ Ref NodeWriter::made(ir::Value value) {
         found = world_normal(value);
     } else {
         found = noise(value);
+        if (!found) found = sharp_edge(*this, value);
         if (!found) found = arithmetic(value);
         if (!found) found = composed(value);
         if (!found) found = parts(value);

@@ -355,6 +355,39 @@ TEST(MtlxExport, Examples) {
     EXPECT_GE(refused, 5u);
 }
 
+// MaterialX has no derivatives: the edge is where it was, and sharp.
+TEST(MtlxExport, EdgesThatAreOnePixelWideAreSharp) {
+    const Compiler compiler;
+    for (
+        const std::string& node :
+        {std::string(R"x({ "id": "mask", "node": "SdfMask", "in": { "value": "= length(@uv0 - 0.5) - 0.25" } })x"),
+         std::string(R"x({ "id": "mask", "node": "Rectangle" })x"),
+         std::string(R"x({ "id": "mask", "node": "Checkerboard", "in": { "frequency": 4 } })x"),
+         std::string(
+             R"x({ "id": "mask", "expr": "smoothstep(0.5 - 0.7 * length(float2(ddx(@uv0.x), ddy(@uv0.x))), 0.5 + 0.7 * length(float2(ddx(@uv0.x), ddy(@uv0.x))), @uv0.x)" })x")}) {
+        SCOPED_TRACE(node);
+        const std::string read = node.find("Checkerboard") == node.npos ? "mask" : "mask.r";
+        const std::string graph = save("w.graph.json", material("\"roughness\": \"" + read + "\"", node));
+        const MtlxExport made = export_mtlx(compiler, graph, {.folder = folder().string()});
+        EXPECT_TRUE(made.ok) << errors(made.diagnostics);
+        ASSERT_GE(made.diagnostics.size(), 1u);
+        EXPECT_EQ(made.diagnostics[0].code, "export-differs");
+        EXPECT_EQ(made.diagnostics[0].line, 10);
+        EXPECT_NE(made.diagnostics[0].message.find("an edge is not smoothed over a pixel"), std::string::npos)
+            << made.diagnostics[0].message;
+        expect_same(graph);
+    }
+    // A width that is not that of an edge has no counterpart.
+    for (const std::string expression : {"max(fwidth(@uv0.x), fwidth(@uv0.y))", "max(fwidth(@uv0.x) * @uv0.y, 0.1)",
+                                         "smoothstep(0, fwidth(@uv0.x), @uv0.x)"}) {
+        const std::string node = R"x({ "id": "mask", "expr": ")x" + expression + "\" }";
+        EXPECT_FALSE(export_mtlx(compiler, save("w.graph.json", material(R"x("roughness": "mask")x", node)),
+                                 {.folder = folder().string()})
+                         .ok)
+            << expression;
+    }
+}
+
 TEST(MtlxExport, WhatHasNoCounterpartIsReportedWhereItIs) {
     const Compiler compiler;
     const MtlxExport made = export_mtlx(
