@@ -35,15 +35,16 @@ float2 FlowPhases(
 /// source: Vlachos, "Water Flow in Portal 2", SIGGRAPH 2010
 [node("UV/Sample Flow")] [also("FlowMapping")] [is("texel")]
 float4 SampleFlow(
-    Texture2D texture,                 ///< texture to read; it must repeat
-    float2 uv = uv0,                   ///< texture coordinates, before the texture's own tiling
-    float2 flow = float2(1, 0),        ///< velocity of the flow, along u and v: from -1 to 1
-    [unit("s")] float seconds = time,  ///< the clock
-    float speed = 0.5,                 ///< cycles in a second
-    float strength = 0.25              ///< how far the texture moves in one cycle at a flow of 1, in units of uv
+    Texture2D texture,                      ///< texture to read; it must repeat
+    float2 uv = uv0,                        ///< texture coordinates, before the texture's own tiling
+    float2 flow = float2(1, 0),             ///< velocity of the flow, along u and v: from -1 to 1
+    [unit("s")] float seconds = time,       ///< the clock
+    float speed = 0.5,                      ///< cycles in a second
+    float strength = 0.25,                  ///< how far the texture moves in one cycle at a flow of 1, in units of uv
+    SamplerState sampler = texture.sampler  ///< how it is read; default: as the texture says
 ) {
-    float4 first = SampleTexture2D(texture, FlowPhases(uv, flow, seconds, speed, strength));
-    float4 second = SampleTexture2D(texture, FlowPhases(uv, flow, seconds, speed, strength).second);
+    float4 first = SampleTexture2D(texture, FlowPhases(uv, flow, seconds, speed, strength), sampler);
+    float4 second = SampleTexture2D(texture, FlowPhases(uv, flow, seconds, speed, strength).second, sampler);
     return lerp(first, second, FlowPhases(uv, flow, seconds, speed, strength).blend);
 }
 

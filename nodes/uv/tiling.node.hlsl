@@ -41,10 +41,10 @@ float2 TurnedBy(float2 v, float2 turn) {
 }
 
 // A corner's copy of the texture: turned around the corner, and moved to a random place.
-float4 HexSample(Texture2D texture, float2 uv, float2 center, float2 cell, float2 turn, float2 right, float2 down) {
+float4 HexSample(Texture2D texture, SamplerState how, float2 uv, float2 center, float2 cell, float2 turn, float2 right, float2 down) {
     float2 place = TurnedBy(uv - center, turn) + center + RandomAt(int2(cell));
     float2 tiling = texture.tiling.xy;
-    return texture.SampleGrad(place * tiling + texture.tiling.zw, TurnedBy(right, turn) * tiling, TurnedBy(down, turn) * tiling);
+    return texture.SampleGrad(how, place * tiling + texture.tiling.zw, TurnedBy(right, turn) * tiling, TurnedBy(down, turn) * tiling);
 }
 
 // Nearness to the three corners, sharpened; where a copy is brighter than the others, it counts more.
@@ -64,14 +64,15 @@ float4 HexTiling(
     [range(0.1, 16)] float density = 3,          ///< hexagons in one unit of uv
     [range(0, 3.2)] [unit("rad")] float rotation = 0,  ///< the largest turn of a hexagon; 0 where the texture has a direction
     [range(0, 1)] float contrast = 0.6,          ///< how much a brighter copy counts more: keeps contrast in the joints
-    [range(1, 16)] float sharpness = 7           ///< the larger, the narrower the joints
+    [range(1, 16)] float sharpness = 7,          ///< the larger, the narrower the joints
+    SamplerState sampler = texture.sampler       ///< how it is read; default: as the texture says
 ) {
     HexTriangle at = HexTriangleAt(uv * density);
     float2 right = ddx(uv);
     float2 down = ddy(uv);
-    float4 a = HexSample(texture, uv, HexCenter(at.first) / density, at.first, HexTurn(at.first, rotation), right, down);
-    float4 b = HexSample(texture, uv, HexCenter(at.second) / density, at.second, HexTurn(at.second, rotation), right, down);
-    float4 c = HexSample(texture, uv, HexCenter(at.third) / density, at.third, HexTurn(at.third, rotation), right, down);
+    float4 a = HexSample(texture, sampler, uv, HexCenter(at.first) / density, at.first, HexTurn(at.first, rotation), right, down);
+    float4 b = HexSample(texture, sampler, uv, HexCenter(at.second) / density, at.second, HexTurn(at.second, rotation), right, down);
+    float4 c = HexSample(texture, sampler, uv, HexCenter(at.third) / density, at.third, HexTurn(at.third, rotation), right, down);
     float3 brightness = float3(Luminance(a.rgb), Luminance(b.rgb), Luminance(c.rgb));
     float3 weights = HexWeights(at.weights, brightness, contrast, sharpness);
     return a * weights.x + b * weights.y + c * weights.z;
@@ -90,7 +91,8 @@ float3 HexTilingNormal(
     [range(0.1, 16)] float density = 3,          ///< hexagons in one unit of uv
     [range(0, 3.2)] [unit("rad")] float rotation = 0,  ///< the largest turn of a hexagon
     [range(1, 16)] float sharpness = 7,          ///< the larger, the narrower the joints
-    [range(-2, 2)] float strength = 1            ///< strength of the bumps
+    [range(-2, 2)] float strength = 1,           ///< strength of the bumps
+    SamplerState sampler = texture.sampler       ///< how it is read; default: as the texture says
 ) {
     HexTriangle at = HexTriangleAt(uv * density);
     float2 right = ddx(uv);
@@ -98,9 +100,9 @@ float3 HexTilingNormal(
     float2 turnA = HexTurn(at.first, rotation);
     float2 turnB = HexTurn(at.second, rotation);
     float2 turnC = HexTurn(at.third, rotation);
-    float4 a = HexSample(texture, uv, HexCenter(at.first) / density, at.first, turnA, right, down);
-    float4 b = HexSample(texture, uv, HexCenter(at.second) / density, at.second, turnB, right, down);
-    float4 c = HexSample(texture, uv, HexCenter(at.third) / density, at.third, turnC, right, down);
+    float4 a = HexSample(texture, sampler, uv, HexCenter(at.first) / density, at.first, turnA, right, down);
+    float4 b = HexSample(texture, sampler, uv, HexCenter(at.second) / density, at.second, turnB, right, down);
+    float4 c = HexSample(texture, sampler, uv, HexCenter(at.third) / density, at.third, turnC, right, down);
     float3 weights = HexWeights(at.weights, 1, 0, sharpness);
     float2 slope = HexSlope(a, strength, turnA) * weights.x + HexSlope(b, strength, turnB) * weights.y +
                    HexSlope(c, strength, turnC) * weights.z;
@@ -125,17 +127,18 @@ float2 HexSlope(float4 texel, float strength, float2 turn) {
 /// source: its table: Deliot and Heitz, "Procedural Stochastic Textures by Tiling and Blending", GPU Zen 2, 2019
 [node("UV/Stochastic Tiling")] [also("StochasticTexture", "StochasticSample", "TilingAndBlending")] [is("texel")]
 float4 StochasticTiling(
-    Texture2D texture,                   ///< texture to read; it must repeat
-    float2 uv = uv0,                     ///< texture coordinates, before the texture's own tiling
-    [range(0.1, 16)] float density = 3  ///< corners of triangles in one unit of uv
+    Texture2D texture,                      ///< texture to read; it must repeat
+    float2 uv = uv0,                        ///< texture coordinates, before the texture's own tiling
+    [range(0.1, 16)] float density = 3,     ///< corners of triangles in one unit of uv
+    SamplerState sampler = texture.sampler  ///< how it is read; default: as the texture says
 ) {
     HexTriangle at = HexTriangleAt(uv * density);
     float2 right = ddx(uv);
     float2 down = ddy(uv);
-    float4 mean = texture.SampleLevel(float2(0.5, 0.5), 14);
-    float4 a = HexSample(texture, uv, float2(0), at.first, float2(1, 0), right, down) - mean;
-    float4 b = HexSample(texture, uv, float2(0), at.second, float2(1, 0), right, down) - mean;
-    float4 c = HexSample(texture, uv, float2(0), at.third, float2(1, 0), right, down) - mean;
+    float4 mean = texture.SampleLevel(sampler, float2(0.5, 0.5), 14);
+    float4 a = HexSample(texture, sampler, uv, float2(0), at.first, float2(1, 0), right, down) - mean;
+    float4 b = HexSample(texture, sampler, uv, float2(0), at.second, float2(1, 0), right, down) - mean;
+    float4 c = HexSample(texture, sampler, uv, float2(0), at.third, float2(1, 0), right, down) - mean;
     float4 sum = a * at.weights.x + b * at.weights.y + c * at.weights.z;
     return max(mean + sum * rsqrt(dot(at.weights, at.weights)), 0);
 }

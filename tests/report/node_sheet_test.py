@@ -77,6 +77,29 @@ class NodeSheet(unittest.TestCase):
         for value, expected in zip(self.browser.picture(image).at(0.5, 0.5), (128, 128, 255)):
             self.assertAlmostEqual(value, expected, delta=6)
 
+    def test_a_node_that_changes_colours_shows_them_before_and_after(self):
+        texts = self.browser.run("return [...document.querySelectorAll('figure:has(pre)')].map(each => each.id)")
+        for name in ("ChannelMask", "ChannelMixer", "ColorspaceConversion", "DetailAlbedo", "LinearToOkLab", "LinearToSrgb",
+                     "Luminance", "RgbToHsv", "SrgbToLinear"):
+            self.assertNotIn(name, texts)
+        def at(name, *places):
+            image = self.browser.run(f"return document.querySelector('#{name} img')")
+            self.browser.run("arguments[0].scrollIntoView()", image)
+            picture = self.browser.picture(image)
+            return [picture.at(*place)[:3] for place in places]
+        # The left half is a red, a green and a blue; the right one has their luminances.
+        (red, green, blue, *greys) = at("Luminance", (0.02, 0.3), (0.17, 0.3), (0.33, 0.3), (0.52, 0.3), (0.67, 0.3), (0.83, 0.3))
+        for color, most in ((red, 0), (green, 1), (blue, 2)):
+            self.assertEqual(max(range(3), key=lambda i: color[i]), most)
+        for grey in greys:
+            self.assertLess(max(grey) - min(grey), 6)
+        self.assertGreater(sum(greys[1]), sum(greys[0]))
+        self.assertGreater(sum(greys[0]), sum(greys[2]))
+        # What a node keeps with its defaults it changes in the picture.
+        for name in ("ChannelMask", "ChannelMixer", "ColorspaceConversion", "DetailAlbedo"):
+            (red, green, *after) = at(name, (0.02, 0.3), (0.17, 0.3), (0.52, 0.3), (0.67, 0.3))
+            self.assertGreater(max(abs(a - b) for a, b in zip(red + green, after[0] + after[1])), 20, name)
+
     def test_a_tile_has_the_names_and_the_first_sentence(self):
         text = self.browser.run("return document.querySelector('#Lerp figcaption').innerText")
         self.assertEqual(text.split("\n"), ["Lerp", "Mix", "Interpolates linearly between two values"])

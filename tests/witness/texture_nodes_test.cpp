@@ -2,6 +2,7 @@
 // precisions.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "witness/pixels.h"
@@ -147,6 +148,35 @@ TEST_F(TextureNodesTest, FlowBlendsTwoPlaces) {
         const double upper = wrapped(y, 16), lower = wrapped(y + 8, 16);
         return {(first + second) / 2, (upper + lower) / 2, (first * 16 + upper + second * 16 + lower) / 2, 1};
     });
+}
+
+TEST_F(TextureNodesTest, FlowReadsThroughItsSampler) {
+    const auto witnesses =
+        all_witnesses(R"json({ "id": "at", "expr": "@fragCoord.xy / 16" })json",
+                      "SampleFlow($_Data, at, float2(1, 0), 0.25, 1, 1, nearestClamp).rgb", "1", numbered_texels(16));
+    expect_all(witnesses, 1e-3, [](int x, int y) -> std::array<double, 4> {
+        const auto edged = [](int place) -> double { return std::clamp(place, 0, 15); };
+        const double first = edged(x + 4), second = edged(x + 4), upper = edged(y), lower = edged(y + 8);
+        return {(first + second) / 2, (upper + lower) / 2, (first * 16 + upper + second * 16 + lower) / 2, 1};
+    });
+}
+
+// Red is 1 at the right edge and in the middle, which is the mean of a texture with one level, and 0 elsewhere. Far
+// beyond the edge, a clamped texture is 1 everywhere.
+TEST_F(TextureNodesTest, TilingWithoutRepetitionReadsThroughItsSampler) {
+    Image image = runtime::make_image(16, 16, 0, 0.5f, 1);
+    for (int y = 0; y < 16; ++y) image.at(15, y)[0] = 1;
+    for (int y = 7; y < 9; ++y) image.at(7, y)[0] = image.at(8, y)[0] = 1;
+    TextureData data{.levels = {}, .sampler = {.wrap = Wrap::Repeat, .filter = Filter::Nearest}};
+    data.levels.push_back({.width = 16, .height = 16, .texels = image.pixels});
+    const auto witnesses = all_witnesses(
+        R"json({ "id": "at", "expr": "@fragCoord.xy / 16 + 8" })json",
+        "float3(HexTiling($_Data, at, 3, 0, 0.6, 7, nearestClamp).r, StochasticTiling($_Data, at, 3, nearestClamp).r, "
+        "HexTilingNormal($_Data, at, 3, 0, 7, 1, nearestClamp).x)",
+        "1", std::make_shared<const TextureData>(std::move(data)));
+    // The bump lies on its side: its slope is limited to 1 / 0.05.
+    const double x = 20 / std::sqrt(20 * 20 + 1);
+    expect_all(witnesses, 1e-4, [&](int, int) -> std::array<double, 4> { return {1, 1, x, 1}; });
 }
 
 TEST_F(TextureNodesTest, ParallaxMovesByHeightAndView) {

@@ -36,13 +36,13 @@ bool is_even(const runtime::Image& image) {
     return true;
 }
 
-// The picture of `shown`, one of the graph's nodes: as it is, or in the range of its values.
-std::string drawn(const Compiler& compiler, runtime::RenderMachine& machine, const std::string& shown, bool is_flat,
+// The picture of the node `shown` of the graph's nodes: as it is, or in the range of its values.
+std::string drawn(const Compiler& compiler, runtime::RenderMachine& machine, const std::string& nodes, bool is_flat,
                   std::string_view mesh, bool is_value, Tile& entry) {
     const std::string graph = fmt::format(
         "{{ \"patina\": 1, \"workflow\": \"unlit\", \"nodes\": [{{ \"id\": \"uv\", \"expr\": \"{}\" }}, "
-        "{{ \"id\": \"shown\", {} }}], \"surface\": {{ \"color\": \"{}\" }} }}",
-        is_flat ? "@screenUV" : "@uv0", shown, is_value ? "= 0" : "= float3(1) * shown");
+        "{}], \"surface\": {{ \"color\": \"{}\" }} }}",
+        is_flat ? "@screenUV" : "@uv0", nodes, is_value ? "= 0" : "= float3(1) * shown");
     runtime::RenderRequest request{.graph = "node.graph.json", .size = kSize, .samples = 2};
     if (is_flat) {
         request.mesh = "plane";
@@ -71,6 +71,57 @@ std::string drawn(const Compiler& compiler, runtime::RenderMachine& machine, con
     return png ? runtime::picture_tag(png.value, entry.node->name) : std::string();
 }
 
+// "\"node\": \"Lerp\"" -> { "id": "shown", "node": "Lerp" }
+std::string node_text(std::string_view id, const std::string& content) {
+    return fmt::format("{{ \"id\": \"{}\", {} }}", id, content);
+}
+
+// The input of a node that changes colours.
+const PortInfo* color_input(const NodeInfo& node) {
+    const PortInfo& first = node.ports.front();
+    const bool is_color = first.name == "color" || first.doc.find("colour") != std::string::npos;
+    const bool is_vector = first.type == "float3" || first.type == "floatN";
+    return !first.is_output && is_color && is_vector && node.category.starts_with("Color") ? &first : nullptr;
+}
+
+// A value of another input with which the node changes colours, if it keeps them with its defaults: the channel blue,
+// or another word.
+std::optional<std::pair<std::string, std::string>> change_of(const Compiler& compiler, const NodeInfo& node,
+                                                             const PortInfo& color) {
+    constexpr const char* kColor = "0.8,0.3,0.1";
+    const auto keeps = [&](std::vector<std::pair<std::string, std::string>> inputs) {
+        inputs.emplace_back(color.name, kColor);
+        const EvalResult result = compiler.evaluate(node.name, inputs);
+        const std::vector<double> same = {0.8, 0.3, 0.1};
+        if (!result.ok || result.outputs.front().values.size() != same.size()) return !result.ok;
+        for (std::size_t i = 0; i < same.size(); ++i)
+            if (std::abs(result.outputs.front().values[i] - same[i]) > 1e-4) return false;
+        return true;
+    };
+    if (!keeps({})) return std::nullopt;
+    for (const PortInfo& each : node.ports) {
+        if (each.is_output || &each == &color) continue;
+        std::vector<std::string> values;
+        for (const auto& word : each.enumerators) values.push_back(word.name);
+        if (each.type == "float3" || each.type == "floatN") values.emplace_back("0,0,1");
+        for (const std::string& value : values)
+            if (!keeps({{each.name, value}})) return std::pair(each.name, value);
+    }
+    return std::nullopt;
+}
+
+// Hues from left to right and values from top to bottom, twice: on the left as they are, on the right as the node
+// changes them.
+std::string before_and_after(const Compiler& compiler, const NodeInfo& node, const PortInfo& color) {
+    std::string inputs = json_text(color.name) + ": \"before\"";
+    if (const auto change = change_of(compiler, node, color))
+        inputs += ", " + json_text(change->first) + ": " +
+                  (change->second == "0,0,1" ? "[0, 0, 1]" : json_text(change->second));
+    return node_text("before", "\"expr\": \"HsvToRgb(float3(frac(uv.x * 2), 0.8, 1 - uv.y))\"") + ", " +
+           node_text("after", "\"node\": " + json_text(node.name) + ", \"in\": { " + inputs + " }") + ", " +
+           node_text("shown", "\"expr\": \"uv.x < 0.5 ? before : float3(1) * after\"");
+}
+
 // It needs nothing but what the mesh, the camera and the scene have.
 bool is_open(const NodeInfo& node) {
     return std::ranges::none_of(node.ports,
@@ -91,8 +142,8 @@ void draw(const Compiler& compiler, runtime::RenderMachine& machine, Tile& entry
     const NodeInfo& node = *entry.node;
     const PlotWish* plot = plot_wish(node.name);
     if (const auto panel = panel_wish(node.name))
-        entry.picture = drawn(compiler, machine, "\"expr\": " + json_text(panel->expression), panel->mesh.empty(),
-                              panel->mesh, false, entry);
+        entry.picture = drawn(compiler, machine, node_text("shown", "\"expr\": " + json_text(panel->expression)),
+                              panel->mesh.empty(), panel->mesh, false, entry);
     if (entry.picture.empty() && plot && plot->is_strip) {
         if (const auto bands = plot_bands(compiler, *plot, kSize, kSize * 2 / 3))
             if (const auto png = runtime::encode_png(*bands); png)
@@ -101,7 +152,10 @@ void draw(const Compiler& compiler, runtime::RenderMachine& machine, Tile& entry
         entry.picture = plot_svg(compiler, *plot).value_or("");
     }
     if (entry.picture.empty() && entry.error.empty() && is_open(node))
-        entry.picture = drawn(compiler, machine, "\"node\": " + json_text(node.name), false, "", true, entry);
+        entry.picture =
+            drawn(compiler, machine, node_text("shown", "\"node\": " + json_text(node.name)), false, "", true, entry);
+    if (const PortInfo* color = color_input(node); color && entry.picture.empty() && entry.error.empty())
+        entry.picture = drawn(compiler, machine, before_and_after(compiler, node, *color), true, "", false, entry);
     if (entry.picture.empty())
         if (const auto usual = usual_plot(compiler, node)) entry.picture = plot_svg(compiler, *usual).value_or("");
     if (entry.picture.empty()) entry.picture = text_picture(node);
