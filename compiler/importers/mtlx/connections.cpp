@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include "compiler/base/text.h"
 #include "compiler/importers/mtlx/colors.h"
@@ -164,6 +165,16 @@ Term GraphMaker::literal(const Element& input, std::string_view type, std::strin
         begin = end;
         if (numbers.size() > 16) break;
     }
+    if (type == "integer")
+        for (double& each : numbers) {
+            const double whole = std::clamp(std::trunc(each), -2147483648.0, 2147483647.0);
+            if (whole != each)
+                remark(Remark::Kind::Changed, fmt::format("input '{}'", input.name()),
+                       fmt::format("'{}' is no whole number of 32 bits: {} stands for it", shortest(each),
+                                   static_cast<std::int64_t>(whole)),
+                       input);
+            each = whole;
+        }
     const bool is_matrix = wanted == Type::Matrix3 || wanted == Type::Matrix4;
     const std::size_t rows = terms::width(wanted), count = is_matrix ? rows * rows : rows;
     if (is_matrix && numbers.size() < count) {

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "compiler/importers/refusals.h"
 #include "compiler/importers/shadergraph/graph_maker.h"
 
 namespace patina::importers::shadergraph {
@@ -29,8 +30,7 @@ std::string file_word(std::string_view name) {
 }  // namespace
 
 const Compiler& library() {
-    static const Compiler made;
-    return made;
+    return importers::library();
 }
 
 std::string Project::add_graph(const std::string& path, const std::string& name) {

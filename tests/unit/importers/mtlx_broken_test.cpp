@@ -3,6 +3,7 @@
 #include <random>
 #include <regex>
 
+#include "compiler/importers/refusals.h"
 #include "tests/unit/importers/mtlx_document.h"
 
 namespace patina::importers {
@@ -70,6 +71,80 @@ TEST(BrokenMtlx, WhatIsMissingIsSaid) {
     made = import_text(material(R"(<lama_surface name="shader" type="surfaceshader"/>)"));
     EXPECT_NE(remarks(made, Remark::Kind::LeftOut).find("'lama_surface' is no surface shader"), std::string::npos);
     expect_compiles(made, "unknown shader");
+}
+
+// The report says which octaves there are, and the graph has these.
+TEST(BrokenMtlx, OctavesAreWhatTheReportSays) {
+    const auto fractal = [](const std::string& octaves) {
+        return import_text(one_node(
+            fmt::format(
+                R"(<fractal3d name="tested" type="float"><input name="octaves" type="{}" value="{}"/></fractal3d>)",
+                octaves == "-2.5" ? "float" : "integer", octaves),
+            "float"));
+    };
+    Imported made = fractal("2000000000");
+    EXPECT_NE(text_of(made).find("\"octaves\": 16"), std::string::npos) << text_of(made);
+    EXPECT_NE(remarks(made, Remark::Kind::Changed).find("it has 16 octaves, and not 2e+09"), std::string::npos)
+        << remarks(made, Remark::Kind::Changed);
+    expect_compiles(made, "many octaves");
+    made = fractal("2.5");
+    EXPECT_NE(text_of(made).find("\"octaves\": 2 "), std::string::npos) << text_of(made);
+    EXPECT_NE(remarks(made, Remark::Kind::Changed)
+                  .find("input 'octaves': '2.5' is no whole number of 32 bits: 2 stands for it"),
+              std::string::npos)
+        << remarks(made, Remark::Kind::Changed);
+    made = fractal("-2.5");
+    EXPECT_NE(remarks(made, Remark::Kind::Changed).find("it has 0 octaves, and not -2.5"), std::string::npos)
+        << remarks(made, Remark::Kind::Changed);
+    expect_compiles(made, "no octaves");
+    // A property of an interface.
+    const auto with_interface = [](const std::string& octaves) {
+        return import_text(material(
+            R"(<gltf_pbr name="shader" type="surfaceshader"><input name="roughness" type="float" nodegraph="NG" output="out"/></gltf_pbr>)",
+            fmt::format(
+                R"(<nodegraph name="NG"><input name="layers" type="integer" value="{}"/><fractal3d name="f" type="float"><input name="octaves" type="integer" interfacename="layers"/></fractal3d><output name="out" type="float" nodename="f"/></nodegraph>)",
+                octaves)));
+    };
+    made = with_interface("2000000000");
+    EXPECT_NE(remarks(made, Remark::Kind::Changed).find("it has 16 octaves at most"), std::string::npos)
+        << remarks(made, Remark::Kind::Changed);
+    expect_compiles(made, "a property of many octaves");
+    EXPECT_EQ(remarks(with_interface("4"), Remark::Kind::Changed), "");
+}
+
+// The last look at a graph, which all importers share.
+TEST(BrokenMtlx, WhatTheCompilerRefusesBecomesAConstant) {
+    const auto refused = [](GraphFile& graph) {
+        std::string said;
+        const std::string error = refuse_invalid(
+            graph, {},
+            [&](const Diagnostic& wrong) {
+                return has_constant(graph, wrong, wrong.node == "surface" ? terms::Type::Float : terms::Type::Float3);
+            },
+            [&](const Diagnostic& wrong, const std::string& reason) {
+                said += fmt::format("{}.{}: {}\n", wrong.node, wrong.port, reason);
+            });
+        return error.empty() ? said : "error: " + error;
+    };
+    GraphFile graph{.name = "x", .workflow = "metallic-roughness"};
+    graph.nodes.push_back({.id = "sum", .expression = "@positionWS + @uv0"});
+    graph.nodes.push_back({.id = "moved", .node = "TilingOffset", .inputs = {{"tiling", text("= sum.xy + nobody")}}});
+    graph.surface = {{"baseColor", text("sum")}, {"roughness", text("moved.x")}, {"metallic", text("= nothing * 2")}};
+    const std::string said = refused(graph);
+    for (const char* part : {"sum.expr: the graph would not be valid: ", "moved.tiling: ", "surface.metallic: "})
+        EXPECT_NE(said.find(part), std::string::npos) << part << "\n" << said;
+    EXPECT_EQ(graph.nodes[0].expression, "float3(1, 0, 1)");
+    EXPECT_NE(graph.nodes[0].more.at(0).value.json.find("not imported: the graph would not be valid: "),
+              std::string::npos);
+    EXPECT_EQ(graph.nodes[1].inputs[0].value.json, "1");
+    EXPECT_EQ(graph.surface[1].value.json, "\"moved.x\"");
+    EXPECT_EQ(refused(graph), "");
+    // No constant can stand for a property.
+    graph.properties.push_back({.name = "_Count", .type = "int", .value = number(0.5)});
+    const std::string error = refused(graph);
+    EXPECT_TRUE(error.starts_with("error: ")) << error;
+    EXPECT_NE(error.find("would not be valid: the default of an int must be a whole number"), std::string::npos)
+        << error;
 }
 
 TEST(BrokenMtlx, DefinitionsThatUseOneAnotherTwiceEnd) {
