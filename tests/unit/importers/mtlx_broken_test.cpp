@@ -112,6 +112,66 @@ TEST(BrokenMtlx, OctavesAreWhatTheReportSays) {
     EXPECT_EQ(remarks(with_interface("4"), Remark::Kind::Changed), "");
 }
 
+TEST(BrokenMtlx, LiteralsThatAreNotOfTheirTypeAreSaid) {
+    const auto said = [](Remark::Kind kind, const std::string& type, const std::string& value) {
+        return remarks(
+            import_text(one_node(
+                fmt::format(
+                    R"(<constant name="tested" type="{0}"><input name="value" type="{0}" value="{1}"/></constant>)",
+                    type, value),
+                type)),
+            kind);
+    };
+    EXPECT_EQ(said(Remark::Kind::LeftOut, "color3", "0.5, 0.25"),
+              "input 'value': '0.5, 0.25' is 2 numbers, and a color3 has 3: what is missing is 0\n");
+    EXPECT_EQ(said(Remark::Kind::LeftOut, "color3", ""),
+              "input 'value': '' is 0 numbers, and a color3 has 3: what is missing is 0\n");
+    EXPECT_EQ(said(Remark::Kind::LeftOut, "vector4", "1 2"),
+              "input 'value': '1 2' is 2 numbers, and a vector4 has 4: what is missing is 0, and the fourth component "
+              "is 1\n");
+    EXPECT_EQ(said(Remark::Kind::LeftOut, "matrix33", "1"),
+              "input 'value': '1' is 1 number, and a matrix33 has 9: the identity matrix stands for it\n");
+    EXPECT_EQ(said(Remark::Kind::LeftOut, "boolean", "yes"),
+              "input 'value': 'yes' is neither true nor false: false stands for it\n");
+    EXPECT_EQ(said(Remark::Kind::Changed, "color3", "0.5"),
+              "input 'value': '0.5' is 1 number, and a color3 has 3: it stands for each component\n");
+    EXPECT_EQ(said(Remark::Kind::Changed, "vector2", "1, 2, 3"),
+              "input 'value': '1, 2, 3' is 3 numbers, and a vector2 has 2: the first ones count\n");
+    for (const Remark::Kind kind : {Remark::Kind::LeftOut, Remark::Kind::Changed})
+        EXPECT_EQ(said(kind, "color3", "0.5, 0.25, 0.125"), "");
+}
+
+TEST(BrokenMtlx, ConnectionsOfOtherTypesAreSaid) {
+    const auto said = [](const std::string& type, const std::string& source) {
+        const Imported made = import_text(one_node(
+            sources() +
+                fmt::format(
+                    R"(<add name="tested" type="{0}"><input name="in1" type="{0}" nodename="source_{1}"/><input name="in2" type="{0}" nodename="source_{0}"/></add>)",
+                    type, source),
+            type));
+        expect_compiles(made, type + " reads " + source, false);
+        return remarks(made, Remark::Kind::Changed);
+    };
+    EXPECT_EQ(said("color3", "vector2"),
+              "input 'in1': it takes a color3 and reads 'source_vector2', which is a vector2: what is missing is 0\n");
+    EXPECT_EQ(said("color3", "float"),
+              "input 'in1': it takes a color3 and reads 'source_float', which is a float: it stands for each "
+              "component\n");
+    EXPECT_EQ(said("float", "vector3"),
+              "input 'in1': it takes a float and reads 'source_vector3', which is a vector3: its first component "
+              "counts\n");
+    EXPECT_EQ(said("vector2", "color4"),
+              "input 'in1': it takes a vector2 and reads 'source_color4', which is a color4: its first 2 components "
+              "count\n");
+    // The same numbers.
+    EXPECT_EQ(said("color3", "vector3"), "");
+    const Imported interface = import_text(material(
+        R"(<gltf_pbr name="shader" type="surfaceshader"><input name="base_color" type="color3" nodegraph="NG" output="out"/></gltf_pbr>)",
+        R"(<nodegraph name="NG"><input name="grey" type="float" value="0.5"/><constant name="c" type="color3"><input name="value" type="color3" interfacename="grey"/></constant><output name="out" type="color3" nodename="c"/></nodegraph>)"));
+    EXPECT_EQ(remarks(interface, Remark::Kind::Changed),
+              "NG/input 'value': it takes a color3 and reads 'grey', which is a float: it stands for each component\n");
+}
+
 // The last look at a graph, which all importers share.
 TEST(BrokenMtlx, WhatTheCompilerRefusesBecomesAConstant) {
     const auto refused = [](GraphFile& graph) {
