@@ -161,6 +161,18 @@ TEST(BrokenUnityMaterial, PropertiesAreReadOnce) {
               std::string::npos);
 }
 
+// A comment of the graph shows them as escapes: they neither end it nor reach a terminal.
+TEST(BrokenUnityMaterial, ControlCharactersAreEscapedInComments) {
+    MaterialText material = painted();
+    material.textures[0].guid = R"("\e[31mred\r\x07\L")";
+    const Imported made = import(material);
+    EXPECT_NE(graph_of(made).find(R"(// The picture with the GUID \x1b[31mred\r\x07\u2028 was not found.)"),
+              std::string::npos)
+        << graph_of(made);
+    EXPECT_EQ(graph_of(made).find_first_of("\033\r\007"), std::string::npos);
+    expect_compiles(made, "control characters");
+}
+
 TEST(BrokenUnityMaterial, AMaterialIsNoVariantOfItself) {
     const MaterialFolder folder;
     MaterialText first = painted(), second = painted();
