@@ -4,11 +4,17 @@
 
 #include "compiler/base/text.h"
 #include "compiler/format/canonical_form.h"
+#include "compiler/importers/source_text.h"
 #include "compiler/json/json_text.h"
 #include "runtime/lighting/studio_lights.h"
 
 namespace patina::importers {
 namespace {
+
+std::string comment_line(std::string_view line) {
+    if (line.ends_with('\r')) line.remove_suffix(1);
+    return printable(line);
+}
 
 // Text of one object or list, in any layout: format_graph lays it out and sorts its keys.
 class Text {
@@ -17,7 +23,7 @@ public:
 
     // Empty lines are left out.
     void comment(std::string_view lines) {
-        for (const std::string_view line : split(lines, "\n")) out_ += "\n// " + std::string(line);
+        for (const std::string_view line : split(lines, "\n")) out_ += "\n// " + comment_line(line);
         if (!lines.empty()) out_ += '\n';
     }
     void member(std::string_view key, const Value& value, std::string_view lines = {}) {
@@ -89,7 +95,7 @@ Value lighting_value(const GraphFile& graph) {
 // The comment above a file.
 std::string head_of(std::string_view comment) {
     std::string head;
-    for (const std::string_view line : split(comment, "\n")) head += "// " + std::string(line) + "\n";
+    for (const std::string_view line : split(comment, "\n")) head += "// " + comment_line(line) + "\n";
     return head;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "compiler/base/broken_text.h"
 #include "compiler/base/text.h"
 #include "compiler/json/json.h"
 
@@ -194,6 +195,10 @@ void Breaker::bad_comment() {
 }
 
 void Breaker::report() {
+    if (const auto wrong = broken_text(text_); wrong && wrong->offset <= at_.offset) {
+        say(wrong->offset, wrong->offset + 7, std::string(wrong->what));
+        return;
+    }
     const std::size_t token = skip_between_tokens(text_, at_.last_end);
     const std::size_t token_end = token + (token < text_.size() ? word(token).size() : 0);
     const std::string text = token < text_.size() ? shown(word(token)) : std::string();

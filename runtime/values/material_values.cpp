@@ -95,6 +95,22 @@ std::string first_error(const ReadNumbers& read) {
     return "it has no value";
 }
 
+// "_Turn must be a matrix by rows, like [[1,0],[0,1]], not '1,0,0,1'"
+std::string wrong_array(const Property& property, const std::string& text, const ReadNumbers& read) {
+    const std::size_t size = property.type == PropertyType::Float2x2   ? 2
+                             : property.type == PropertyType::Float3x3 ? 3
+                             : property.type == PropertyType::Float4x4 ? 4
+                                                                       : 0;
+    if (size == 0 || text.starts_with('[')) return property.name + ": " + first_error(read);
+    std::string like;
+    for (std::size_t row = 0; row < size; row++) {
+        like += row > 0 ? ",[" : "[";
+        for (std::size_t i = 0; i < size; i++) like += fmt::format("{}{}", i > 0 ? "," : "", row == i ? 1 : 0);
+        like += "]";
+    }
+    return fmt::format("{} must be a matrix by rows, like [{}], not '{}'", property.name, like, text);
+}
+
 bool is_number(PropertyType type) {
     return !is_texture(type) && !is_array(type) && type != PropertyType::Sampler;
 }
@@ -297,7 +313,7 @@ Outcome<MaterialValues> material_values(const Reflection& reflection, const std:
         }
         if (is_array(found->type)) {
             ReadNumbers read = read_array_value(found->type, text);
-            if (!read.ok) return Failure{name + ": " + first_error(read)};
+            if (!read.ok) return Failure{wrong_array(*found, text, read)};
             result.arrays[name] = std::move(read.numbers);
             continue;
         }

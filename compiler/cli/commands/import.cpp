@@ -3,14 +3,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <filesystem>
 #include <fstream>
 #include <memory>
+#include <tuple>
+#include <utility>
 
 #include "compiler/cli/commands/commands.h"
 #include "compiler/cli/json_text.h"
 #include "compiler/cli/outputs.h"
 #include "compiler/importers/importer.h"
+#include "compiler/importers/source_text.h"
 
 namespace patina::cli {
 namespace {
@@ -18,6 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 using importers::Imported;
 using importers::Importer;
+using importers::printable;
 using importers::Remark;
 
 struct Arguments {
@@ -48,23 +53,91 @@ std::string formats() {
     return text;
 }
 
-void report_remarks(const Console& console, const Arguments& arguments, const std::string& file,
-                    std::span<const Remark> remarks) {
+// A remark with its own file: "Sub.shadersubgraph:12:3: node 'Add'" is a part of another one.
+struct Row {
+    std::string file;
+    Remark remark;
+};
+Row row_of(const std::string& file, const Remark& remark) {
+    Row made{.file = file, .remark = remark};
+    const std::size_t end = remark.part.find(": ");
+    if (remark.line > 0 || end == remark.part.npos) return made;
+    const std::size_t second = remark.part.rfind(':', end - 1);
+    const std::size_t first =
+        second == 0 || second == remark.part.npos ? remark.part.npos : remark.part.rfind(':', second - 1);
+    if (first == remark.part.npos || first == 0) return made;
+    const char* const text = remark.part.data();
+    const auto line = std::from_chars(text + first + 1, text + second, made.remark.line);
+    const auto column = std::from_chars(text + second + 1, text + end, made.remark.column);
+    if (line.ptr != text + second || column.ptr != text + end) return {.file = file, .remark = remark};
+    made.file = remark.part.substr(0, first);
+    made.remark.part.erase(0, end + 2);
+    return made;
+}
+
+void report_refused(const Console& console, const std::string& file, std::span<const Remark> remarks) {
     for (const Remark& remark : remarks) {
-        if (remark.kind == Remark::Kind::LeftOut) {
-            Diagnostic warning = complaint(Complaint::NotImported, {remark.part, remark.text});
-            warning.severity = Severity::Warning;
-            warning.file = file;
-            warning.line = remark.line;
-            warning.column = remark.column;
-            report(console, {&warning, 1});
-        }
-        if (arguments.shows_remarks) {
-            const std::string place =
-                remark.line > 0 ? fmt::format("{}:{}:{}", file, remark.line, remark.column) : file;
-            print(fmt::format("{}: {} {}: {}\n", place, importers::to_string(remark.kind), remark.part, remark.text));
-        }
+        if (remark.kind != Remark::Kind::LeftOut) continue;
+        const Row row = row_of(file, remark);
+        Diagnostic warning =
+            complaint(Complaint::NotImported, {printable(row.remark.part), printable(row.remark.text)});
+        warning.severity = Severity::Warning;
+        warning.file = row.file;
+        warning.line = row.remark.line;
+        warning.column = row.remark.column;
+        report(console, {&warning, 1});
     }
+}
+
+// As wide as it looks: a character of UTF-8 is a column.
+std::size_t columns(std::string_view text) {
+    return static_cast<std::size_t>(
+        std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; }));
+}
+std::string padded(std::string text, std::size_t width) {
+    return text + std::string(width - std::min(width, columns(text)), ' ');
+}
+
+// What became of each part: what is refused first, in the order of the file.
+//
+//   rock.mtlx
+//     12  refused      curve 'c'   a graph has no curves
+//      3  approximate  input 'x'   ...
+void print_table(const Console& console, const std::string& file, std::span<const Remark> remarks) {
+    constexpr std::size_t kWidestPart = 50;
+    std::vector<const Remark*> rows;
+    for (const Remark& each : remarks) rows.push_back(&each);
+    std::ranges::stable_sort(rows, {}, [](const Remark* each) {
+        return std::tuple(-static_cast<int>(each->kind), each->line == 0, each->line, each->column);
+    });
+    std::size_t state_width = 0, part_width = 0, line_width = 1;
+    for (const Remark* each : rows) {
+        state_width = std::max(state_width, importers::to_string(each->kind).size());
+        part_width = std::max(part_width, std::min(columns(printable(each->part)), kWidestPart));
+        line_width = std::max(line_width, std::to_string(each->line).size());
+    }
+    print(heading(console, file) + "\n");
+    for (const Remark* each : rows) {
+        const std::string_view color = each->kind == Remark::Kind::LeftOut   ? "\033[31m"
+                                       : each->kind == Remark::Kind::Changed ? "\033[33m"
+                                                                             : "";
+        std::string state = padded(std::string(importers::to_string(each->kind)), state_width);
+        if (console.output_colors && !color.empty()) state = fmt::format("{}{}\033[0m", color, state);
+        print(fmt::format("  {:>{}}  {}  {}  {}\n", each->line > 0 ? std::to_string(each->line) : "", line_width, state,
+                          padded(printable(each->part), part_width), printable(each->text)));
+    }
+}
+
+// A table for the file, and one for each other file that it uses.
+void print_tables(const Console& console, const std::string& file, std::span<const Remark> remarks) {
+    std::vector<std::pair<std::string, std::vector<Remark>>> tables = {{file, {}}};
+    for (const Remark& each : remarks) {
+        Row row = row_of(file, each);
+        auto table = std::ranges::find(tables, row.file, &std::pair<std::string, std::vector<Remark>>::first);
+        if (table == tables.end()) table = tables.insert(table, {row.file, {}});
+        table->second.push_back(std::move(row.remark));
+    }
+    for (const auto& [name, parts] : tables) print_table(console, printable(name), parts);
 }
 
 // What was written, and the remarks, as one JSON object on a line, or with a line for each remark.
@@ -120,7 +193,7 @@ Exit import_file(const Console& console, const Arguments& arguments, const std::
     const fs::path folder = arguments.folder.empty() ? fs::path(file).parent_path() : fs::path(arguments.folder);
     Imported made = importer->read(source, {.folder = folder.string(), .include_dirs = arguments.include_dirs});
     if (!made.error.empty()) {
-        complain(console, Complaint::CannotImport, {made.error});
+        complain(console, Complaint::CannotImport, {importers::why_unreadable(file).value_or(printable(made.error))});
         return Exit::Wrong;
     }
     if (importer->keeps_report) {
@@ -147,8 +220,12 @@ Exit import_file(const Console& console, const Arguments& arguments, const std::
         print(json_of(file, written, made.remarks));
         return exit;
     }
-    report_remarks(console, arguments, file, made.remarks);
-    if (arguments.shows_remarks) print(fmt::format("{}: {}\n", file, summary_of(made.remarks)));
+    // The table says what is refused, too.
+    if (!arguments.shows_remarks || console.json) report_refused(console, file, made.remarks);
+    if (arguments.shows_remarks) {
+        print_tables(console, file, made.remarks);
+        print(summary_of(made.remarks) + "\n");
+    }
     say(console, files.value);
     return exit;
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include "compiler/base/text.h"
 #include "compiler/importers/mtlx/colors.h"
@@ -41,6 +42,34 @@ double unit_scale(std::string_view unit) {
 
 std::string_view interface_of(const Element& input) {
     return input.attribute("interfacename");
+}
+
+// MaterialX connects like to like. What a document connects otherwise is converted, and said.
+void report_mismatch(GraphMaker& maker, const Element& input, std::string_view given_type, std::string_view giver) {
+    const Type wanted = type_of_word(input.type()), given = type_of_word(given_type);
+    if (input.has("channels") || wanted == given) return;
+    const bool is_number = terms::is_vector(wanted) && terms::is_vector(given);
+    if (!is_number && wanted != Type::Bool && given != Type::Bool) return;
+    if (wanted == Type::None || given == Type::None) return;
+    const std::size_t width = terms::width(wanted), others = terms::width(given);
+    std::string what = others == 1      ? "it stands for each component"
+                       : others < width ? "what is missing is 0"
+                       : width == 1     ? "its first component counts"
+                                        : fmt::format("its first {} components count", width);
+    if (is_number && others > 1 && others < width && width == 4) what += ", and the fourth component is 1";
+    if (wanted == Type::Bool) what = "it is true where that is not 0";
+    if (given == Type::Bool) what = "it is 1 where that is true, else 0";
+    maker.remark(Remark::Kind::Changed, fmt::format("input '{}'", input.name()),
+                 fmt::format("it takes a {} and reads '{}', which is a {}: {}", input.type(), giver, given_type, what),
+                 input);
+}
+
+// How a literal is read that has more or fewer numbers than its type.
+std::string_view reading(std::size_t given, std::size_t wanted, bool is_matrix) {
+    if (given > wanted) return "the first ones count";
+    if (is_matrix) return "the identity matrix stands for it";
+    if (given == 1) return "it stands for each component";
+    return wanted == 4 && given > 0 ? "what is missing is 0, and the fourth component is 1" : "what is missing is 0";
 }
 
 }  // namespace
@@ -149,7 +178,14 @@ std::string GraphMaker::word_of(Scope& scope, const Element& node, std::string_v
 // "1, 0.5, 0" in any type; colours become linear.
 Term GraphMaker::literal(const Element& input, std::string_view type, std::string_view text) {
     const Type wanted = type_of_word(type);
-    if (wanted == Type::Bool) return terms::flag_term(text == "true" || text == "1");
+    const bool is_stated = input.has("value") && type == input.type() && text == input.attribute("value");
+    if (wanted == Type::Bool) {
+        const bool is_true = text == "true" || text == "1";
+        if (is_stated && !is_true && text != "false" && text != "0")
+            remark(Remark::Kind::LeftOut, fmt::format("input '{}'", input.name()),
+                   fmt::format("'{}' is neither true nor false: false stands for it", text.substr(0, 40)), input);
+        return terms::flag_term(is_true);
+    }
     std::vector<double> numbers;
     constexpr std::string_view kBetween = ", \t\r\n";
     for (std::size_t begin = 0; (begin = text.find_first_not_of(kBetween, begin)) < text.size();) {
@@ -164,8 +200,25 @@ Term GraphMaker::literal(const Element& input, std::string_view type, std::strin
         begin = end;
         if (numbers.size() > 16) break;
     }
+    if (type == "integer")
+        for (double& each : numbers) {
+            const double whole = std::clamp(std::trunc(each), -2147483648.0, 2147483647.0);
+            if (whole != each)
+                remark(Remark::Kind::Changed, fmt::format("input '{}'", input.name()),
+                       fmt::format("'{}' is no whole number of 32 bits: {} stands for it", shortest(each),
+                                   static_cast<std::int64_t>(whole)),
+                       input);
+            each = whole;
+        }
     const bool is_matrix = wanted == Type::Matrix3 || wanted == Type::Matrix4;
     const std::size_t rows = terms::width(wanted), count = is_matrix ? rows * rows : rows;
+    if (is_stated && numbers.size() != count && count > 0) {
+        const bool is_whole = numbers.size() > count || (numbers.size() == 1 && !is_matrix);
+        remark(is_whole ? Remark::Kind::Changed : Remark::Kind::LeftOut, fmt::format("input '{}'", input.name()),
+               fmt::format("'{}' is {} number{}, and a {} has {}: {}", text.substr(0, 40), numbers.size(),
+                           numbers.size() == 1 ? "" : "s", type, count, reading(numbers.size(), count, is_matrix)),
+               input);
+    }
     if (is_matrix && numbers.size() < count) {
         numbers.clear();
         for (std::size_t i = 0; i < count; ++i) numbers.push_back(i % (rows + 1) == 0 ? 1 : 0);
@@ -224,6 +277,8 @@ Term GraphMaker::input(Scope& scope, const Element& node, const Port& port, bool
         else
             made = literal(Element{}, type_word, port.otherwise);
     } else if (source.is_interface) {
+        if (const Element* own = input_of(node, port.name); own && own != source.input)
+            report_mismatch(*this, *own, source.input->type(), source.input->name());
         made = property_of(*source.input);
     } else {
         made = value_at(*source.scope, *source.input, type);
@@ -280,6 +335,8 @@ Term GraphMaker::connected(Scope& scope, const Element& input) {
         return magenta(input, type == Type::None ? Type::Float : type,
                        fmt::format("'{}' is not there", name.empty() ? output : name));
     }
+    if (found->category != "nodegraph" && (output.empty() || output == "out" || found->category == "output"))
+        report_mismatch(*this, input, found->type(), found->name());
     if (found->category == "output") return connected(scope, *found);
     // The scope in which it stands.
     Scope* at = &scope;
@@ -300,6 +357,7 @@ Term GraphMaker::output_of(const Element& graph, Scope& around, std::string_view
         const Type type = type_of_word(reader.type());
         return magenta(reader, type == Type::None ? Type::Float : type, "the output is not there");
     }
+    report_mismatch(*this, reader, found->type(), found->name());
     Term made;
     if (found->has("nodename") || found->has("nodegraph")) {
         made = connected(scope, *found);

@@ -3,11 +3,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace patina::importers::mtlx {
 namespace {
 
 constexpr std::size_t kDeepest = 120, kMostNodes = 20000;
+
+// All digits: an int has no exponent.
+Value whole_number(double value) {
+    return {fmt::format("{:.0f}", value)};
+}
 
 }  // namespace
 
@@ -110,6 +116,8 @@ Term GraphMaker::named(const Term& term) {
     if (is_new) {
         const std::string id = ids_.unique(term.name, "value");
         file_.nodes.push_back({.id = id, .expression = whole.base});
+        owners_[id] = term.nodes;
+        types_[id] = term.swizzle.empty() || term.base_width == 0 ? term.type : terms::vector_type(term.base_width);
         found->second = terms::link(id, whole.type);
         written(term, fmt::format("the node '{}'", id));
     }
@@ -129,6 +137,7 @@ std::string GraphMaker::add_node(const Element& node, GraphNode made, std::strin
     Outcome& outcome = outcomes_[number_of(node)];
     if (outcome.where.empty()) outcome.where = fmt::format("the node '{}'", made.id);
     std::string id = made.id;
+    owners_[id] = {number_of(node)};
     file_.nodes.push_back(std::move(made));
     return id;
 }
@@ -158,6 +167,7 @@ Term GraphMaker::magenta(const Element& node, Type type, std::string_view reason
     if (!is_input) refuse(node, std::string(reason));
     const Term made = terms::stand_in(type);
     const std::string id = ids_.unique(terms::camel_case(node.name()), "refused");
+    types_[id] = made.type;
     file_.nodes.push_back(
         {.id = id, .expression = made.text(), .more = {{"note", text(fmt::format("not imported: {}", reason))}}});
     return terms::link(id, made.type);
@@ -192,7 +202,7 @@ Term GraphMaker::property_of(const Element& input) {
     if (!word.empty()) {
         GraphProperty property{.name = property_names_.unique("_" + terms::pascal_case(input.name()), "_value"),
                                .type = word};
-        property.value = value.value();
+        property.value = word == "int" ? whole_number(value.numbers[0]) : value.value();
         if (word == "color" && value.is_all(value.numbers[0]))
             property.value = list(std::vector<float>(type == "color4" ? 4 : 3, static_cast<float>(value.numbers[0])));
         if (word.starts_with("float") && value.numbers.size() > 1)
@@ -202,11 +212,13 @@ Term GraphMaker::property_of(const Element& input) {
             return stated.empty() ? Term{} : literal(input, "float", stated);
         };
         const Term low = limit("uimin", "uisoftmin"), high = limit("uimax", "uisoftmax");
+        const auto limit_value = [&](double limit) {
+            return word == "int" ? whole_number(std::round(limit)) : number(static_cast<float>(limit));
+        };
         if ((type == "float" || type == "integer") && low.is_constant() && high.is_constant() &&
             low.numbers[0] < high.numbers[0] && value.numbers[0] >= low.numbers[0] &&
             value.numbers[0] <= high.numbers[0])
-            property.more.push_back({"range", list({number(static_cast<float>(low.numbers[0])),
-                                                    number(static_cast<float>(high.numbers[0]))})});
+            property.more.push_back({"range", list({limit_value(low.numbers[0]), limit_value(high.numbers[0])})});
         for (const auto& [from, to] :
              {std::pair("uiname", "label"), std::pair("uifolder", "group"), std::pair("doc", "help")})
             if (!input.attribute(from).empty()) property.more.push_back({to, text(input.attribute(from))});
@@ -244,7 +256,9 @@ void GraphMaker::make(const Element& material, const Element& shader, Scope& sco
     number_of(shader);
     import_.reached.insert(&shader);
     import_.reached.insert(&material);
+    const std::size_t first_remark = import_.remarks.size();
     make_surface(scope, shader);
+    if (import_.error.empty()) refuse_invalid(shader, first_remark);
     report_nodes();
     if (&material != &shader)
         remark(Remark::Kind::Taken, fmt::format("{} '{}'", material.category, material.name()),

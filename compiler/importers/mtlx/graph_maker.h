@@ -10,6 +10,7 @@
 //   noise.cpp           noise, as files of nodes
 //   textures.cpp        pictures
 //   surface.cpp         what the shader gets
+//   refusals.cpp        what the compiler would refuse of the result
 #pragma once
 
 #include <map>
@@ -127,7 +128,8 @@ private:
     Term computed(Scope& scope, const Element& node, std::string_view output);
     Term property_of(const Element& input);
     void make_surface(Scope& scope, const Element& shader);
-    void add_ignored(const SurfaceRule& rule, const Element& shader);
+    void add_to_surface(const std::string& key, const Term& value);
+    void refuse_invalid(const Element& shader, std::size_t first_remark);
     void report_nodes();
     std::size_t number_of(const Element& node);
 
@@ -141,8 +143,10 @@ private:
     std::vector<const Element*> elements_{};  // by number
     std::map<const Element*, std::size_t> numbers_{};
     std::map<std::size_t, Outcome> outcomes_{};
-    std::map<std::string, Term, std::less<>> named_{};  // by text
-    std::map<const Element*, Term> properties_{};       // of inputs of node graphs
+    std::map<std::string, Term, std::less<>> named_{};                    // by text
+    std::map<const Element*, Term> properties_{};                         // of inputs of node graphs
+    std::map<std::string, std::set<std::size_t>, std::less<>> owners_{};  // id -> the nodes that are written in it
+    std::map<std::string, Type, std::less<>> types_{};  // of expressions, by id, and of inputs: "surface.emission"
     std::map<std::string, Texture> textures_{};         // by file and how it is read
     std::map<std::string, std::string> samples_{};      // by texture and coordinates: the node
     std::size_t depth_ = 0, evaluated_ = 0;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compiler/base/text.h"
 #include "compiler/importers/mtlx/graph_maker.h"
 #include "compiler/importers/mtlx/noise_code.h"
 
@@ -108,9 +109,8 @@ Port position_port(bool is_flat) {
     return {.name = "position", .type = "vector3", .otherwise = "@Pobject"};
 }
 
-// The whole of an int port.
+// A computed number at an int port.
 Value whole(const Term& term) {
-    if (term.is_constant()) return number(std::floor(term.numbers[0]));
     const std::string whole = term.text();
     if (whole.starts_with("float($") && whole.find(')') + 1 == whole.size())
         return text(whole.substr(6, whole.size() - 7));
@@ -175,12 +175,10 @@ private:
         GraphNode made{.id = {}, .node = "./" + maker_.noise_file(what)};
         made.inputs.push_back({"position", position.value()});
         if (node_.category.starts_with("fractal")) {
-            const Term octaves = input("octaves", "integer", "3"), lacunarity = input("lacunarity", "float", "2"),
-                       diminish = input("diminish", "float", "0.5");
-            if (!octaves.is_all(3)) made.inputs.push_back({"octaves", whole(octaves)});
+            const Term lacunarity = input("lacunarity", "float", "2"), diminish = input("diminish", "float", "0.5");
+            add_octaves(made);
             if (!lacunarity.is_all(2)) made.inputs.push_back({"lacunarity", lacunarity.value()});
             if (!diminish.is_all(0.5)) made.inputs.push_back({"diminish", diminish.value()});
-            if (octaves.is_constant() && octaves.numbers[0] > 16) maker_.approximate(node_, "it has 16 octaves");
         }
         if (node_.category.starts_with("worley"))
             if (const Term jitter = input("jitter", "float", "1"); !jitter.is_all(1))
@@ -190,6 +188,22 @@ private:
         all.nodes = nodes_;
         maker_.written(all, fmt::format("the node '{}'", id));
         return terms::link(id, terms::vector_type(components));
+    }
+
+    // The code computes 16 at most.
+    void add_octaves(GraphNode& made) {
+        constexpr double kMost = 16;
+        const Term octaves = input("octaves", "integer", "3");
+        if (!octaves.is_constant()) {
+            made.inputs.push_back({"octaves", whole(octaves)});
+            const auto stated = read_number(maker_.word_of(scope_, node_, "octaves"));
+            if (!stated || *stated > kMost) maker_.approximate(node_, fmt::format("it has {} octaves at most", kMost));
+            return;
+        }
+        const double stated = octaves.numbers[0], count = std::clamp(std::floor(stated), 0.0, kMost);
+        if (count != stated)
+            maker_.approximate(node_, fmt::format("it has {} octaves, and not {}", count, shortest(stated)));
+        if (count != 3) made.inputs.push_back({"octaves", number(count)});
     }
 
     Term input(std::string_view name, std::string_view type, std::string_view otherwise) {

@@ -21,6 +21,11 @@ bool reads(const std::string& text, std::string_view input) {
 
 }  // namespace
 
+void GraphMaker::add_to_surface(const std::string& key, const Term& value) {
+    file_.surface.push_back({key, value.value()});
+    types_["surface." + key] = value.type;
+}
+
 void GraphMaker::make_surface(Scope& scope, const Element& shader) {
     std::string kind(shader.category);
     if (kind == "UsdPreviewSurface") {
@@ -32,7 +37,7 @@ void GraphMaker::make_surface(Scope& scope, const Element& shader) {
         file_.workflow = "unlit";
         const Term color =
             magenta(shader, Type::Float3, fmt::format("'{}' is no surface shader that this importer knows", kind));
-        file_.surface.push_back({"color", color.value()});
+        add_to_surface("color", color);
         return;
     }
     file_.workflow = surface->workflow;
@@ -90,7 +95,7 @@ void GraphMaker::make_surface(Scope& scope, const Element& shader) {
             alpha = value;
             continue;
         }
-        file_.surface.push_back({key, value.value()});
+        add_to_surface(key, value);
     }
 
     // How alpha is used.
@@ -119,10 +124,10 @@ void GraphMaker::make_surface(Scope& scope, const Element& shader) {
     if (mode == "fade" && alpha.is_all(1)) mode.clear();
     if (!mode.empty()) {
         written(alpha, "'surface.alpha'");
-        if (!alpha.is_all(1)) file_.surface.push_back({"alpha", alpha.value()});
+        if (!alpha.is_all(1)) add_to_surface("alpha", alpha);
         if (mode == "cutout" && cutoff.type != Type::None && !cutoff.is_all(0.5)) {
             written(cutoff, "'surface.alphaClip'");
-            file_.surface.push_back({"alphaClip", cutoff.value()});
+            add_to_surface("alphaClip", cutoff);
         }
         const Member render[] = {{"surface", text(mode)}};
         file_.more.push_back({"render", object(render)});

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "compiler/importers/refusals.h"
 #include "compiler/importers/shadergraph/graph_maker.h"
 
 namespace patina::importers::shadergraph {
@@ -29,8 +30,7 @@ std::string file_word(std::string_view name) {
 }  // namespace
 
 const Compiler& library() {
-    static const Compiler made;
-    return made;
+    return importers::library();
 }
 
 std::string Project::add_graph(const std::string& path, const std::string& name) {
@@ -87,12 +87,14 @@ const SubgraphPorts& Project::subgraph(std::string_view guid, std::string_view n
     }
     const std::size_t before = remarks.size();
     SubgraphPorts read = read_graph(found->path, fs::path(found->path).stem().string());
-    // Places are those of the file that was asked for.
+    // Places of a remark are those of the file that was asked for. The part's name says those of another file.
     const std::string file = fs::path(found->path).filename().string();
     for (std::size_t i = before; i < remarks.size(); ++i) {
-        if (remarks[i].line == 0 && remarks[i].part.find(": ") != std::string::npos) continue;
-        remarks[i].part = fmt::format("{}: {}", file, remarks[i].part);
-        remarks[i].line = remarks[i].column = 0;
+        Remark& each = remarks[i];
+        if (each.line == 0 && each.part.find(": ") != std::string::npos) continue;
+        const std::string place = each.line == 0 ? file : fmt::format("{}:{}:{}", file, each.line, each.column);
+        each.part = fmt::format("{}: {}", place, each.part);
+        each.line = each.column = 0;
     }
     if (found->is_by_name) read.remark = fmt::format("no file has its GUID: '{}' has its name", found->path);
     if (!found->other.empty())

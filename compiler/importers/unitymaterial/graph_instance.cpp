@@ -180,7 +180,9 @@ Imported make_instance(MaterialMaker& maker, const std::string& name, const Opti
     if (!made.error.empty()) return made;
     const std::string file = fs::path(path).filename().string();
     for (Remark& each : made.remarks) {
-        each.part = fmt::format("{}: {}", file, each.part);
+        const bool is_of_subgraph = each.line == 0 && each.part.find(": ") != std::string::npos;
+        const std::string place = each.line == 0 ? file : fmt::format("{}:{}:{}", file, each.line, each.column);
+        if (!is_of_subgraph) each.part = fmt::format("{}: {}", place, each.part);
         each.line = each.column = 0;
     }
     if (made.graphs.empty()) return {.error = fmt::format("{}: there is no graph in it", path)};

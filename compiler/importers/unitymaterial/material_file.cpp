@@ -68,6 +68,19 @@ AssetId asset_of(const Yaml* value) {
     return made;
 }
 
+// "a list", "'7'"
+std::string shown(const Yaml& value) {
+    switch (value.kind) {
+        case Yaml::Kind::Null: return "nothing";
+        case Yaml::Kind::Text: return "'" + value.text.substr(0, 40) + "'";
+        case Yaml::Kind::List: return "a list";
+        case Yaml::Kind::Map: return "a map";
+    }
+    return {};
+}
+
+constexpr std::string_view kCutOff = "; the file may be cut off";
+
 class Reader {
 public:
     Reader(const Yaml& material, MaterialFile& made) : material_(material), made_(made) {}
@@ -80,6 +93,7 @@ public:
             const Yaml& value = material_.values[i];
             if (key == "m_Name" || (key == "serializedVersion" && is_newer)) continue;
             if (key == "m_Shader" || key == "m_Parent") {
+                expect_map(value, key + " is {fileID: ..., guid: ..., type: ...}");
                 (key == "m_Shader" ? made_.shader : made_.parent) = asset_of(&value);
                 (key == "m_Shader" ? made_.shader_place : made_.parent_place) = material_.key_places[i];
             } else if (key == "m_ShaderKeywords" || key == "m_ValidKeywords") {
@@ -93,7 +107,8 @@ public:
             }
         }
         if (!material_.find("m_SavedProperties"))
-            problem("setting 'm_SavedProperties'", "it is missing: the shader's defaults count", material_.place);
+            problem("setting 'm_SavedProperties'", fmt::format("it is missing: the shader's defaults count{}", kCutOff),
+                    material_.place);
     }
 
 private:
@@ -101,8 +116,40 @@ private:
         made_.problems.push_back({.part = std::move(part), .text = std::move(text), .place = place});
     }
 
+    // What a text editor or a merge made of it, and Unity never writes.
+    void wrong(Place place, std::string_view text) {
+        if (made_.error.empty()) made_.error = fmt::format("{}:{}:{}: {}", made_.path, place.line, place.column, text);
+    }
+    bool expect_map(const Yaml& value, std::string_view what) {
+        const bool is_good = value.kind == Yaml::Kind::Map || value.kind == Yaml::Kind::Null;
+        if (!is_good) wrong(value.place, fmt::format("{}, and not {}", what, shown(value)));
+        return is_good;
+    }
+
+    // The properties at a key.
+    std::vector<Entry> list_at(const Yaml& saved, std::string_view key) {
+        const Yaml* list = saved.find(key);
+        if (!list) {
+            // Files of older versions have no m_Ints.
+            if (key != "m_Ints")
+                problem(fmt::format("setting '{}'", key), fmt::format("the file has no {}{}", key, kCutOff),
+                        saved.place);
+            return {};
+        }
+        if (list->kind != Yaml::Kind::List) expect_map(*list, fmt::format("{} is a list of properties", key));
+        for (const Yaml& each : list->values) {
+            if (list->kind == Yaml::Kind::List && each.kind == Yaml::Kind::Null)
+                wrong(each.place, fmt::format("an entry of {} is empty", key));
+            if (list->kind == Yaml::Kind::List)
+                expect_map(each, fmt::format("an entry of {} is a name and a value", key));
+            if (each.kind == Yaml::Kind::Map && each.find("first") && !each.find("second"))
+                wrong(each.place, fmt::format("an entry of {} has 'first', and no 'second'", key));
+        }
+        return entries_of(list);
+    }
+
     // A list of words, or one text with spaces between them.
-    static void keywords(const Yaml& value, std::vector<SavedKeyword>& into) {
+    void keywords(const Yaml& value, std::vector<SavedKeyword>& into) {
         const auto add = [&](std::string_view text, Place place) {
             for (std::size_t begin = 0; begin < text.size();) {
                 const std::size_t end = std::min(text.find(' ', begin), text.size());
@@ -113,8 +160,13 @@ private:
             }
         };
         add(value.text, value.place);
+        if (value.kind == Yaml::Kind::Map) wrong(value.place, "the keywords are a list of words, and not a map");
         if (value.kind == Yaml::Kind::List)
-            for (const Yaml& each : value.values) add(each.text, each.place);
+            for (const Yaml& each : value.values) {
+                if (each.kind != Yaml::Kind::Text)
+                    wrong(each.place, fmt::format("a keyword is a word, and not {}", shown(each)));
+                add(each.text, each.place);
+            }
     }
 
     void setting(const std::string& key, const Yaml& value, Place place) {
@@ -136,9 +188,12 @@ private:
 
     bool number(const Entry& entry, const Yaml* value, double& into) {
         if (value && read_finite(value->text, into)) return true;
+        if (value && (value->kind == Yaml::Kind::List || value->kind == Yaml::Kind::Map))
+            wrong(value->place, fmt::format("the number of '{}' is {}", entry.name, shown(*value)));
+        const bool is_empty = !value || value->kind == Yaml::Kind::Null;
         problem(fmt::format("property '{}'", entry.name),
                 fmt::format("'{}' is not a finite number: the shader's default counts",
-                            value ? std::string_view(value->text) : "nothing"),
+                            is_empty ? std::string_view("nothing") : value->text),
                 value ? value->place : entry.place);
         return false;
     }
@@ -154,30 +209,48 @@ private:
     }
 
     void properties(const Yaml& saved) {
+        if (!expect_map(saved, "m_SavedProperties holds m_TexEnvs, m_Floats and m_Colors")) return;
         version(saved, "setting 'm_SavedProperties'", 3);
         for (const std::string_view key : {"m_Floats", "m_Ints"})
-            for (const Entry& each : entries_of(saved.find(key))) {
+            for (const Entry& each : list_at(saved, key)) {
                 SavedNumber made{.place = each.place};
                 if (is_new(each, "numbers") && number(each, each.value, made.value)) made_.numbers[each.name] = made;
             }
-        for (const Entry& each : entries_of(saved.find("m_Colors"))) {
+        for (const Entry& each : list_at(saved, "m_Colors")) {
             SavedColor made{.place = each.place};
-            bool is_good = is_new(each, "colors");
+            bool is_good = is_new(each, "colors") &&
+                           expect_map(*each.value,
+                                      fmt::format("the colour '{}' is {{r: ..., g: ..., b: ..., a: ...}}", each.name));
             static constexpr std::string_view kChannels[] = {"r", "g", "b", "a"};
             for (std::size_t i = 0; i < 4 && is_good; ++i)
                 is_good = number(each, each.value->find(kChannels[i]), made.value[i]);
             if (is_good) made_.colors[each.name] = made;
         }
-        for (const Entry& each : entries_of(saved.find("m_TexEnvs"))) {
-            SavedTexture made{.picture = asset_of(each.value->find("m_Texture")), .place = each.place};
-            bool is_good = is_new(each, "textures");
-            for (auto* pair : {&made.scale, &made.offset}) {
-                const Yaml* vector = each.value->find(pair == &made.scale ? "m_Scale" : "m_Offset");
-                if (!vector || !is_good) continue;
-                is_good = number(each, vector->find("x"), (*pair)[0]) && number(each, vector->find("y"), (*pair)[1]);
+        for (const Entry& each : list_at(saved, "m_TexEnvs")) texture(each);
+    }
+
+    void texture(const Entry& entry) {
+        if (!is_new(entry, "textures")) return;
+        if (!expect_map(*entry.value, fmt::format("the texture '{}' has m_Texture, m_Scale and m_Offset", entry.name)))
+            return;
+        SavedTexture made{.place = entry.place};
+        bool is_good = true;
+        for (const std::string_view key : {"m_Texture", "m_Scale", "m_Offset"}) {
+            const Yaml* value = entry.value->find(key);
+            if (!value || value->kind == Yaml::Kind::Null) {
+                problem(fmt::format("property '{}'", entry.name), fmt::format("it has no {}{}", key, kCutOff),
+                        entry.place);
+                continue;
             }
-            if (is_good) made_.textures[each.name] = made;
+            if (key == "m_Texture") {
+                expect_map(*value, "m_Texture is {fileID: ..., guid: ..., type: ...}");
+                made.picture = asset_of(value);
+            } else if (expect_map(*value, fmt::format("{} is {{x: ..., y: ...}}", key)) && is_good) {
+                auto& pair = key == "m_Scale" ? made.scale : made.offset;
+                is_good = number(entry, value->find("x"), pair[0]) && number(entry, value->find("y"), pair[1]);
+            }
         }
+        if (is_good) made_.textures[entry.name] = made;
     }
 
     const Yaml& material_;
@@ -227,6 +300,7 @@ MaterialFile read_material(const std::string& path) {
         }
         has_one = true;
         Reader(*material, made).read();
+        if (!made.error.empty()) return {.error = made.error};
     }
     if (!has_one) return {.error = fmt::format("{}: there is no material in it", path)};
     return made;

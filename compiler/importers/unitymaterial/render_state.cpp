@@ -95,7 +95,7 @@ private:
                 maker_.taken(each, "it has no effect: the surface is not blended");
             return;
         }
-        const int mode = whole(maker_, "_BlendMode", 0);
+        const std::size_t mode = choice("_BlendMode", 0, 4);
         const bool keeps_highlights = maker_.number("_EnableBlendModePreserveSpecularLighting", 1) != 0;
         state_.kind = mode == 1 ? "additive" : mode == 0 && !keeps_highlights ? "fade" : "transparent";
         state_.is_weighted = mode == 1;
@@ -160,16 +160,26 @@ private:
         if (maker_.shader().family == Family::Standard && !maker_.shader().is_guessed) return;
         static constexpr std::string_view kWords[] = {"off", "front", "back"};
         if (is_high_definition_) return both_sides(kWords);
-        const std::string_view cull = kWords[std::clamp(whole(maker_, "_Cull", 2), 0, 2)];
         if (has_fixed_state_) return;
+        const std::string_view cull = kWords[choice("_Cull", 2, 2)];
         maker_.taken("_Cull", fmt::format("\"cull\": \"{}\"", cull));
         if (cull != "back") render_.push_back({"cull", text(cull)});
     }
 
+    // One of Unity's numbers, from 0 to the last one.
+    std::size_t choice(const std::string& property, int otherwise, int last) {
+        const double stated = maker_.number(property, otherwise),
+                     nearest = std::clamp(std::round(stated), 0.0, 1.0 * last);
+        if (nearest != stated)
+            maker_.note(
+                property, Remark::Kind::Changed,
+                fmt::format("{} is none of its numbers, which are 0 to {}: {} counts", words(stated), last, nearest));
+        return static_cast<std::size_t>(nearest);
+    }
+
     void both_sides(std::span<const std::string_view> words) {
         const bool is_open = maker_.keyword("_DOUBLESIDED_ON", "\"cull\": \"off\"");
-        const std::string_view cull =
-            words[is_open ? 0 : static_cast<std::size_t>(std::clamp(whole(maker_, "_CullMode", 2), 0, 2))];
+        const std::string_view cull = words[is_open ? 0 : choice("_CullMode", 2, 2)];
         for (const char* each : {"_CullMode", "_CullModeForward"})
             maker_.taken(each, fmt::format("\"cull\": \"{}\"", cull));
         for (const char* each : {"_DoubleSidedEnable", "_OpaqueCullMode", "_TransparentCullMode"})

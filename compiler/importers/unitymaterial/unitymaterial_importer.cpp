@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "compiler/importers/refusals.h"
 #include "compiler/importers/unitymaterial/graph_instance.h"
 #include "compiler/importers/unitymaterial/material_maker.h"
 #include "compiler/importers/unitymaterial/parents.h"
@@ -54,6 +55,21 @@ void make(MaterialMaker& maker) {
         make_unlit(maker, state);
 }
 
+// What the compiler refuses becomes a constant. Empty, or what has no place for one.
+std::string refuse_what_is_invalid(GraphFile& graph, std::vector<Remark>& into) {
+    static constexpr std::string_view kVectors[] = {"baseColor", "color",         "emission",
+                                                    "specular",  "specularColor", "normalTS"};
+    return refuse_invalid(
+        graph, {},
+        [&](const Diagnostic& wrong) {
+            const bool is_vector = std::ranges::find(kVectors, wrong.port) != std::end(kVectors);
+            return has_constant(graph, wrong, is_vector ? terms::Type::Float3 : terms::Type::Float);
+        },
+        [&](const Diagnostic& wrong, const std::string& reason) {
+            into.push_back(remark(Remark::Kind::LeftOut, fmt::format("'{}.{}'", wrong.node, wrong.port), reason, {}));
+        });
+}
+
 void report_file(const MaterialFile& file, const Shader& shader, const std::string& what, Assets& assets,
                  std::vector<Remark>& into) {
     const bool is_unknown = shader.family == Family::Unknown;
@@ -95,6 +111,8 @@ Imported read(const Source& source, const Options& options) {
         what = fmt::format("'{}', a scene with the values of the material", made.scene);
     } else {
         make(maker);
+        const std::string error = refuse_what_is_invalid(maker.graph, made.remarks);
+        if (!error.empty()) return {.error = fmt::format("{}: {}", source.path, error)};
         const std::string json = write_graph(maker.graph);
         if (json.empty()) return {.error = fmt::format("{}: a name in it is not UTF-8", source.path)};
         made.graphs.push_back({.name = name + ".graph.json", .text = json});

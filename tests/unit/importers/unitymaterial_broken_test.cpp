@@ -79,7 +79,7 @@ TEST(BrokenUnityMaterial, CutOffFilesAreRefusedOrImported) {
 }
 
 TEST(BrokenUnityMaterial, ValuesThatAreNoNumbersAreSaid) {
-    for (const char* value : {"NaN", ".nan", "Infinity", "-.inf", "1e39", "abc", "", "0x1p3", "[1]", "0.5f"}) {
+    for (const char* value : {"NaN", ".nan", "Infinity", "-.inf", "1e39", "abc", "", "0x1p3", "0.5f"}) {
         MaterialText material = painted();
         material.numbers[0].value = value;
         const Imported made = import(material);
@@ -116,6 +116,54 @@ TEST(BrokenUnityMaterial, NewerVersionsAreSaid) {
     expect_compiles(made, "newer");
 }
 
+// Unity always writes the lists of textures, numbers and colours, and the three parts of a texture.
+TEST(BrokenUnityMaterial, WhatACutOffFileLacksIsSaid) {
+    const std::string good = painted().text();
+    const auto changed = [](const std::string& text) { return remarks(import_text(text), Remark::Kind::Changed); };
+    std::string said = changed(good.substr(0, good.find("        m_Scale: {x: 1, y: 1}")));
+    for (const char* expected : {"property '_MainTex': it has no m_Scale; the file may be cut off",
+                                 "property '_MainTex': it has no m_Offset; the file may be cut off",
+                                 "setting 'm_Floats': the file has no m_Floats; the file may be cut off",
+                                 "setting 'm_Colors': the file has no m_Colors; the file may be cut off"})
+        EXPECT_NE(said.find(expected), std::string::npos) << expected << "\n" << said;
+    said = changed(replaced(good, "m_TexEnvs", "m_TexEnvsX"));
+    EXPECT_NE(said.find("setting 'm_TexEnvs': the file has no m_TexEnvs"), std::string::npos) << said;
+    // Older versions have no m_Ints.
+    EXPECT_EQ(changed(painted().old_text()).find("cut off"), std::string::npos) << changed(painted().old_text());
+}
+
+TEST(BrokenUnityMaterial, StructureOfAWrongTypeIsAnErrorAtItsPlace) {
+    const std::string good = painted().text();
+    expect_error(replaced(good, "    m_Floats:\n", "    m_Floats: 7\n    m_FloatsX:\n"),
+                 R"(x\.mat:[0-9]+:15: m_Floats is a list of properties, and not '7')");
+    expect_error(replaced(good, "- _Metallic: 0.5", "- 0.5"),
+                 R"(x\.mat:[0-9]+:7: an entry of m_Floats is a name and a value, and not '0\.5')");
+    expect_error(replaced(good, "_Metallic: 0.5", "_Metallic: [1]"),
+                 R"(x\.mat:[0-9]+:18: the number of '_Metallic' is a list)");
+    expect_error(replaced(good, "{r: 1, g: 0.5, b: 0, a: 1}", "{r: [1], g: 0.5, b: 0, a: 1}"),
+                 R"(x\.mat:[0-9]+:19: the number of '_Color' is a list)");
+    expect_error(replaced(good, "{r: 1, g: 0.5, b: 0, a: 1}", "red"),
+                 R"(x\.mat:[0-9]+:15: the colour '_Color' is \{r: \.\.\., .*\}, and not 'red')");
+    expect_error(replaced(good, "m_Scale: {x: 1, y: 1}", "m_Scale: 1"),
+                 R"(x\.mat:[0-9]+:18: m_Scale is \{x: \.\.\., y: \.\.\.\}, and not '1')");
+    expect_error(replaced(good, "m_Shader: {fileID: 46, ", "m_Shader: 46 #{"),
+                 R"(x\.mat:[0-9]+:13: m_Shader is \{fileID: .*\}, and not '46')");
+    expect_error(replaced(good, "  - _NORMALMAP", "  - [_NORMALMAP]"),
+                 R"(x\.mat:[0-9]+:5: a keyword is a word, and not a list)");
+}
+
+TEST(BrokenUnityMaterial, NumbersThatUnityDoesNotHaveAreSaid) {
+    MaterialText material = painted();
+    material.shader = kLit;
+    material.numbers.push_back({"_Cull", "8"});
+    const Imported made = import(material);
+    EXPECT_NE(
+        remarks(made, Remark::Kind::Changed).find("property '_Cull': 8 is none of its numbers, which are 0 to 2: 2"),
+        std::string::npos)
+        << remarks(made, Remark::Kind::Changed);
+    expect_compiles(made, "cull");
+}
+
 TEST(BrokenUnityMaterial, PropertiesAreReadOnce) {
     MaterialText material = painted();
     material.numbers.push_back({"_Glossiness", "0.75"});
@@ -127,6 +175,18 @@ TEST(BrokenUnityMaterial, PropertiesAreReadOnce) {
     const Imported several = import_text(painted().text() + "--- !u!21 &2100002\nMaterial:\n  m_Name: y\n");
     EXPECT_NE(remarks(several, Remark::Kind::Changed).find("material: there are several: the first one counts"),
               std::string::npos);
+}
+
+// A comment of the graph shows them as escapes: they neither end it nor reach a terminal.
+TEST(BrokenUnityMaterial, ControlCharactersAreEscapedInComments) {
+    MaterialText material = painted();
+    material.textures[0].guid = R"("\e[31mred\r\x07\L")";
+    const Imported made = import(material);
+    EXPECT_NE(graph_of(made).find(R"(// The picture with the GUID \x1b[31mred\r\x07\u2028 was not found.)"),
+              std::string::npos)
+        << graph_of(made);
+    EXPECT_EQ(graph_of(made).find_first_of("\033\r\007"), std::string::npos);
+    expect_compiles(made, "control characters");
 }
 
 TEST(BrokenUnityMaterial, AMaterialIsNoVariantOfItself) {

@@ -357,6 +357,19 @@ TEST(Words, ThatAreWrongListWhatThereIs) {
     }
 }
 
+TEST(Words, OfAMatrixThatAreWrongSayItsForm) {
+    Reflection reflection;
+    reflection.properties = {{.name = "_Turn", .type = PropertyType::Float2x2},
+                             {.name = "_Frame", .type = PropertyType::Float3x3}};
+    const auto error = [&](const char* name, const char* value) {
+        return material_values(reflection, {{name, value}}).error;
+    };
+    EXPECT_EQ(error("_Turn", "1,0,0,1"), "_Turn must be a matrix by rows, like [[1,0],[0,1]], not '1,0,0,1'");
+    EXPECT_EQ(error("_Frame", "1"), "_Frame must be a matrix by rows, like [[1,0,0],[0,1,0],[0,0,1]], not '1'");
+    EXPECT_TRUE(error("_Turn", "[[1, 0], [0]]").starts_with("_Turn: ")) << error("_Turn", "[[1, 0], [0]]");
+    EXPECT_EQ(error("_Turn", "[[1, 2], [3, 4]]"), "");
+}
+
 TEST(Words, MeetTheRangesOfTheirProperties) {
     Reflection reflection = make_reflection();
     reflection.properties[0].range = {0.1, 1};
