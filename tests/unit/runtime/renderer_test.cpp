@@ -359,8 +359,11 @@ TEST(Words, ThatAreWrongListWhatThereIs) {
 
 TEST(Words, OfAMatrixThatAreWrongSayItsForm) {
     Reflection reflection;
-    reflection.properties = {{.name = "_Turn", .type = PropertyType::Float2x2},
-                             {.name = "_Frame", .type = PropertyType::Float3x3}};
+    reflection.properties.resize(2);
+    reflection.properties[0].name = "_Turn";
+    reflection.properties[0].type = PropertyType::Float2x2;
+    reflection.properties[1].name = "_Frame";
+    reflection.properties[1].type = PropertyType::Float3x3;
     const auto error = [&](const char* name, const char* value) {
         return material_values(reflection, {{name, value}}).error;
     };
