@@ -163,7 +163,7 @@ private:
         if (value.kind == Yaml::Kind::Map) wrong(value.place, "the keywords are a list of words, and not a map");
         if (value.kind == Yaml::Kind::List)
             for (const Yaml& each : value.values) {
-                if (each.kind != Yaml::Kind::Text)
+                if (each.kind != Yaml::Kind::Text && each.kind != Yaml::Kind::Null)
                     wrong(each.place, fmt::format("a keyword is a word, and not {}", shown(each)));
                 add(each.text, each.place);
             }
