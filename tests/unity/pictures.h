@@ -96,7 +96,7 @@ inline std::vector<std::uint32_t> spirv(const Shader& shader) {
     return validated.spirv;
 }
 
-// What one pass draws over what is there, with these lights in the slots from 0 on.
+// Draws one pass over the picture. The lights take the slots from 0 on.
 struct Drawn {
     Pass pass;
     std::vector<std::uint32_t> vertex, fragment;

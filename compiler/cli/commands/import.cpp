@@ -98,7 +98,7 @@ std::string padded(std::string text, std::size_t width) {
     return text + std::string(width - std::min(width, columns(text)), ' ');
 }
 
-// What became of each part: what is refused first, in the order of the file.
+// What became of each part. Refused parts come first; parts of one state keep the order of the file.
 //
 //   rock.mtlx
 //     12  refused      curve 'c'   a graph has no curves
