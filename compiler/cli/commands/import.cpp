@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <filesystem>
 #include <fstream>
 #include <memory>
@@ -53,38 +52,14 @@ std::string formats() {
     return text;
 }
 
-// A remark with its own file: "Sub.shadersubgraph:12:3: node 'Add'" is a part of another one.
-struct Row {
-    std::string file;
-    Remark remark;
-};
-Row row_of(const std::string& file, const Remark& remark) {
-    Row made{.file = file, .remark = remark};
-    const std::size_t end = remark.part.find(": ");
-    if (remark.line > 0 || end == remark.part.npos) return made;
-    const std::size_t second = remark.part.rfind(':', end - 1);
-    const std::size_t first =
-        second == 0 || second == remark.part.npos ? remark.part.npos : remark.part.rfind(':', second - 1);
-    if (first == remark.part.npos || first == 0) return made;
-    const char* const text = remark.part.data();
-    const auto line = std::from_chars(text + first + 1, text + second, made.remark.line);
-    const auto column = std::from_chars(text + second + 1, text + end, made.remark.column);
-    if (line.ptr != text + second || column.ptr != text + end) return {.file = file, .remark = remark};
-    made.file = remark.part.substr(0, first);
-    made.remark.part.erase(0, end + 2);
-    return made;
-}
-
 void report_refused(const Console& console, const std::string& file, std::span<const Remark> remarks) {
     for (const Remark& remark : remarks) {
         if (remark.kind != Remark::Kind::LeftOut) continue;
-        const Row row = row_of(file, remark);
-        Diagnostic warning =
-            complaint(Complaint::NotImported, {printable(row.remark.part), printable(row.remark.text)});
+        Diagnostic warning = complaint(Complaint::NotImported, {printable(remark.part), printable(remark.text)});
         warning.severity = Severity::Warning;
-        warning.file = row.file;
-        warning.line = row.remark.line;
-        warning.column = row.remark.column;
+        warning.file = remark.file.empty() ? file : remark.file;
+        warning.line = remark.line;
+        warning.column = remark.column;
         report(console, {&warning, 1});
     }
 }
@@ -103,10 +78,8 @@ std::string padded(std::string text, std::size_t width) {
 //   rock.mtlx
 //     12  refused      curve 'c'   a graph has no curves
 //      3  approximate  input 'x'   ...
-void print_table(const Console& console, const std::string& file, std::span<const Remark> remarks) {
+void print_table(const Console& console, const std::string& file, std::vector<const Remark*> rows) {
     constexpr std::size_t kWidestPart = 50;
-    std::vector<const Remark*> rows;
-    for (const Remark& each : remarks) rows.push_back(&each);
     std::ranges::stable_sort(rows, {}, [](const Remark* each) {
         return std::tuple(-static_cast<int>(each->kind), each->line == 0, each->line, each->column);
     });
@@ -130,14 +103,15 @@ void print_table(const Console& console, const std::string& file, std::span<cons
 
 // A table for the file, and one for each other file that it uses.
 void print_tables(const Console& console, const std::string& file, std::span<const Remark> remarks) {
-    std::vector<std::pair<std::string, std::vector<Remark>>> tables = {{file, {}}};
-    for (const Remark& each : remarks) {
-        Row row = row_of(file, each);
-        auto table = std::ranges::find(tables, row.file, &std::pair<std::string, std::vector<Remark>>::first);
-        if (table == tables.end()) table = tables.insert(table, {row.file, {}});
-        table->second.push_back(std::move(row.remark));
+    std::vector<std::string> others = {""};
+    for (const Remark& each : remarks)
+        if (std::ranges::find(others, each.file) == others.end()) others.push_back(each.file);
+    for (const std::string& other : others) {
+        std::vector<const Remark*> rows;
+        for (const Remark& each : remarks)
+            if (each.file == other) rows.push_back(&each);
+        print_table(console, printable(other.empty() ? file : other), std::move(rows));
     }
-    for (const auto& [name, parts] : tables) print_table(console, printable(name), parts);
 }
 
 // What was written, and the remarks, as one JSON object on a line, or with a line for each remark.
@@ -154,6 +128,7 @@ std::string json_of(const std::string& file, std::span<const std::string> writte
                         : i > 0   ? " "
                                   : "",
                         json_text(remark.part), json_text(importers::to_string(remark.kind)), json_text(remark.text));
+        if (!remark.file.empty()) text += ", \"file\": " + json_text(remark.file);
         if (remark.line > 0) text += fmt::format(", \"line\": {}, \"column\": {}", remark.line, remark.column);
         text += "}";
     }

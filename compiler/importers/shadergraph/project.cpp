@@ -87,15 +87,8 @@ const SubgraphPorts& Project::subgraph(std::string_view guid, std::string_view n
     }
     const std::size_t before = remarks.size();
     SubgraphPorts read = read_graph(found->path, fs::path(found->path).stem().string());
-    // Places of a remark are those of the file that was asked for. The part's name says those of another file.
-    const std::string file = fs::path(found->path).filename().string();
-    for (std::size_t i = before; i < remarks.size(); ++i) {
-        Remark& each = remarks[i];
-        if (each.line == 0 && each.part.find(": ") != std::string::npos) continue;
-        const std::string place = each.line == 0 ? file : fmt::format("{}:{}:{}", file, each.line, each.column);
-        each.part = fmt::format("{}: {}", place, each.part);
-        each.line = each.column = 0;
-    }
+    for (std::size_t i = before; i < remarks.size(); ++i)
+        if (remarks[i].file.empty()) remarks[i].file = fs::path(found->path).filename().string();
     if (found->is_by_name) read.remark = fmt::format("no file has its GUID: '{}' has its name", found->path);
     if (!found->other.empty())
         read.remark = fmt::format("'{}' could be meant as well as '{}', which is taken", found->other, found->path);

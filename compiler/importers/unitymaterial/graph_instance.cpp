@@ -179,12 +179,8 @@ Imported make_instance(MaterialMaker& maker, const std::string& name, const Opti
     Imported made = importer->read(source, options);
     if (!made.error.empty()) return made;
     const std::string file = fs::path(path).filename().string();
-    for (Remark& each : made.remarks) {
-        const bool is_of_subgraph = each.line == 0 && each.part.find(": ") != std::string::npos;
-        const std::string place = each.line == 0 ? file : fmt::format("{}:{}:{}", file, each.line, each.column);
-        if (!is_of_subgraph) each.part = fmt::format("{}: {}", place, each.part);
-        each.line = each.column = 0;
-    }
+    for (Remark& each : made.remarks)
+        if (each.file.empty()) each.file = file;
     if (made.graphs.empty()) return {.error = fmt::format("{}: there is no graph in it", path)};
     std::string graph_name = made.graphs.back().name;
     std::string graph_text = made.graphs.back().text;

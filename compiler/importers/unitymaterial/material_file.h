@@ -50,6 +50,7 @@ struct Setting {
 struct Problem {
     std::string part{}, text{};
     Place place{};
+    std::string file{};  // empty: the material; else one that it is a variant of
 };
 
 struct MaterialFile {

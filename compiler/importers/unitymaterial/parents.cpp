@@ -46,8 +46,7 @@ void inherit(MaterialFile& own, const MaterialFile& from, const std::string& fil
     const auto own_queue = std::ranges::find(own.settings, "m_CustomRenderQueue", &Setting::key);
     if (takes_queue && queue && own_queue != own.settings.end()) own_queue->text = queue->text;
     for (Problem each : from.problems) {
-        each.part = fmt::format("{}: {}", file, each.part);
-        each.place = {};
+        each.file = file;
         own.problems.push_back(std::move(each));
     }
 }

@@ -91,7 +91,12 @@ void report_file(const MaterialFile& file, const Shader& shader, const std::stri
                                assets.folders(), file.parent.guid.empty() ? "(none)" : file.parent.guid),
                    file.parent_place));
     for (const Problem& each : file.problems)
-        into.push_back(remark(Remark::Kind::Changed, each.part, each.text, each.place));
+        into.push_back({.kind = Remark::Kind::Changed,
+                        .part = each.part,
+                        .text = each.text,
+                        .line = each.place.line,
+                        .column = each.place.column,
+                        .file = each.file});
 }
 
 Imported read(const Source& source, const Options& options) {

@@ -391,6 +391,13 @@ TEST(ShaderGraphImport, SubgraphsAreFoundByGuid) {
     EXPECT_NE(sub.find("$mode == 0 ? $inValue : $inValue * 2"), std::string::npos) << sub;
     EXPECT_NE(sub.find("$inValueConnected ?"), std::string::npos) << sub;
     EXPECT_EQ(remarks(made, Remark::Kind::Changed), "");
+    // Its parts have its file and their places in it.
+    std::size_t of_subgraph = 0;
+    for (const Remark& each : made.remarks) {
+        EXPECT_TRUE(each.file.empty() || (each.file == "Doubled.shadersubgraph" && each.line > 0)) << each.part;
+        of_subgraph += !each.file.empty();
+    }
+    EXPECT_GE(of_subgraph, 5u);
     expect_compiles(made, "sub-graph");
     // Nothing is connected, so the branch for that case counts.
     const Imported open = import_graph(user(kGuid, false));

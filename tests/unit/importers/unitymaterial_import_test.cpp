@@ -2,6 +2,7 @@
 // shader graphs. Broken files are in unitymaterial_broken_test.cpp.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <functional>
 
 #include "tests/unit/importers/unitymaterial_check.h"
@@ -559,6 +560,21 @@ TEST(UnityMaterial, AVariantHasTheValuesOfItsParents) {
     material.queue = "2470";
     material.modified = "16";
     EXPECT_NE(graph_of(import_in(folder, material)).find("\"queue\": 2470"), std::string::npos);
+}
+
+TEST(UnityMaterial, AWrongValueOfAParentIsSaidAtItsPlace) {
+    const MaterialFolder folder;
+    MaterialText base = painted();
+    base.numbers.push_back({"_Cutoff", "much"});
+    folder.save("Base.mat", base.text(), kBrick);
+    MaterialText material{.shader = "{fileID: 0}"};
+    material.parent = fmt::format("{{fileID: 2100000, guid: {}, type: 2}}", kBrick);
+    const Imported made = import_in(folder, material);
+    const auto found = std::ranges::find(made.remarks, "property '_Cutoff'", &Remark::part);
+    ASSERT_NE(found, made.remarks.end());
+    EXPECT_EQ(found->file, "Base.mat");
+    const std::string text = base.text();
+    EXPECT_EQ(found->line, 1 + std::count(text.begin(), text.begin() + std::ptrdiff_t(text.find("much")), '\n'));
 }
 
 TEST(UnityMaterial, AMissingParentIsRefused) {
