@@ -110,6 +110,8 @@ private:
         const std::vector<std::string_view> before_names = names_of(*before_.graph, list);
         const std::vector<std::string_view> after_names = names_of(*after_.graph, list);
         const std::vector<TreeChild> old_children = children_of(before), new_children = children_of(after);
+        // The surface of a material has values, and no names that something reads.
+        if (before_names.size() != old_children.size() || after_names.size() != new_children.size()) return;
         for (std::size_t i = 0; i < old_children.size(); ++i) {
             if (names.any_of_a.count(before_names[i]) == 0) continue;
             for (std::size_t j = 0; j < new_children.size(); ++j) {
