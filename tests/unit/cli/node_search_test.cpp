@@ -86,7 +86,8 @@ TEST(NodeSearch, FindsWhatIsMeantAmongTheFirstThree) {
 }
 
 TEST(NodeSearch, PutsANodeOfThisNameFirst) {
-    for (const std::string_view name : {"Worley", "Voronoi", "Hue", "Rotate", "Step", "Random", "Noise Sine Wave"}) {
+    for (const std::string_view name : {"Worley", "Voronoi", "Hue", "Rotate", "Step", "Random", "Noise Sine Wave",
+                                        "RgbToHsv", "HsvToRgb", "Srgb To Linear"}) {
         const std::vector<std::string> names = found_by(name);
         ASSERT_FALSE(names.empty()) << name;
         EXPECT_EQ(names.front(), find_named(nodes(), name)->name) << name;
