@@ -25,9 +25,11 @@ auto guarded(std::string& why, Call call) -> decltype(call()) {
 }  // namespace
 
 Files::Path Files::resolve(const std::string& from, const std::string& name) {
-    if (!system_.resolve) return {.path = join_names(from, name)};
     Path made;
-    made.path = guarded(made.why, [&] { return system_.resolve(from, name); });
+    if (system_.resolve)
+        made.path = guarded(made.why, [&] { return system_.resolve(from, name); });
+    else
+        made.path = join_names(from, name);
     resolved_.push_back({.from = from, .name = name, .path = made});
     return made;
 }

@@ -30,7 +30,7 @@ public:
         std::string why{};   // the caller's function failed
     };
 
-    // A name that the caller's function was given, and what it answered.
+    // A name in a file, and what it became.
     struct Resolved {
         std::string from{}, name{};
         Path path{};
@@ -52,7 +52,7 @@ public:
     void add_bytes(std::size_t bytes) { bytes_ += bytes; }
     // All that was asked for, by path.
     const std::map<std::string, Answer>& answers() const { return answers_; }
-    // All that the caller's function has resolved.
+    // All names that were asked for.
     const std::vector<Resolved>& resolved() const { return resolved_; }
 
 private:

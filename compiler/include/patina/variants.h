@@ -1,7 +1,8 @@
 // Compiles all combinations of a material's variants. They are planned first, so that their number is known before the
 // work begins. Each different shader is kept once.
 //
-//   patina::VariantPlan plan = compiler.plan_variants("rust.graph.json", patina::VariantsWanted::All, options);
+//   patina::VariantPlan plan = compiler.plan_variants("rust.graph.json", patina::VariantsWanted::All, options,
+//                                                    patina::kVariantLimit);
 //   patina::VariantSet set = compiler.compile_variants("rust.graph.json", plan, options);
 //   const patina::VariantProgram& program = set.programs[set.program_of[3]];   // what plan.combination(3) runs
 #pragma once

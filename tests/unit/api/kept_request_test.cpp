@@ -113,6 +113,26 @@ TEST_F(KeptRequest, IsMadeAnewIfANameMeansAnotherFile) {
     EXPECT_NE(moved.shaders[1].text.find("0.125"), std::string::npos);
 }
 
+TEST_F(KeptRequest, IsMadeAnewIfTheProgramBeginsToResolveNames) {
+    files["new/half.subgraph.json"] = half("0.125");
+    files["new/rust.png"] = "";
+    compile_thrice();
+    EXPECT_TRUE(was_answered());
+    std::string folder;
+    options.files.resolve = [&](const std::string&, const std::string& name) { return folder + name.substr(2); };
+    compile();
+    EXPECT_TRUE(was_answered()) << "each name means the same file";
+    folder = "new/";
+    const Result moved = compile();
+    EXPECT_FALSE(was_answered());
+    ASSERT_TRUE(moved.ok);
+    EXPECT_NE(moved.shaders[1].text.find("0.125"), std::string::npos);
+    EXPECT_NE(moved.reflection.to_json().find("new/rust.png"), std::string::npos);
+    // And back.
+    options.files.resolve = nullptr;
+    EXPECT_NE(compile().shaders[1].text.find("0.5"), std::string::npos);
+}
+
 TEST_F(KeptRequest, IsAnotherOneWithOtherOptions) {
     compile_thrice();
     options.targets = {Target::Hlsl};
