@@ -53,7 +53,10 @@ public:
         switch (value.kind()) {
             // JSON has no such number: the reader refuses null, and name_numbers() says what it was.
             case GraphValue::Kind::Number:
-                text += std::isfinite(value.number()) ? shortest(value.number()) : "null";
+                if (!std::isfinite(value.number()))
+                    text += "null";
+                else
+                    text += value.is_float() ? shortest(static_cast<float>(value.number())) : shortest(value.number());
                 break;
             case GraphValue::Kind::Bool: text += value.number() != 0 ? "true" : "false"; break;
             case GraphValue::Kind::Text: graph::append_quoted(text, value.text()); break;

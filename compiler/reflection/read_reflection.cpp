@@ -1,5 +1,6 @@
 #include "compiler/reflection/read_reflection.h"
 
+#include <algorithm>
 #include <cmath>
 #include <concepts>
 #include <limits>
@@ -195,6 +196,23 @@ private:
     bool is_other_version_ = false;  // its keys are not known
 };
 
+// A program writes values to these places.
+void check_blocks(const Json& json, const Reflection& made, Diagnostics& diagnostics) {
+    const Json* const properties = json.find("properties");
+    for (std::size_t i = 0; i < made.properties.size(); ++i) {
+        const Property& property = made.properties[i];
+        if (property.block.empty()) continue;
+        const Json& object = properties->elements[i];
+        const auto block = std::ranges::find(made.blocks, property.block, &Block::name);
+        if (block == made.blocks.end())
+            diagnostics.report(Code::UnknownWord, object.find("block")->span, graph::shown(property.block),
+                               "one of the blocks");
+        else if (std::uint64_t{property.offset} + property.size > block->size)
+            diagnostics.report(Code::ImpossibleValue, object.find("offset") ? object.find("offset")->span : object.span,
+                               "offset", fmt::format("inside the {} bytes of '{}'", block->size, block->name));
+    }
+}
+
 }  // namespace
 
 Reflection read_reflection(const SourceMap& sources, std::uint32_t base, Diagnostics& diagnostics) {
@@ -207,6 +225,7 @@ Reflection read_reflection(const SourceMap& sources, std::uint32_t base, Diagnos
     }
     ReadFields fields(*json, sources, diagnostics);
     describe(fields, made);
+    if (!diagnostics.has_errors()) check_blocks(*json, made, diagnostics);
     return made;
 }
 

@@ -23,6 +23,7 @@ constexpr std::pair<std::string_view, std::string_view> kExempt[] = {
     {"downstream-error",
      "a shader that another compiler refuses is a fault of the printers; validate_test.cpp makes one"},
     {"cancelled", "only a program that embeds the library cancels; budget_test.cpp does"},
+    {"no-program", "the command refuses it before it compiles; budget_test.cpp does"},
     {"over-budget", "only a program that embeds the library sets budgets; budget_test.cpp does"},
     {"two-values", "the command refuses it before it compiles; budget_test.cpp does"},
     {"internal", "a library without one of its slots cannot be built"},

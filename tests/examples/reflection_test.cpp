@@ -129,6 +129,10 @@ TEST(ReflectionJson, KeepsEveryMember) {
                         .offset = 16,
                         .size = 4,
                         .instance_stride = 32}};
+    Block block;
+    block.name = "Material";
+    block.size = 64;
+    made.blocks = {block};
     Property on, tint;
     on.name = on.identifier = "_On";
     on.type = PropertyType::Bool;
@@ -244,6 +248,24 @@ TEST(ReflectionJson, ThatIsWrongIsRefusedAtItsPlace) {
     text = refusal("\"depthWrite\": true", "\"depthWrite\": \"yes\"");
     EXPECT_TRUE(has(text, "'depthWrite' must be true or false, not a string")) << text;
     for (const char* broken : {"", "[", "[]", "{ \"patina\": 1"}) EXPECT_FALSE(Reflection::from_json(broken).ok);
+}
+
+// A program would write there.
+TEST(ReflectionJson, ValuesOutsideOfTheirBlockAreRefused) {
+    const std::string json = compiler().compile_file("examples/graphs/rusted_steel.graph.json").reflection.to_json();
+    const auto message = [&](std::string_view key, std::string_view now) {
+        std::string changed = json;
+        const std::size_t at = changed.find(key, changed.find("\"properties\"")) + key.size();
+        changed.replace(at, changed.find_first_of(",\n", at) - at, now);
+        const ReadReflection read = Reflection::from_json(changed, "a.reflect.json");
+        EXPECT_FALSE(read.ok);
+        return said(read.diagnostics);
+    };
+    EXPECT_NE(message("\"block\": ", "\"Nope\"").find("'Nope' is not one of the blocks"), std::string::npos)
+        << message("\"block\": ", "\"Nope\"");
+    for (const char* key : {"\"offset\": ", "\"size\": "})
+        EXPECT_NE(message(key, "4000000000").find("'offset' must be inside the "), std::string::npos)
+            << message(key, "4000000000");
 }
 
 // A later version may say more.

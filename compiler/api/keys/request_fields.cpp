@@ -1,5 +1,7 @@
 #include "compiler/api/keys/request_fields.h"
 
+#include <algorithm>
+
 #include "compiler/resolve/session.h"
 
 namespace patina {
@@ -14,7 +16,10 @@ void add_request(Fields& fields, const CompileOptions& options) {
 }  // namespace
 
 void add_options(Fields& fields, const CompileOptions& options) {
-    for (const Target& target : options.targets) fields.add("target").add(target.engine).add(target.language);
+    for (auto target = options.targets.begin(); target != options.targets.end(); ++target) {
+        if (std::find(options.targets.begin(), target, *target) == target)
+            fields.add("target").add(target->engine).add(target->language);
+    }
     add_request(fields, options);
     for (const auto& [name, value] : options.switches) fields.add("switch").add(name).add(value);
     fields.add_flag(options.keep_variants).add(options.lighting).add_flag(options.accept_parts);

@@ -230,6 +230,10 @@ void plan_reachable(const CompilerImpl& compiler, graph::Session& session, const
 
 void plan(const CompilerImpl& compiler, graph::Session& session, const std::string& path, VariantsWanted wanted,
           std::size_t limit, const std::function<void(const VariantPlan&)>& progress, VariantPlan& made) {
+    if (session.request.functions) {
+        session.diagnostics.report(Code::NoProgram, {});
+        return;
+    }
     graph::find_path(session);
     const std::optional<std::uint32_t> base = graph::load_source(session, path, {});
     if (!base) return;

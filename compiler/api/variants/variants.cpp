@@ -95,27 +95,34 @@ public:
         fixed_ = options_.switches;
         made_.ok = plan.ok;
         if (!plan.ok) made_.diagnostics = plan.diagnostics;
+        if (plan.ok && std::holds_alternative<CompileOptions::Functions>(options_.request)) refuse(Code::NoProgram);
     }
 
     VariantSet make(const std::function<void(std::size_t)>& progress) {
+        if (!made_.ok) return std::move(made_);
         const std::size_t count = options_.targets.empty() ? 0 : plan_.count;
         for (std::size_t i = 0; i < count; ++i) {
             if (progress) progress(i);
             if (!compile(i)) return std::move(made_);
         }
-        if (count == 0 && !whole_.targets.empty() && made_.ok) compile_whole_alone();
+        if (count == 0 && !whole_.targets.empty()) compile_whole_alone();
         return std::move(made_);
     }
 
     VariantSet stopped(const std::string& why) {
-        Diagnostics diagnostics;
-        diagnostics.report(Code::Cancelled, {}, ": " + why);
-        made_.diagnostics.push_back(to_public(diagnostics, SourceMap()).front());
-        made_.ok = false;
+        refuse(Code::Cancelled, ": " + why);
         return std::move(made_);
     }
 
 private:
+    template <class... Words>
+    void refuse(Code code, const Words&... words) {
+        Diagnostics diagnostics;
+        diagnostics.report(code, {}, words...);
+        made_.diagnostics.push_back(to_public(diagnostics, SourceMap()).front());
+        made_.ok = false;
+    }
+
     // False if no other combination is to be compiled.
     bool compile(std::size_t index) {
         const VariantValues values = plan_.combination(index);

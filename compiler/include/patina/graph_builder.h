@@ -42,7 +42,9 @@ public:
     // graph.
     template <class T>
     requires std::is_arithmetic_v<T> GraphValue(T value)
-        : kind_(std::is_same_v<T, bool> ? Kind::Bool : Kind::Number), number_(static_cast<double>(value)) {}
+        : kind_(std::is_same_v<T, bool> ? Kind::Bool : Kind::Number),
+          number_(static_cast<double>(value)),
+          is_float_(std::is_same_v<T, float>) {}
     // A text: a link, an expression, a property, a semantic, a colour, a file, a word.
     GraphValue(std::string text) : kind_(Kind::Text), text_(std::move(text)) {}
     // The same.
@@ -58,6 +60,7 @@ public:
 
     Kind kind() const { return kind_; }                              // says which of the following it has
     double number() const { return number_; }                        // also 1 for true
+    bool is_float() const { return is_float_; }                      // of a number: 0.1f is written as 0.1
     const std::string& text() const { return text_; }                // of a text
     const std::vector<GraphValue>& items() const { return items_; }  // of a list; of an object: its values
     const std::vector<std::string>& keys() const { return keys_; }   // of an object, in the order of its values
@@ -65,6 +68,7 @@ public:
 private:
     Kind kind_;
     double number_ = 0;
+    bool is_float_ = false;
     std::string text_{};
     std::vector<GraphValue> items_{};
     std::vector<std::string> keys_{};

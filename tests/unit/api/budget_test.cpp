@@ -230,6 +230,24 @@ TEST(Variants, OfAPlanThatIsNotOkHaveItsErrors) {
     EXPECT_EQ(said(set.diagnostics).find(" -D"), std::string::npos) << said(set.diagnostics);
 }
 
+TEST(Variants, OfFunctionsAreRefused) {
+    CompileOptions options = variant_options();
+    const VariantPlan plan = compiler().plan_variants("v.graph.json", VariantsWanted::All, options, kVariantLimit);
+    options.request = CompileOptions::Functions{.prefix = "V_"};
+    const VariantPlan refused =
+        compiler().plan_variants("v.graph.json", VariantsWanted::Reachable, options, kVariantLimit);
+    EXPECT_FALSE(refused.ok);
+    ASSERT_EQ(refused.diagnostics.size(), 1u) << said(refused.diagnostics);
+    EXPECT_EQ(refused.diagnostics[0].code, "no-program");
+    for (const VariantPlan& each : {plan, refused}) {
+        const VariantSet set = compiler().compile_variants("v.graph.json", each, options);
+        EXPECT_FALSE(set.ok);
+        EXPECT_TRUE(set.programs.empty());
+        ASSERT_EQ(set.diagnostics.size(), 1u) << said(set.diagnostics);
+        EXPECT_EQ(set.diagnostics[0].code, "no-program");
+    }
+}
+
 TEST(StreamedVariants, EndWithAnErrorIfTheProgramsFunctionFails) {
     const CompileOptions options = variant_options();
     const VariantPlan plan = compiler().plan_variants("v.graph.json", VariantsWanted::All, options, kVariantLimit);

@@ -192,6 +192,12 @@ TEST(GraphBuilder, TextThatIsNotUtf8NamesItsPlace) {
     EXPECT_EQ(result.diagnostics[0].port, "angle");
 }
 
+TEST(GraphBuilder, AFloatHasItsFewestDigits) {
+    GraphBuilder graph("test.graph.json");
+    graph.set("workflow", "unlit").set("meta", GraphValue::list({0.1f, 0.1, 1.0f / 3, 1.0 / 3, 7}));
+    EXPECT_NE(graph.text().find("[0.1, 0.1, 0.33333334, 0.3333333333333333, 7]"), std::string::npos) << graph.text();
+}
+
 TEST(GraphBuilder, TextsAreQuoted) {
     GraphBuilder graph("test.graph.json");
     graph.set("workflow", "unlit").set("help", "a \"quoted\"\nline \\ and a tab\t");

@@ -209,6 +209,10 @@ TEST(CacheKey, ChangesWithAllThatAResultDependsOn) {
     EXPECT_EQ(Compiler().cache_key("m/test.graph.json", options), first);
     EXPECT_NE(Compiler(overlay()).cache_key("m/test.graph.json", options), first);
     EXPECT_NE(compiler.cache_key("m/other.graph.json", options), first);
+    // A target that is named twice has no effect.
+    options.targets.push_back(options.targets.front());
+    EXPECT_EQ(key(), first);
+    options.targets.pop_back();
 
     std::vector<std::string> keys = {first};
     const auto expect_new = [&](const char* what) {
