@@ -41,9 +41,12 @@ Exit show_node(const Console& console, const Arguments& arguments) {
     const Compiler compiler;
     const std::optional<NodeInfo> node = find_node(console, compiler, arguments.name);
     if (!node) return Exit::Wrong;
+    if (arguments.json) {
+        print(to_json(*node));
+        return Exit::Ok;
+    }
     const bool is_file = arguments.name.ends_with(".hlsl");
-    print(arguments.json ? to_json(*node)
-                         : to_terminal(console, node_page(*node, is_file ? arguments.name : node->name)));
+    print(to_terminal(console, is_file ? node_page(*node, arguments.name) : node_page(*node, compiler.nodes())));
     return Exit::Ok;
 }
 

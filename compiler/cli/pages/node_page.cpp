@@ -1,6 +1,7 @@
 // The page of one node.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "compiler/cli/pages/pages.h"
@@ -73,6 +74,19 @@ Page node_page(const NodeInfo& node, const std::string& name) {
         {.title = "Examples", .code = fmt::format("{}", fmt::join(node.tests, "\n")), .language = "hlsl"},
         {.title = "File", .text = node.file, .link = "../../" + node.file},
     };
+    return page;
+}
+
+Page node_page(const NodeInfo& node, std::span<const NodeInfo> library) {
+    Page page = node_page(node, node.name);
+    std::vector<std::string> names = node.also;
+    names.push_back(node.name);
+    for (const NodeInfo& other : library) {
+        if (std::ranges::none_of(names, [&](const std::string& each) { return other.name == each + "Unity"; })) continue;
+        const auto before = std::ranges::find(page.sections, "Inputs", &Section::title);
+        page.sections.insert(before, {.title = "Unity's formula", .text = other.name, .link = other.name + ".md"});
+        break;
+    }
     return page;
 }
 

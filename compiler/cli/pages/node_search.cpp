@@ -45,6 +45,23 @@ constexpr Synonym kSynonyms[] = {
     {"brightness", {"Luminance", "Contrast"}},
     {"gradient", {"ColorRamp", "SampleGradient"}},
     {"rim", {"FresnelEffect"}},
+    {"glow", {"FresnelEffect"}},
+    {"velvet", {"DistributionCharlie", "FresnelEffect"}},
+    {"iridescence", {"FresnelThinFilm", "CosinePalette"}},
+    {"iridescent", {"FresnelThinFilm", "CosinePalette"}},
+    {"luma", {"Luminance"}},
+    {"luminosity", {"Luminance"}},
+    {"scroll", {"TilingOffset"}},
+    {"pan", {"TilingOffset"}},
+    {"panner", {"TilingOffset"}},
+    {"turbulence", {"FractalNoise", "CurlNoise"}},
+    {"cracks", {"Worley", "Voronoi"}},
+    {"glitter", {"Worley", "Random"}},
+    {"halftone", {"Ellipse", "Dither"}},
+    {"vignette", {"SphereMask"}},
+    {"zigzag", {"TriangleWave"}},
+    {"sss", {"DisneySubsurface"}},
+    {"world position", {"Position"}},
     {"outline", {"SdfOutline", "FresnelEffect"}},
     {"threshold", {"Step", "Smoothstep"}},
     {"random", {"Random", "RandomRange"}},
@@ -64,6 +81,7 @@ struct Text {
 };
 
 constexpr int kOwnName = 40, kOtherName = 32;
+constexpr int kEachWord = 8;  // more for a node that has all words
 
 std::vector<Text> texts_of(const NodeInfo& node) {
     std::string rest = node.doc;
@@ -184,6 +202,7 @@ std::vector<const NodeInfo*> search_nodes(std::span<const NodeInfo> nodes, std::
             each.weight += weight;
             each.has_all = each.has_all && weight > 0;
         }
+        if (each.has_all) each.weight += kEachWord * (static_cast<int>(wanted.size()) - 1);
         if (spelled_alike(node.name) == whole) each.weight += 1000;  // "one minus" is more than a filler and "minus"
         if (each.weight > 0) found.push_back(each);
     }
