@@ -44,10 +44,10 @@ struct Remark {
         LeftOut   // the graph does not say it; `patina import` warns
     };
     Kind kind = Kind::Taken;
-    std::string part;  // as the source names it: "materials[2].emissiveFactor"
-    std::string text;  // what it became, or why it is left out: "the input 'emission'"
-    int line = 0;      // in the file, from 1; 0: a binary file, or the file as a whole
-    int column = 0;    // from 1, in bytes
+    std::string part;    // as the source names it: "materials[2].emissiveFactor"
+    std::string text;    // what it became, or why it is left out: "the input 'emission'"
+    int line = 0;        // in the file, from 1; 0: a binary file, or the file as a whole
+    int column = 0;      // from 1, in bytes
     std::string file{};  // empty: the source; else one that it uses: "Wood.shadersubgraph"
 };
 std::string_view to_string(Remark::Kind kind);  // "exact", "approximate", "refused"

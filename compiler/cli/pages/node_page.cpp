@@ -82,7 +82,8 @@ Page node_page(const NodeInfo& node, std::span<const NodeInfo> library) {
     std::vector<std::string> names = node.also;
     names.push_back(node.name);
     for (const NodeInfo& other : library) {
-        if (std::ranges::none_of(names, [&](const std::string& each) { return other.name == each + "Unity"; })) continue;
+        if (std::ranges::none_of(names, [&](const std::string& each) { return other.name == each + "Unity"; }))
+            continue;
         const auto before = std::ranges::find(page.sections, "Inputs", &Section::title);
         page.sections.insert(before, {.title = "Unity's formula", .text = other.name, .link = other.name + ".md"});
         break;
