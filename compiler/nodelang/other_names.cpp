@@ -9,6 +9,10 @@
 namespace patina::nodelang {
 namespace {
 
+constexpr std::string_view kTerrain = "a graph knows no terrain: declare a texture for each of its layers",
+                           kDeformed = "the renderer deforms the mesh, and a graph reads the deformed vertices",
+                           kInterface = "it draws Unity's user interface, and a graph is the material of a mesh";
+
 // Words of the language itself, and values. A node has its other names in its file: [also("mix")].
 constexpr OtherName kOtherNames[] = {
     // GLSL
@@ -75,7 +79,9 @@ constexpr OtherName kOtherNames[] = {
     {"ComputeScreenPos", "@screenUV", "of this pixel, divided by w; for another point, use the node 'ScreenFromWorld'"},
     {"ComputeGrabScreenPos", "@screenUV", "of this pixel, divided by w"},
     {"clip", "", "a surface of the kind 'cutout' drops the pixels whose 'alpha' is below 'alphaClip'"},
-    {"texCUBE", "", "a graph has no cube textures of its own; the node 'EnvironmentRadiance' reads the environment"},
+    {"texCUBE", "",
+     "the node 'SampleTextureCube' reads a property of the type 'textureCube', and 'EnvironmentRadiance' the "
+     "environment"},
     {"fixed", "half"},
     {"fixed3", "float3"},
     {"fixed4", "float4"},
@@ -131,6 +137,24 @@ constexpr OtherName kOtherNames[] = {
      "Unity shows a custom interpolator by this name, which is a node with \"stage\": \"vertex\"; the number of an "
      "instance is the node 'InstanceId'"},
     {"EyeIndex", "0", "a graph is drawn for one eye"},
+    // Unity's Shader Graph: nodes of parts of that engine
+    {"TerrainProperties", "", kTerrain},
+    {"TerrainTexture", "", kTerrain},
+    {"ComputeDeformation", "", kDeformed},
+    {"LinearBlendSkinning", "", kDeformed},
+    {"SpriteSkinning", "", kDeformed},
+    {"ElementLayoutUV", "", kInterface},
+    {"ElementTextureSize", "", kInterface},
+    {"ElementTextureUV", "", kInterface},
+    {"SampleElementTexture", "", kInterface},
+    {"DefaultBitmapText", "", kInterface},
+    {"DefaultGradient", "", kInterface},
+    {"DefaultSDFText", "", kInterface},
+    {"DefaultSolid", "", kInterface},
+    {"DefaultTexture", "", kInterface},
+    {"IsForcedGamma", "", kInterface},
+    {"RenderType", "", kInterface},
+    {"RenderTypeBranch", "", kInterface},
     // C and C++
     {"fabs", "abs"},
     {"fmin", "min"},
