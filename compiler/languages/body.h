@@ -34,6 +34,8 @@ public:
     // The operands from the given one on, separated by commas.
     std::string arguments(ir::Value v, std::uint32_t from = 0) const;
     Text ternary(ir::Value v) const;
+    // The matrix whose first rows and columns a construct is; null if it is something else.
+    ir::Value corner_of(ir::Value v) const;
 
     // --- for a language's own statements
     void statement(ir::Value v, std::string_view text);
@@ -58,6 +60,7 @@ private:
     Text construct(ir::Value v) const;
     Text vector_of_parts(ir::Value v) const;
     Text matrix_of_rows(ir::Value v) const;
+    bool is_start_of_row(ir::Value v, std::uint32_t row) const;
     Text extract(ir::Value v) const;
     Text swizzle(ir::Value v) const;
     bool may_end_in_swizzle(ir::Value v) const;

@@ -267,11 +267,36 @@ Text Body::vector_of_parts(Value v) const {
     return call_text(writer_.type(type), list);
 }
 
+// "m[1].xyz" or "m[1]", of row 1.
+bool Body::is_start_of_row(Value v, std::uint32_t row) const {
+    const Inst& inst = function_[v];
+    if (is_variable(v)) return false;
+    if (inst.op == Op::Extract) return inst.data == row && function_[arg(v, 0)].type.is_matrix();
+    if (inst.op != Op::Swizzle || function_[arg(v, 0)].op != Op::Extract) return false;
+    for (unsigned i = 0; i < inst.type.width(); ++i)
+        if ((inst.data >> (2 * i) & 3) != i) return false;
+    return is_start_of_row(arg(v, 0), row);
+}
+
+Value Body::corner_of(Value v) const {
+    if (function_[v].op != Op::Construct || !function_[v].type.is_matrix()) return {};
+    Value matrix{};
+    for (std::uint32_t row = 0; row < args(v); ++row) {
+        Value part = arg(v, row);
+        if (!is_start_of_row(part, row)) return {};
+        if (function_[part].op == Op::Swizzle) part = arg(part, 0);
+        if (row == 0) matrix = arg(part, 0);
+        if (arg(part, 0) != matrix) return {};
+    }
+    return matrix;
+}
+
 Text Body::matrix_of_rows(Value v) const {
     const Type type = function_[v].type;
     if (!writer_.language.matrices_by_columns) {
         return call_text(writer_.type(type), arguments(v));
     }
+    if (const Value matrix = corner_of(v)) return call_text(writer_.type(type), expression(matrix).text);
     const Type transposed = Type::matrix(type.scalar, type.cols, type.rows);
     return {fmt::format("transpose({}({}))", writer_.type(transposed), arguments(v)), Precedence::Postfix};
 }

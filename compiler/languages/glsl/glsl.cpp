@@ -65,7 +65,7 @@ Text sample(const Body& body, Value v, std::string_view function) {
 }
 
 bool is_made_in_place(const Body& body, Value v) {
-    return body[v].op == Op::Construct && body[v].type.is_matrix() && !body.is_variable(v);
+    return body[v].op == Op::Construct && body[v].type.is_matrix() && !body.is_variable(v) && !body.corner_of(v);
 }
 
 // GLSL makes matrices of columns, and the IR of rows, so the same vectors make the transpose.

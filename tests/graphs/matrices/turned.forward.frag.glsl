@@ -21,7 +21,7 @@ layout(location = 0) out vec4 outColor;
 
 vec3 surface(vec2 uv0)
 {
-    mat2 basis = transpose(mat2(transpose(_Turn)[0].xy, transpose(_Turn)[1].xy));
+    mat2 basis = mat2(_Turn);
     vec2 turned = basis * uv0;
 
     // MatrixSplit "split"
@@ -31,8 +31,7 @@ vec3 surface(vec2 uv0)
     // MatrixConstruction "made"
     mat3 made = transpose(mat3(vec3(0.5, 0.25, 0.0), split.xyz, vec3(0.0, 0.0, 1.0)));
 
-    vec3 colorProduct = vec3(turned, determinant(basis)) * mat3(transpose(_Mix)[0].xyz, transpose(_Mix)[1].xyz,
-        transpose(_Mix)[2].xyz);
+    vec3 colorProduct = mat3(_Mix) * vec3(turned, determinant(basis));
     vec3 color = colorProduct + made * vec3(5.0, 6.0, 7.0);
 
     return mix(color, (objectToWorld * vec4(0.0, 1.0, 0.0, 0.0)).xyz, _Amount);
