@@ -23,33 +23,46 @@ bool has_ending(const std::string& path, std::initializer_list<std::string_view>
     return std::ranges::any_of(endings, [&](std::string_view ending) { return path.ends_with(ending); });
 }
 
-bool add_folder(const Console& console, const std::string& folder, std::initializer_list<std::string_view> endings,
-                Inputs& inputs) {
-    const std::vector<Input> files = inputs_below(folder, endings);
-    const runtime::Outcome<std::vector<std::string>> folders = runtime::folders_below(folder);
-    inputs.files.insert(inputs.files.end(), files.begin(), files.end());
-    inputs.folders.insert(inputs.folders.end(), folders.value.begin(), folders.value.end());
-    if (folders && !files.empty()) return true;
-    complain(console, Complaint::CannotRead, {folder, folders ? "there is no graph in it" : folders.error});
-    return false;
+std::vector<Input> inputs_among(const std::vector<std::string>& files, const std::string& folder,
+                                std::initializer_list<std::string_view> endings) {
+    std::vector<Input> inputs;
+    for (const std::string& file : files) {
+        if (has_ending(file, endings))
+            inputs.push_back({.path = file, .folder = folder_below(file, folder), .from = Input::From::Folder});
+    }
+    return inputs;
 }
 
-bool add_list(const Console& console, const std::string& list, std::vector<Input>& inputs) {
+void add_folder(const Console& console, const std::string& folder, std::initializer_list<std::string_view> endings,
+                Inputs& inputs) {
+    runtime::FolderContents below = runtime::look_below(folder);
+    const std::vector<Input> files = inputs_among(below.files, folder, endings);
+    if (below.unread.empty() && files.empty())
+        below.unread.push_back({.path = folder, .why = "there is no graph in it"});
+    for (const runtime::UnreadFolder& unread : below.unread) {
+        complain(console, Complaint::CannotRead, {unread.path, unread.why});
+        inputs.exit = Exit::Wrong;
+    }
+    inputs.files.insert(inputs.files.end(), files.begin(), files.end());
+    inputs.folders.insert(inputs.folders.end(), below.folders.begin(), below.folders.end());
+}
+
+void add_list(const Console& console, const std::string& list, Inputs& inputs) {
     std::string error;
     const std::optional<std::string> text = list == "-" ? read_standard_input() : read_file(list, error);
     if (!text) {
         complain(console, Complaint::CannotRead, {list, error});
-        return false;
+        inputs.exit = Exit::Wrong;
+        return;
     }
     for (std::size_t begin = 0; begin < text->size();) {
         const std::size_t end = std::min(text->find('\n', begin), text->size());
         std::string path = text->substr(begin, end - begin);
         if (path.ends_with('\r')) path.pop_back();
         if (!path.empty())
-            inputs.push_back({.path = path, .folder = folder_below(path, "."), .from = Input::From::List});
+            inputs.files.push_back({.path = path, .folder = folder_below(path, "."), .from = Input::From::List});
         begin = end + 1;
     }
-    return true;
 }
 
 }  // namespace
@@ -72,25 +85,22 @@ void require_inputs(const InputArguments& arguments) {
 }
 
 std::vector<Input> inputs_below(const std::string& folder, std::initializer_list<std::string_view> endings) {
-    std::vector<Input> inputs;
-    for (const std::string& file : runtime::files_below(folder).value) {
-        if (has_ending(file, endings))
-            inputs.push_back({.path = file, .folder = folder_below(file, folder), .from = Input::From::Folder});
-    }
-    return inputs;
+    std::error_code ignored;
+    if (!fs::is_directory(folder, ignored)) return {};
+    return inputs_among(runtime::look_below(folder).files, folder, endings);
 }
 
-std::optional<Inputs> find_inputs(const Console& console, const InputArguments& arguments,
-                                  std::initializer_list<std::string_view> endings) {
+Inputs find_inputs(const Console& console, const InputArguments& arguments,
+                   std::initializer_list<std::string_view> endings) {
     Inputs inputs;
     for (const std::string& word : arguments.words) {
         std::error_code ignored;
         if (!fs::is_directory(word, ignored))
             inputs.files.push_back({.path = word, .from = Input::From::CommandLine});
-        else if (!add_folder(console, word, endings, inputs))
-            return std::nullopt;
+        else
+            add_folder(console, word, endings, inputs);
     }
-    if (!arguments.list.empty() && !add_list(console, arguments.list, inputs.files)) return std::nullopt;
+    if (!arguments.list.empty()) add_list(console, arguments.list, inputs);
     return inputs;
 }
 

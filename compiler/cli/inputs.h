@@ -2,8 +2,8 @@
 // several threads, with their results in order.
 //
 //   add_input_options(command, arguments->inputs, "Material graphs (JSON)");
-//   const std::optional<Inputs> inputs = find_inputs(console, arguments.inputs, {".graph.json"});
-//   work_on(console, inputs->files, jobs, [&](const Input& input) { return make(input); },
+//   const Inputs inputs = find_inputs(console, arguments.inputs, {".graph.json"});
+//   work_on(console, inputs.files, jobs, [&](const Input& input) { return make(input); },
 //           [&](const Input& input, Made& made) { return write(input, made); });
 #pragma once
 
@@ -28,6 +28,7 @@ struct Input {
 struct Inputs {
     std::vector<Input> files{};
     std::vector<std::string> folders{};  // that were searched for them; what is put into one is a new input
+    Exit exit = Exit::Ok;                // Wrong: some were not found
 };
 
 struct InputArguments {
@@ -41,12 +42,12 @@ void add_input_options(CLI::App& command, InputArguments& arguments, const std::
 // Throws the usage error if neither a file nor a list is given.
 void require_inputs(const InputArguments& arguments);
 
-// Of folders: the files with one of the endings, in order. Nothing: a list or a folder cannot be read, or holds no such
-// file, and that has been reported.
-std::optional<Inputs> find_inputs(const Console& console, const InputArguments& arguments,
-                                  std::initializer_list<std::string_view> endings);
+// Of folders: the files with one of the endings, in order. A list or a folder that cannot be read, or holds no such
+// file, is reported; the other inputs are there.
+Inputs find_inputs(const Console& console, const InputArguments& arguments,
+                   std::initializer_list<std::string_view> endings);
 
-// The files of a folder and below it. None if it is no folder, or cannot be read.
+// The files of a folder and below it. None if it is no folder; not those of folders that cannot be read.
 std::vector<Input> inputs_below(const std::string& folder, std::initializer_list<std::string_view> endings);
 
 // Takes out those that would write one file, and reports them. Throws the usage error if the command line names both.

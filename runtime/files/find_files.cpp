@@ -9,13 +9,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Below {
-    std::vector<std::string> files{}, folders{};
-    std::string error{};
-};
-
 // std::filesystem::recursive_directory_iterator would end at a folder that is removed meanwhile.
-void look_into(const fs::path& folder, bool is_outermost, Below& below) {
+void look_into(const fs::path& folder, bool is_outermost, FolderContents& below) {
     std::error_code error;
     fs::directory_iterator at(folder, error);
     if (error == std::errc::no_such_file_or_directory && !is_outermost) return;
@@ -29,25 +24,25 @@ void look_into(const fs::path& folder, bool is_outermost, Below& below) {
         else if (fs::is_directory(status) && !at->is_symlink(ignored))
             look_into(at->path(), false, below);
     }
-    if (error) below.error = "cannot read the folder '" + folder.string() + "': " + error.message();
-}
-
-Outcome<std::vector<std::string>> sorted(std::vector<std::string> Below::*paths, const std::string& folder) {
-    Below below;
-    look_into(folder, true, below);
-    if (!below.error.empty()) return Failure{below.error};
-    std::sort((below.*paths).begin(), (below.*paths).end());
-    return below.*paths;
+    if (error) below.unread.push_back({.path = folder.string(), .why = error.message()});
 }
 
 }  // namespace
 
-Outcome<std::vector<std::string>> files_below(const std::string& folder) {
-    return sorted(&Below::files, folder);
+FolderContents look_below(const std::string& folder) {
+    FolderContents below;
+    look_into(folder, true, below);
+    std::ranges::sort(below.files);
+    std::ranges::sort(below.folders);
+    std::ranges::sort(below.unread, {}, &UnreadFolder::path);
+    return below;
 }
 
-Outcome<std::vector<std::string>> folders_below(const std::string& folder) {
-    return sorted(&Below::folders, folder);
+Outcome<std::vector<std::string>> files_below(const std::string& folder) {
+    FolderContents below = look_below(folder);
+    if (below.unread.empty()) return std::move(below.files);
+    const UnreadFolder& first = below.unread.front();
+    return Failure{"cannot read the folder '" + first.path + "': " + first.why};
 }
 
 }  // namespace patina::runtime

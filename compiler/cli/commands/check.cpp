@@ -182,13 +182,12 @@ void add_check(Program& program) {
     set_check(command, [arguments] { require_inputs(arguments->inputs); });
 
     set_work(program, command, [arguments, check_scene = program.check_scene](const Console& console) {
-        const auto inputs =
+        const Inputs inputs =
             find_inputs(console, arguments->inputs,
                         {".graph.json", ".scene.json", ".subgraph.json", ".lighting.json", ".node.hlsl", ".pass.hlsl"});
-        if (!inputs) return Exit::Wrong;
         const Compiler compiler;
-        return work_on(
-            console, inputs->files, arguments->inputs.jobs,
+        const Exit exit = work_on(
+            console, inputs.files, arguments->inputs.jobs,
             [&](const Input& input) {
                 return is_scene(input.path) ? Checked{} : check_file(compiler, *arguments, input);
             },
@@ -202,6 +201,7 @@ void add_check(Program& program) {
                 if (checked.ok) say(console, input.path + ": ok");
                 return checked.ok ? Exit::Ok : Exit::Wrong;
             });
+        return worse(inputs.exit, exit);
     });
 }
 

@@ -119,7 +119,7 @@ Exit write_list(Run& run, const Inputs& inputs) {
 
 Exit compile_all(Run& run, Inputs& inputs) {
     const CompileArguments& arguments = run.arguments;
-    Exit exit = take_out_equal_outputs(run.console, inputs.files, ".*", "compile");
+    Exit exit = worse(inputs.exit, take_out_equal_outputs(run.console, inputs.files, ".*", "compile"));
     if (arguments.variants.wanted.empty()) {
         exit = worse(exit, work_on(
                                run.console, inputs.files, arguments.inputs.jobs,
@@ -202,15 +202,14 @@ void add_compile(Program& program) {
             complain(console, Complaint::FunctionsAsSpirv, {});
             return Exit::Usage;
         }
-        std::optional<Inputs> inputs = find_inputs(console, arguments->inputs, {".graph.json"});
-        if (!inputs) return Exit::Wrong;
+        Inputs inputs = find_inputs(console, arguments->inputs, {".graph.json"});
         const Compiler compiler;
         if (const std::string why = settle(*arguments, compiler); !why.empty()) {
             complain(console, Complaint::Usage, {why});
             return Exit::Usage;
         }
         Run run{console, *arguments, compiler};
-        return compile_all(run, *inputs);
+        return compile_all(run, inputs);
     });
 }
 

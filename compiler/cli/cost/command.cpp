@@ -57,13 +57,12 @@ void add_cost(Program& program) {
             complain(console, Complaint::MixedOutput, {"--json"});
             return Exit::Usage;
         }
-        const auto inputs = find_inputs(console, arguments->inputs, {".graph.json"});
-        if (!inputs) return Exit::Wrong;
+        const Inputs inputs = find_inputs(console, arguments->inputs, {".graph.json"});
         const Compiler compiler;
         std::vector<CostReport> reports;
         bool is_first = true;
         const Exit exit = work_on(
-            console, inputs->files, arguments->inputs.jobs,
+            console, inputs.files, arguments->inputs.jobs,
             [&](const Input& input) { return measure_graph(compiler, *arguments, input.path); },
             [&](const Input&, Measured& made) {
                 report(console, made.diagnostics);
@@ -77,7 +76,7 @@ void add_cost(Program& program) {
                 return Exit::Ok;
             });
         if (arguments->json) print(report_json(reports));
-        return exit;
+        return worse(inputs.exit, exit);
     });
 }
 

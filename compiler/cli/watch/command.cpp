@@ -40,8 +40,8 @@ void complete(WatchArguments& arguments) {
 }
 
 Exit run_watch(const Console& console, WatchArguments& arguments) {
-    const std::optional<Inputs> inputs = find_inputs(console, arguments.compile.inputs, {".graph.json"});
-    if (!inputs) return Exit::Wrong;
+    const Inputs inputs = find_inputs(console, arguments.compile.inputs, {".graph.json"});
+    if (inputs.files.empty()) return inputs.exit;
     const Compiler compiler;
     if (const std::string why = settle(arguments.compile, compiler); !why.empty()) {
         complain(console, Complaint::Usage, {why});
@@ -49,7 +49,7 @@ Exit run_watch(const Console& console, WatchArguments& arguments) {
     }
     if (!arguments.picture.empty() && !Outputs(console).is_possible(arguments.picture)) return Exit::Wrong;
     stop_at_signals();
-    Watch watch(console, compiler, arguments, *inputs);
+    Watch watch(console, compiler, arguments, inputs);
     Exit exit = Exit::Ok;
     while (!stopped && exit == Exit::Ok && !output_failed()) {
         exit = watch.look();
