@@ -128,6 +128,7 @@ private:
     Term computed(Scope& scope, const Element& node, std::string_view output);
     Term property_of(const Element& input);
     void make_surface(Scope& scope, const Element& shader);
+    bool has_effect(Scope& scope, const Element& shader, const Port& port);
     void add_to_surface(const std::string& key, const Term& value);
     void refuse_invalid(const Element& shader, std::size_t first_remark);
     void report_nodes();

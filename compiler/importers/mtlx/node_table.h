@@ -18,7 +18,7 @@ struct Port {
 struct Statement {
     std::string output{};     // "out"; "$": a value that the others read; of a surface: its input
     std::string otherwise{};  // of a surface: the input's own default; empty: it is always written
-    std::string only_if{};    // of a surface: the input that the document must set
+    std::string only_if{};    // of a surface: the input that the document must set, and not to 0
     std::string text{};
 };
 struct NodeRule {

@@ -26,6 +26,11 @@ void GraphMaker::add_to_surface(const std::string& key, const Term& value) {
     types_["surface." + key] = value.type;
 }
 
+// A weight that is 0 is none, and neither is an angle.
+bool GraphMaker::has_effect(Scope& scope, const Element& shader, const Port& port) {
+    return is_set(scope, shader, port.name) && (port.type != "float" || !input(scope, shader, port).is_all(0));
+}
+
 void GraphMaker::make_surface(Scope& scope, const Element& shader) {
     std::string kind(shader.category);
     if (kind == "UsdPreviewSurface") {
@@ -51,7 +56,7 @@ void GraphMaker::make_surface(Scope& scope, const Element& shader) {
         std::vector<std::string> inputs;
         for (const Port& port : surface->rule.inputs)
             if (reads(each.text, port.name) && is_set(scope, shader, port.name)) inputs.push_back(port.name);
-        if (!each.only_if.empty() && !is_set(scope, shader, each.only_if)) continue;
+        if (!each.only_if.empty() && !has_effect(scope, shader, *surface->rule.input(each.only_if))) continue;
         Type type = Type::Float;
         for (const Port& port : surface->rule.inputs)
             if (reads(each.text, port.name) && !each.text.ends_with(".x}") &&

@@ -1,0 +1,71 @@
+// The inputs of MaterialX's surface shaders: defaults, layers that are off, units.
+#include "compiler/importers/mtlx/graph_maker.h"
+#include "tests/unit/importers/mtlx_document.h"
+
+namespace patina::importers {
+namespace {
+
+// Its inputs are of the graph's interface, if `value` names none of them.
+Imported surface(const std::string& shader, const std::string& inputs, const std::string& before = {}) {
+    return import_text(
+        material(fmt::format(R"(<{0} name="shader" type="surfaceshader">{1}</{0}>)", shader, inputs), before));
+}
+std::string number(const std::string& name, const std::string& value, const std::string& more = {}) {
+    return fmt::format(R"(<input name="{}" type="float" value="{}" {}/>)", name, value, more);
+}
+// A property of that value.
+std::string property(const std::string& name, const std::string& value, const std::string& more = {}) {
+    return fmt::format(
+        R"(<nodegraph name="NG"><input name="{0}" type="float" value="{1}" {2}/><output name="out" type="float" interfacename="{0}"/></nodegraph>)",
+        name, value, more);
+}
+std::string connected(const std::string& name) {
+    return fmt::format(R"(<input name="{}" type="float" nodegraph="NG" output="out"/>)", name);
+}
+
+bool has(const Imported& made, const std::string& part) {
+    return text_of(made).find(part) != std::string::npos;
+}
+
+// Many programs write all inputs.
+TEST(MtlxSurface, WrittenDefaultsAreNoInputs) {
+    for (const std::string_view shader : mtlx::surface_shaders()) {
+        const bool is_specular = shader.ends_with(" specular");
+        const std::string category(shader.substr(0, shader.find(' ')));
+        const std::string first = is_specular ? R"(<input name="useSpecularWorkflow" type="integer" value="1"/>)" : "";
+        std::string inputs = first;
+        for (const mtlx::Port& port : mtlx::surface_rule(shader)->rule.inputs)
+            if (!port.otherwise.starts_with('@') && !(is_specular && port.name == "useSpecularWorkflow"))
+                inputs +=
+                    fmt::format(R"(<input name="{}" type="{}" value="{}"/>)", port.name, port.type, port.otherwise);
+        const Imported made = surface(category, inputs);
+        EXPECT_EQ(text_of(made), text_of(surface(category, first))) << shader;
+    }
+}
+
+TEST(MtlxSurface, AFilmIsThereWhereItIsThick) {
+    Imported made = surface("standard_surface", number("thin_film_thickness", "400"));
+    EXPECT_TRUE(has(made, R"("thinFilmWeight": 1)")) << text_of(made);
+    EXPECT_TRUE(has(made, R"("thinFilmThickness": 0.4)")) << text_of(made);
+    EXPECT_TRUE(has(made, R"("thinFilmIor": 1.5)")) << text_of(made);
+    made = surface("standard_surface", number("thin_film_thickness", "0"));
+    EXPECT_FALSE(has(made, "thinFilm")) << text_of(made);
+    made = surface("standard_surface", connected("thin_film_thickness"), property("film", "0"));
+    EXPECT_TRUE(has(made, R"("thinFilmWeight": "= $_Film > 0 ? 1.0 : 0.0")")) << text_of(made);
+    expect_compiles(made, "film");
+}
+
+TEST(MtlxSurface, DispersionIsThereWhereItIsNotZero) {
+    Imported made = surface("standard_surface", number("transmission", "1") + number("transmission_dispersion", "0"));
+    EXPECT_FALSE(has(made, "transmissionDispersion")) << text_of(made);
+    made = surface("standard_surface", number("transmission", "1") + number("transmission_dispersion", "30"));
+    EXPECT_TRUE(has(made, R"("transmissionDispersionScale": 1)")) << text_of(made);
+    EXPECT_TRUE(has(made, R"("transmissionDispersionAbbe": 30)")) << text_of(made);
+    made = surface("standard_surface", connected("transmission_dispersion"), property("spread", "0"));
+    EXPECT_TRUE(has(made, R"("transmissionDispersionScale": "= $_Spread > 0 ? 1.0 : 0.0")")) << text_of(made);
+    EXPECT_TRUE(has(made, R"("transmissionDispersionAbbe": "= $_Spread > 0 ? $_Spread : 20.0")")) << text_of(made);
+    expect_compiles(made, "dispersion");
+}
+
+}  // namespace
+}  // namespace patina::importers
