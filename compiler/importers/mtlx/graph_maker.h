@@ -122,6 +122,7 @@ private:
         bool is_normal = false;
     };
 
+    const Element& stated(Scope& scope, const Element& input) const;
     Term value_at(Scope& scope, const Element& input, Type type);
     Term connected(Scope& scope, const Element& input);
     Term output_of(const Element& graph, Scope& around, std::string_view output, const Element& reader);

@@ -49,6 +49,10 @@ std::vector<Port> ports_of(std::string_view inputs) {
         const std::size_t equals = std::min(text.find('='), text.size()), colon = text.substr(0, equals).find(':');
         Port port{.name = std::string(text.substr(0, std::min(colon, equals)))};
         if (colon != text.npos) port.type = text.substr(colon + 1, equals - colon - 1);
+        if (const std::size_t bracket = port.type.find('('); bracket != port.type.npos) {
+            port.unit = port.type.substr(bracket + 1, port.type.size() - bracket - 2);
+            port.type.resize(bracket);
+        }
         if (equals < text.size()) port.otherwise = text.substr(equals + 1);
         made.push_back(std::move(port));
     }

@@ -14,6 +14,7 @@ namespace patina::importers::mtlx {
 struct Port {
     std::string name{}, type{};  // type: empty: that of the node
     std::string otherwise{};     // "0.5", "1,1,1", "@UV0"
+    std::string unit{};          // of a surface: "micron"; empty: metres and degrees
 };
 struct Statement {
     std::string output{};     // "out"; "$": a value that the others read; of a surface: its input

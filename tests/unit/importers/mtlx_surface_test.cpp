@@ -67,5 +67,42 @@ TEST(MtlxSurface, DispersionIsThereWhereItIsNotZero) {
     expect_compiles(made, "dispersion");
 }
 
+// Lengths and angles, in the units that the shader takes.
+TEST(MtlxSurface, UnitsAreThoseOfTheInput) {
+    const std::string nanometres = R"(unit="nanometer" unittype="distance")", radians = R"(unit="radian")";
+    Imported made =
+        surface("open_pbr_surface", number("thin_film_weight", "1") + number("thin_film_thickness", "600", nanometres));
+    EXPECT_TRUE(has(made, R"("thinFilmThickness": 0.6)")) << text_of(made);
+    made = surface("gltf_pbr", number("iridescence", "1") + number("iridescence_thickness", "400", nanometres) +
+                                   number("anisotropy_rotation", "0.5", radians) +
+                                   number("thickness", "5", R"(unit="centimeter")"));
+    EXPECT_TRUE(has(made, R"("iridescenceThickness": 400)")) << text_of(made);
+    EXPECT_TRUE(has(made, "float2(cos(0.5), sin(0.5))")) << text_of(made);
+    EXPECT_TRUE(has(made, R"("thickness": 0.05)")) << text_of(made);
+    made = surface("standard_surface", number("thin_film_thickness", "400", nanometres));
+    EXPECT_TRUE(has(made, R"("thinFilmThickness": 0.4)")) << text_of(made);
+    made = surface("standard_surface", number("thin_film_thickness", "0.4", R"(unit="micron")"));
+    EXPECT_TRUE(has(made, R"("thinFilmThickness": 0.4)")) << text_of(made);
+    // Without a unit, the shader's own.
+    made = surface("gltf_pbr", number("iridescence", "1") + number("iridescence_thickness", "400") +
+                                   number("anisotropy_rotation", "0.5"));
+    EXPECT_TRUE(has(made, R"("iridescenceThickness": 400)")) << text_of(made);
+    EXPECT_TRUE(has(made, "float2(cos(0.5), sin(0.5))")) << text_of(made);
+    // A property is in metres.
+    made = surface("gltf_pbr", number("iridescence", "1") + connected("iridescence_thickness"),
+                   property("film", "400", nanometres));
+    EXPECT_TRUE(has(made, R"("name": "_Film", "type": "float", "default": 4e-7)")) << text_of(made);
+    EXPECT_TRUE(has(made, R"("iridescenceThickness": "= $_Film * 1e+09")")) << text_of(made);
+    expect_compiles(made, "a property with a unit");
+}
+
+TEST(MtlxSurface, UnknownUnitsAreSaid) {
+    const Imported made = surface("gltf_pbr", number("thickness", "5", R"(unit="furlong" unittype="distance")"));
+    EXPECT_TRUE(has(made, R"("thickness": 5)")) << text_of(made);
+    EXPECT_EQ(remarks(made, Remark::Kind::Changed),
+              "input 'thickness': the unit 'furlong' is not known: its number is taken as it is\n");
+    EXPECT_EQ(remarks(surface("gltf_pbr", number("thickness", "5", R"(unit="meter")")), Remark::Kind::Changed), "");
+}
+
 }  // namespace
 }  // namespace patina::importers
