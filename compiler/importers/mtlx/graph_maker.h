@@ -140,6 +140,7 @@ private:
     Term property_of(const Element& input);
     void make_surface(Scope& scope, const Element& shader);
     bool has_effect(Scope& scope, const Element& shader, const Port& port);
+    bool is_default(Scope& scope, const Element& shader, const SurfaceRule::Ignored& ignored);
     void add_to_surface(const std::string& key, const Term& value);
     void refuse_invalid(const Element& shader, std::size_t first_remark);
     void report_nodes();

@@ -49,7 +49,7 @@ struct SurfaceRule {
     std::string_view workflow, lighting;
     NodeRule rule{};
     struct Ignored {
-        std::string_view input, text;
+        std::string_view input, otherwise, text;
     };
     std::vector<Ignored> ignored{};
 };

@@ -38,8 +38,17 @@ TEST(MtlxSurface, WrittenDefaultsAreNoInputs) {
             if (!port.otherwise.starts_with('@') && !(is_specular && port.name == "useSpecularWorkflow"))
                 inputs +=
                     fmt::format(R"(<input name="{}" type="{}" value="{}"/>)", port.name, port.type, port.otherwise);
+        for (const mtlx::SurfaceRule::Ignored& each : mtlx::surface_rule(shader)->ignored)
+            if (!each.otherwise.starts_with('@') && !mtlx::surface_rule(shader)->rule.input(each.input))
+                inputs += fmt::format(R"(<input name="{}" type="{}" value="{}"/>)", each.input,
+                                      each.otherwise == "false"                            ? "boolean"
+                                      : each.otherwise.find(',') != std::string_view::npos ? "color3"
+                                                                                           : "float",
+                                      each.otherwise);
         const Imported made = surface(category, inputs);
         EXPECT_EQ(text_of(made), text_of(surface(category, first))) << shader;
+        EXPECT_EQ(remarks(made, Remark::Kind::Changed), "") << shader;
+        EXPECT_EQ(remarks(made, Remark::Kind::LeftOut), "") << shader;
     }
 }
 
@@ -65,6 +74,27 @@ TEST(MtlxSurface, DispersionIsThereWhereItIsNotZero) {
     EXPECT_TRUE(has(made, R"("transmissionDispersionScale": "= $_Spread > 0 ? 1.0 : 0.0")")) << text_of(made);
     EXPECT_TRUE(has(made, R"("transmissionDispersionAbbe": "= $_Spread > 0 ? $_Spread : 20.0")")) << text_of(made);
     expect_compiles(made, "dispersion");
+}
+
+TEST(MtlxSurface, OpacityOfOneGreyIsExact) {
+    const auto said = [](const std::string& opacity, const std::string& before = {}) {
+        const Imported made =
+            surface("standard_surface", "<input name=\"opacity\" type=\"color3\" " + opacity + "/>", before);
+        EXPECT_TRUE(has(made, "\"alpha\": ")) << text_of(made);
+        return remarks(made, Remark::Kind::Changed);
+    };
+    const std::string lost =
+        "standard_surface 'shader': the surface, lit by 'openpbr': its opacity is that of red, in all channels\n";
+    EXPECT_EQ(said(R"(value="0.5, 0.5, 0.5")"), "");
+    EXPECT_EQ(said(R"(value="0.5, 0.5, 0.25")"), lost);
+    EXPECT_EQ(said(R"(nodename="source_color3")", sources()), lost);
+    EXPECT_EQ(
+        said(
+            R"(nodename="grey")",
+            sources() +
+                R"(<convert name="grey" type="color3"><input name="in" type="float" nodename="source_float"/></convert>)"),
+        "");
+    EXPECT_EQ(said(R"(nodename="source_color3" channels="ggg")", sources()), "");
 }
 
 // Lengths and angles, in the units that the shader takes.
