@@ -27,17 +27,15 @@ const Element* input_of(const Element& node, std::string_view name) {
     return found == node.children.end() ? nullptr : &*found;
 }
 
-// Lengths in metres, and angles in degrees.
-double unit_scale(std::string_view unit) {
+// Lengths in metres, and angles in degrees, as the standard library defines them.
+std::optional<double> unit_scale(std::string_view unit) {
     static constexpr std::pair<std::string_view, double> kUnits[] = {
-        {"nanometer", 1e-9},  {"micron", 1e-6},
-        {"millimeter", 1e-3}, {"centimeter", 1e-2},
-        {"inch", 0.0254},     {"foot", 0.3048},
-        {"yard", 0.9144},     {"kilometer", 1e3},
-        {"mile", 1609.344},   {"radian", 57.29577951308232}};
+        {"nanometer", 1e-9}, {"micron", 1e-6},   {"millimeter", 1e-3}, {"centimeter", 1e-2},
+        {"inch", 0.0254},    {"foot", 0.3048},   {"yard", 0.9144},     {"meter", 1},
+        {"kilometer", 1e3},  {"mile", 1609.344}, {"degree", 1},        {"radian", 57.29577951308232}};
     for (const auto& [name, scale] : kUnits)
         if (name == unit) return scale;
-    return 1;
+    return std::nullopt;
 }
 
 std::string_view interface_of(const Element& input) {
@@ -235,8 +233,13 @@ Term GraphMaker::literal(const Element& input, std::string_view type, std::strin
                    input);
         to_linear(space, numbers);
     }
-    if (const double scale = unit_scale(input.attribute("unit")); scale != 1)
-        for (double& each : numbers) each *= scale;
+    if (const std::string_view unit = input.attribute("unit"); !unit.empty()) {
+        const auto scale = unit_scale(unit);
+        if (!scale)
+            remark(Remark::Kind::Changed, fmt::format("input '{}'", input.name()),
+                   fmt::format("the unit '{}' is not known: its number is taken as it is", unit), input);
+        for (double& each : numbers) each *= scale.value_or(1);
+    }
     Term made{.type = wanted, .numbers = std::move(numbers)};
     return made;
 }
@@ -257,6 +260,14 @@ Term GraphMaker::geometry(std::string_view property, Type type) {
     for (const auto& [name, value] : kValues)
         if (name == property) return terms::link(std::string(value), Type::Float3);
     return terms::converted(terms::number_term(0), type);
+}
+
+// The input of a node graph that an output hands on as it is; else the input itself.
+const Element& GraphMaker::stated(Scope& scope, const Element& input) const {
+    const Element* const graph = input.has("nodegraph") ? find(scope, input.attribute("nodegraph")) : nullptr;
+    const Element* const output = graph ? graph->child("output", input.attribute("output")) : nullptr;
+    const Element* const found = output ? input_of(*graph, interface_of(*output)) : nullptr;
+    return found ? *found : input;
 }
 
 Term GraphMaker::input(Scope& scope, const Element& node, const Port& port, bool may_stay_number) {
@@ -282,6 +293,18 @@ Term GraphMaker::input(Scope& scope, const Element& node, const Port& port, bool
         made = property_of(*source.input);
     } else {
         made = value_at(*source.scope, *source.input, type);
+    }
+    // A number with a unit is in metres or degrees so far.
+    const auto scale = unit_scale(port.unit);
+    if (scale && source.input && unit_scale(stated(*source.scope, *source.input).attribute("unit"))) {
+        for (double& each : made.numbers) each /= *scale;
+        if (!made.is_constant()) {
+            Term scaled = terms::parsed(fmt::format("{} * {}", terms::at_least(made.text(), terms::kProduct),
+                                                    terms::digits(std::round(1 / *scale * 1e9) / 1e9)),
+                                        made.type);
+            scaled.nodes = made.nodes;
+            made = scaled;
+        }
     }
     if (source.input && input_of(node, port.name) && input_of(node, port.name)->has("channels"))
         made = terms::swizzled(made, input_of(node, port.name)->attribute("channels"));

@@ -186,6 +186,12 @@ void GraphMaker::remark(Remark::Kind kind, std::string part, std::string text, c
     if (!is_there) import_.remarks.push_back(std::move(made));
 }
 
+void GraphMaker::describe(const Element& input, GraphProperty& property) {
+    for (const auto& [from, to] :
+         {std::pair("uiname", "label"), std::pair("uifolder", "group"), std::pair("doc", "help")})
+        if (!input.attribute(from).empty()) property.more.push_back({to, text(input.attribute(from))});
+}
+
 // An input of a node graph that nothing connects can be set from outside.
 Term GraphMaker::property_of(const Element& input) {
     const auto [found, is_new] = properties_.try_emplace(&input);
@@ -219,9 +225,7 @@ Term GraphMaker::property_of(const Element& input) {
             low.numbers[0] < high.numbers[0] && value.numbers[0] >= low.numbers[0] &&
             value.numbers[0] <= high.numbers[0])
             property.more.push_back({"range", list({limit_value(low.numbers[0]), limit_value(high.numbers[0])})});
-        for (const auto& [from, to] :
-             {std::pair("uiname", "label"), std::pair("uifolder", "group"), std::pair("doc", "help")})
-            if (!input.attribute(from).empty()) property.more.push_back({to, text(input.attribute(from))});
+        describe(input, property);
         made = terms::link("$" + property.name, value.type);
         made.is_color = word == "color";
         if (type == "color3") {

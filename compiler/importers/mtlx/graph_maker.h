@@ -61,6 +61,12 @@ struct Source {
     bool is_interface = false;       // it is an input of a node graph that nothing connects: a property
 };
 
+// How a picture is read.
+struct Sampling {
+    std::string wrap = "repeat", filter = "linear";
+    bool is_normal = false;
+};
+
 class GraphMaker {
 public:
     GraphMaker(Import& import, std::string name);
@@ -92,9 +98,13 @@ public:
     // The texture of a node, sampled.
     Term sampled(Scope& scope, const Element& node, Term coordinates, std::string_view file_input = "file",
                  std::string_view wrap_input = "uaddressmode", std::string_view other_wrap_input = "vaddressmode");
+    // By the words of the node. What a sampler cannot do is said.
+    Sampling sampling_of(Scope& scope, const Element& node, std::string_view wrap_input = "uaddressmode",
+                         std::string_view other_wrap_input = "vaddressmode");
     // The texture's property: "$_Wood".
-    std::string texture(Scope& scope, const Element& node, std::string_view file_input, std::string_view wrap,
-                        std::string_view filter);
+    std::string texture(Scope& scope, const Element& node, std::string_view file_input, const Sampling& sampling);
+    // "label", "group" and "help" of a property.
+    static void describe(const Element& input, GraphProperty& property);
 
     Term sampled_normal(const Element& node, const Term& texel, const Term& scale);
     std::string noise_file(std::string_view kind);
@@ -122,12 +132,15 @@ private:
         bool is_normal = false;
     };
 
+    const Element& stated(Scope& scope, const Element& input) const;
     Term value_at(Scope& scope, const Element& input, Type type);
     Term connected(Scope& scope, const Element& input);
     Term output_of(const Element& graph, Scope& around, std::string_view output, const Element& reader);
     Term computed(Scope& scope, const Element& node, std::string_view output);
     Term property_of(const Element& input);
     void make_surface(Scope& scope, const Element& shader);
+    bool has_effect(Scope& scope, const Element& shader, const Port& port);
+    bool is_default(Scope& scope, const Element& shader, const SurfaceRule::Ignored& ignored);
     void add_to_surface(const std::string& key, const Term& value);
     void refuse_invalid(const Element& shader, std::size_t first_remark);
     void report_nodes();

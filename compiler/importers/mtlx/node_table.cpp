@@ -19,9 +19,9 @@ struct SurfaceRow {
     std::string_view shader, workflow, lighting, inputs, outputs;
 };
 struct IgnoredRow {
-    std::string_view shader, input, text;
+    std::string_view shader, input, otherwise, text;
 };
-#define IGNORED(shader, input, text)
+#define IGNORED(shader, input, otherwise, text)
 constexpr SurfaceRow kSurfaces[] = {
 #define SURFACE(shader, workflow, lighting, inputs, outputs) {shader, workflow, lighting, inputs, outputs},
 #include "compiler/importers/mtlx/surfaces.def"
@@ -30,7 +30,7 @@ constexpr SurfaceRow kSurfaces[] = {
 #undef IGNORED
 #define SURFACE(shader, workflow, lighting, inputs, outputs)
 constexpr IgnoredRow kIgnored[] = {
-#define IGNORED(shader, input, text) {shader, input, text},
+#define IGNORED(shader, input, otherwise, text) {shader, input, otherwise, text},
 #include "compiler/importers/mtlx/surfaces.def"
 #undef IGNORED
 };
@@ -49,6 +49,10 @@ std::vector<Port> ports_of(std::string_view inputs) {
         const std::size_t equals = std::min(text.find('='), text.size()), colon = text.substr(0, equals).find(':');
         Port port{.name = std::string(text.substr(0, std::min(colon, equals)))};
         if (colon != text.npos) port.type = text.substr(colon + 1, equals - colon - 1);
+        if (const std::size_t bracket = port.type.find('('); bracket != port.type.npos) {
+            port.unit = port.type.substr(bracket + 1, port.type.size() - bracket - 2);
+            port.type.resize(bracket);
+        }
         if (equals < text.size()) port.otherwise = text.substr(equals + 1);
         made.push_back(std::move(port));
     }
@@ -103,7 +107,7 @@ const std::map<std::string_view, SurfaceRule>& surfaces() {
                 .workflow = row.workflow,
                 .lighting = row.lighting,
                 .rule = {.inputs = ports_of(row.inputs), .statements = statements_of(row.outputs, true)}};
-        for (const IgnoredRow& row : kIgnored) all[row.shader].ignored.push_back({row.input, row.text});
+        for (const IgnoredRow& row : kIgnored) all[row.shader].ignored.push_back({row.input, row.otherwise, row.text});
         return all;
     }();
     return made;

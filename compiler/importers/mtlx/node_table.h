@@ -14,11 +14,12 @@ namespace patina::importers::mtlx {
 struct Port {
     std::string name{}, type{};  // type: empty: that of the node
     std::string otherwise{};     // "0.5", "1,1,1", "@UV0"
+    std::string unit{};          // of a surface: "micron"; empty: metres and degrees
 };
 struct Statement {
     std::string output{};     // "out"; "$": a value that the others read; of a surface: its input
     std::string otherwise{};  // of a surface: the input's own default; empty: it is always written
-    std::string only_if{};    // of a surface: the input that the document must set
+    std::string only_if{};    // of a surface: the input that the document must set, and not to 0
     std::string text{};
 };
 struct NodeRule {
@@ -48,7 +49,7 @@ struct SurfaceRule {
     std::string_view workflow, lighting;
     NodeRule rule{};
     struct Ignored {
-        std::string_view input, text;
+        std::string_view input, otherwise, text;
     };
     std::vector<Ignored> ignored{};
 };

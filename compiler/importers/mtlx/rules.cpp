@@ -84,6 +84,20 @@ std::optional<Term> product(const std::string& text, const std::vector<Term>& te
     return made;
 }
 
+// "{in} > 0 ? 1.0 : {other}" of a number.
+std::optional<Term> choice(const std::string& text, const std::vector<Term>& terms) {
+    const std::size_t question = text.find(" > 0 ? "), colon = text.find(" : ");
+    if (question == text.npos || colon == text.npos || !terms[0].is_constant()) return {};
+    const bool is_first = terms[0].numbers[0] > 0;
+    const std::string first = text.substr(question + 7, colon - question - 7), second = text.substr(colon + 3);
+    if (const auto value = read_number(is_first ? first : second)) {
+        Term made = terms::number_term(*value);
+        made.add_nodes(terms[0]);
+        return made;
+    }
+    return is_first || !first.starts_with('{') ? terms[1] : terms[2];
+}
+
 // "- 0" and "/ 1" are not written, if another operand has the size of the result.
 bool adds_nothing(const std::vector<Term>& terms, std::size_t index, std::string_view before, std::string_view after) {
     const bool is_sum = before.ends_with(" + ") || before.ends_with(" - ");
@@ -117,6 +131,7 @@ Term GraphMaker::filled(Scope& scope, const Element& node, const NodeRule& rule,
     const bool is_whole = places.size() == 1 && text.starts_with('{') && text.find('}') + 1 == text.size();
     if (is_whole) return terms[0];
     if (auto made = product(text, terms)) return *made;
+    if (auto made = choice(text, terms)) return *made;
     // Numbers stand for vectors, but not if all operands do: "float4(0, 0, 0, 0) + 1".
     const std::size_t width = terms::is_vector(type) ? terms::width(type) : 1;
     const auto is_wide = [&](const Term& each) { return terms::width(each.type) == width; };

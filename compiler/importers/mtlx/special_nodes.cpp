@@ -123,7 +123,7 @@ Term gltf_image(const At& at) {
 
 Term triplanar(const At& at) {
     if (at.word("filex").empty()) return without_file(at);
-    const std::string texture = at.maker.texture(at.scope, at.node, "filex", "repeat", "linear");
+    const std::string texture = at.maker.texture(at.scope, at.node, "filex", at.maker.sampling_of(at.scope, at.node));
     if (texture.empty()) return at.maker.magenta(at.node, at.type(), "its picture cannot be read");
     if (at.word("filey") != at.word("filex") || at.word("filez") != at.word("filex"))
         at.maker.approximate(at.node, "one picture for all sides");
@@ -138,8 +138,10 @@ Term triplanar(const At& at) {
 }
 
 // A node that blends turned pieces of a picture; its texture, or nothing.
-std::optional<GraphNode> hexagons(const At& at, std::string_view node, std::string_view filter) {
-    const std::string texture = at.maker.texture(at.scope, at.node, "file", "repeat", filter);
+std::optional<GraphNode> hexagons(const At& at, std::string_view node, bool is_normal) {
+    Sampling sampling = at.maker.sampling_of(at.scope, at.node);
+    sampling.is_normal = is_normal;
+    const std::string texture = at.maker.texture(at.scope, at.node, "file", sampling);
     if (texture.empty()) return {};
     at.maker.approximate(at.node, "other hexagons, which are all of one size");
     Term place = terms::flipped(at.input("texcoord", "vector2", "@UV0"));
@@ -166,7 +168,7 @@ std::optional<GraphNode> hexagons(const At& at, std::string_view node, std::stri
 
 Term hextiledimage(const At& at) {
     if (at.word("file").empty()) return without_file(at);
-    auto made = hexagons(at, "HexTiling", "linear");
+    auto made = hexagons(at, "HexTiling", false);
     if (!made) return at.maker.magenta(at.node, at.type(), "its picture cannot be read");
     const Term contrast = at.input("falloffcontrast", "float", "0.5");
     made->inputs.push_back({"contrast", contrast.value()});
@@ -313,7 +315,7 @@ Term normalmap(const At& at) {
 
 Term hextilednormalmap(const At& at) {
     if (at.word("file").empty()) return at.maker.geometry("Nworld", Type::Float3);
-    auto made = hexagons(at, "HexTilingNormal", "normal");
+    auto made = hexagons(at, "HexTilingNormal", true);
     if (!made) return at.maker.magenta(at.node, at.type(), "its picture cannot be read");
     const Term strength = at.input("strength", "float", "1");
     if (!strength.is_all(1)) made->inputs.push_back({"strength", strength.value()});
@@ -324,7 +326,9 @@ Term hextilednormalmap(const At& at) {
 Term gltf_normalmap(const At& at) {
     if (at.word("file").empty()) return at.maker.geometry("Nworld", Type::Float3);
     Term texel = terms::link("", Type::Float4);
-    const std::string texture = at.maker.texture(at.scope, at.node, "file", "repeat", "normal");
+    Sampling sampling = at.maker.sampling_of(at.scope, at.node);
+    sampling.is_normal = true;
+    const std::string texture = at.maker.texture(at.scope, at.node, "file", sampling);
     if (texture.empty()) return at.maker.geometry("Nworld", Type::Float3);
     texel.base = texture;
     texel.from_top = terms::flipped(gltf_coordinates(at)).text();

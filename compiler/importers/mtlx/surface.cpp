@@ -19,11 +19,35 @@ bool reads(const std::string& text, std::string_view input) {
     return at != text.npos && std::string_view("}.!").find(text[at + 1 + input.size()]) != std::string_view::npos;
 }
 
+bool is_grey(const Term& color) {
+    if (color.is_constant()) return color.is_all(color.numbers[0]);
+    if (!color.swizzle.empty()) return color.swizzle.find_first_not_of(color.swizzle[0]) == std::string::npos;
+    const auto is_first = [&](const Term::Part& each) { return each.width == 1 && each.text == color.parts[0].text; };
+    return color.parts.size() == 3 && std::ranges::all_of(color.parts, is_first);
+}
+
 }  // namespace
 
 void GraphMaker::add_to_surface(const std::string& key, const Term& value) {
     file_.surface.push_back({key, value.value()});
     types_["surface." + key] = value.type;
+}
+
+// A weight that is 0 is none, and neither is an angle.
+bool GraphMaker::has_effect(Scope& scope, const Element& shader, const Port& port) {
+    return is_set(scope, shader, port.name) && (port.type != "float" || !input(scope, shader, port).is_all(0));
+}
+
+bool GraphMaker::is_default(Scope& scope, const Element& shader, const SurfaceRule::Ignored& ignored) {
+    const Source source = source_of(scope, shader, ignored.input);
+    const bool is_geometry = ignored.otherwise.starts_with('@');
+    // What would be computed for it would be in the graph.
+    if (source.is_interface || (!is_geometry && !source.input->has("value"))) return false;
+    const std::string type = type_of(scope, shader, ignored.input);
+    const Port port{.name = std::string(ignored.input), .type = type};
+    const Term usual =
+        is_geometry ? geometry(ignored.otherwise.substr(1), Type::Float3) : literal(Element{}, type, ignored.otherwise);
+    return input(scope, shader, port).text() == usual.text();
 }
 
 void GraphMaker::make_surface(Scope& scope, const Element& shader) {
@@ -51,7 +75,7 @@ void GraphMaker::make_surface(Scope& scope, const Element& shader) {
         std::vector<std::string> inputs;
         for (const Port& port : surface->rule.inputs)
             if (reads(each.text, port.name) && is_set(scope, shader, port.name)) inputs.push_back(port.name);
-        if (!each.only_if.empty() && !is_set(scope, shader, each.only_if)) continue;
+        if (!each.only_if.empty() && !has_effect(scope, shader, *surface->rule.input(each.only_if))) continue;
         Type type = Type::Float;
         for (const Port& port : surface->rule.inputs)
             if (reads(each.text, port.name) && !each.text.ends_with(".x}") &&
@@ -118,7 +142,8 @@ void GraphMaker::make_surface(Scope& scope, const Element& shader) {
             cutoff = input(scope, shader, {.name = "opacityThreshold", .type = "float", .otherwise = "0"});
             if (!cutoff.is_all(0)) mode = "cutout";
         }
-        if (shader.category == "standard_surface" && is_set(scope, shader, "opacity"))
+        if (shader.category == "standard_surface" && is_set(scope, shader, "opacity") &&
+            !is_grey(input(scope, shader, {.name = "opacity", .type = "color3"})))
             approximate(shader, "its opacity is that of red, in all channels");
     }
     if (mode == "fade" && alpha.is_all(1)) mode.clear();
@@ -135,14 +160,10 @@ void GraphMaker::make_surface(Scope& scope, const Element& shader) {
     for (const SurfaceRule::Ignored& each : surface->ignored) {
         carried.insert(std::string(each.input));
         if (!is_set(scope, shader, each.input)) continue;
-        const Element* const stated = shader.child("", each.input);
-        const bool is_tangent = each.input.ends_with("tangent");
-        if (is_tangent &&
-            input(scope, shader, {.name = std::string(each.input), .type = "vector3"}).text() == "@tangentWS")
-            continue;
-        if (stated)
-            remark(Remark::Kind::Changed, fmt::format("{} input '{}'", kind, each.input), std::string(each.text),
-                   *stated);
+        if (const Element* const stated = shader.child("", each.input))
+            remark(is_default(scope, shader, each) ? Remark::Kind::Taken : Remark::Kind::Changed,
+                   fmt::format("{} input '{}'", kind, each.input),
+                   is_default(scope, shader, each) ? "its default" : std::string(each.text), *stated);
     }
     for (const Element& each : shader.children) {
         const bool is_input =

@@ -21,8 +21,19 @@ std::string wrap_word(std::string_view mode) {
 
 }  // namespace
 
-std::string GraphMaker::texture(Scope& scope, const Element& node, std::string_view file_input, std::string_view wrap,
-                                std::string_view filter) {
+Sampling GraphMaker::sampling_of(Scope& scope, const Element& node, std::string_view wrap_input,
+                                 std::string_view other_wrap_input) {
+    const std::string mode = word_of(scope, node, wrap_input), other = word_of(scope, node, other_wrap_input);
+    const std::string wrap = wrap_word(mode), filter = word_of(scope, node, "filtertype");
+    if (wrap != wrap_word(other)) approximate(node, fmt::format("'{}' along v, too: a sampler has one word", wrap));
+    if (mode == "constant" || mode == "black")
+        approximate(node, "outside of the picture, the colour of its edge goes on");
+    if (filter == "cubic") approximate(node, "the filter is linear");
+    return {.wrap = wrap, .filter = filter == "closest" ? "nearest" : "linear"};
+}
+
+std::string GraphMaker::texture(Scope& scope, const Element& node, std::string_view file_input,
+                                const Sampling& sampling) {
     const Source source = source_of(scope, node, file_input);
     if (!source.input) return {};
     const std::string stated = source.input->fileprefix + std::string(source.input->attribute("value"));
@@ -30,7 +41,7 @@ std::string GraphMaker::texture(Scope& scope, const Element& node, std::string_v
         refuse(node, fmt::format("'{}' stands for several pictures", stated));
         return {};
     }
-    const bool is_normal = filter == "normal";
+    const bool is_normal = sampling.is_normal;
     // Only colours have a colour space, whatever the elements around say.
     const std::string_view type = node.type();
     const bool is_data = type == "float" || type.starts_with("vector");
@@ -44,7 +55,9 @@ std::string GraphMaker::texture(Scope& scope, const Element& node, std::string_v
         if (space.matrix)
             approximate(node, fmt::format("the primaries of '{}' are those of sRGB", source.input->colorspace));
     }
-    Texture& texture = textures_[fmt::format("{}\n{}\n{}\n{}", stated, wrap, filter, space.is_color)];
+    Texture& texture =
+        textures_[fmt::format("{}\n{}\n{}\n{}\n{}\n{}", stated, sampling.wrap, sampling.filter, is_normal,
+                              space.is_color, source.is_interface ? source.input->name() : "")];
     if (!texture.property.empty()) return "$" + texture.property;
 
     const fs::path name(stated);
@@ -72,10 +85,11 @@ std::string GraphMaker::texture(Scope& scope, const Element& node, std::string_v
     else if (!space.is_color)
         made.more.push_back({"usage", text("data")});
     std::vector<Member> sampler;
-    if (wrap != "repeat") sampler.push_back({"wrap", text(wrap)});
-    if (filter == "nearest") sampler.push_back({"filter", text("nearest")});
+    if (sampling.wrap != "repeat") sampler.push_back({"wrap", text(sampling.wrap)});
+    if (sampling.filter == "nearest") sampler.push_back({"filter", text("nearest")});
     if (!sampler.empty()) made.more.push_back({"sampler", object(sampler)});
     if (source.is_interface) {
+        describe(*source.input, made);
         import_.reached.insert(source.input);
         remark(Remark::Kind::Taken, fmt::format("input '{}'", source.input->name()),
                fmt::format("the property '{}'", made.name), *source.input);
@@ -91,15 +105,10 @@ std::string GraphMaker::texture(Scope& scope, const Element& node, std::string_v
 
 Term GraphMaker::sampled(Scope& scope, const Element& node, Term coordinates, std::string_view file_input,
                          std::string_view wrap_input, std::string_view other_wrap_input) {
-    const std::string mode = word_of(scope, node, wrap_input), other = word_of(scope, node, other_wrap_input);
-    const std::string wrap = wrap_word(mode), filter = word_of(scope, node, "filtertype");
-    if (wrap != wrap_word(other)) approximate(node, fmt::format("'{}' along v, too: a sampler has one word", wrap));
-    if (mode == "constant" || mode == "black")
-        approximate(node, "outside of the picture, the colour of its edge goes on");
-    if (filter == "cubic") approximate(node, "the filter is linear");
+    const Sampling sampling = sampling_of(scope, node, wrap_input, other_wrap_input);
     for (const std::string_view each : {"layer", "framerange"})
         if (!word_of(scope, node, each).empty()) approximate(node, fmt::format("its '{}' is not read", each));
-    const std::string property = texture(scope, node, file_input, wrap, filter == "closest" ? "nearest" : "linear");
+    const std::string property = texture(scope, node, file_input, sampling);
     if (property.empty())
         return magenta(node, Type::Float4,
                        fmt::format("'{}' is no picture that can be read", word_of(scope, node, file_input)));
@@ -156,7 +165,10 @@ std::optional<Term> normal_map_of(GraphMaker& maker, Scope& scope, const Element
     } else if (node.category == "UsdPreviewSurface") {
         return {};
     }
-    const std::string texture = maker.texture(*source.scope, *found, "file", "repeat", "normal");
+    Sampling sampling =
+        maker.sampling_of(*source.scope, *found, is_usd ? "wrapS" : "uaddressmode", is_usd ? "wrapT" : "vaddressmode");
+    sampling.is_normal = true;
+    const std::string texture = maker.texture(*source.scope, *found, "file", sampling);
     if (texture.empty()) return {};
     Term made = terms::link(texture, Type::Float4);
     Term coordinates = is_tiled
