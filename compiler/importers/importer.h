@@ -1,8 +1,9 @@
 // The room `importers` turns materials of other programs into graph files. It needs no GPU.
 //
 // The seam for importers. This folder holds this interface, the list of importers (importers.cpp), graph_writer.h,
-// which all of them write graphs with, and unity_assets.h, which those of Unity's formats share. To add one: write a
-// folder with a function that returns its row, and add the row to the list. No other file names a format.
+// which all of them write graphs with, and unity_assets.h, unity_pictures.h and unity_yaml.h, which those of Unity's
+// formats share. To add one: write a folder with a function that returns its row, and add the row to the list. No
+// other file names a format.
 //
 // An importer reads the file that it is given and the files that this one names. It draws nothing and writes nothing:
 // `patina import` writes what it returns, all or nothing. Whatever it does not carry over is a remark; nothing is
@@ -44,10 +45,10 @@ struct Remark {
         LeftOut   // the graph does not say it; `patina import` warns
     };
     Kind kind = Kind::Taken;
-    std::string part;  // as the source names it: "materials[2].emissiveFactor"
-    std::string text;  // what it became, or why it is left out: "the input 'emission'"
-    int line = 0;      // in the file, from 1; 0: a binary file, or the file as a whole
-    int column = 0;    // from 1, in bytes
+    std::string part;    // as the source names it: "materials[2].emissiveFactor"
+    std::string text;    // what it became, or why it is left out: "the input 'emission'"
+    int line = 0;        // in the file, from 1; 0: a binary file, or the file as a whole
+    int column = 0;      // from 1, in bytes
     std::string file{};  // empty: the source; else one that it uses: "Wood.shadersubgraph"
 };
 std::string_view to_string(Remark::Kind kind);  // "exact", "approximate", "refused"
