@@ -95,7 +95,9 @@ private:
     };
     struct TextureUse {
         bool is_normal = false, is_color = false, is_data = false;
-        bool is_linear = false;  // its default says so
+        bool is_linear = false;            // its default says so
+        const Picture* picture = nullptr;  // that it shows; null: none
+        std::size_t node = 0;              // of a texture that is no property: which one holds it
     };
 
     void find_order();
@@ -104,6 +106,7 @@ private:
     void say_misread(std::size_t node, std::string misread);
     void read_blackboard();
     void finish_textures();
+    void declare_texture(GraphProperty& made, TextureUse& use, const Property& source, std::string& difference);
     void make_surface();
     Term block_value(const Block& block, Type type);
     void add_pinned(std::string id, const Block& block);

@@ -10,6 +10,7 @@
 #include "compiler/importers/shadergraph/read/shader_graph.h"
 #include "compiler/importers/shadergraph/values/term.h"
 #include "compiler/importers/unity_assets.h"
+#include "compiler/importers/unity_pictures.h"
 #include "patina/patina.h"
 
 namespace patina::importers::shadergraph {
@@ -53,6 +54,7 @@ public:
 
     Assets assets;
     std::string folder;  // that will be written to
+    Pictures pictures{assets, folder};
     Names file_names{};
     std::vector<TextFile> files{};
     std::vector<Remark> remarks{};

@@ -12,23 +12,47 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Picture {
-    std::string file{};     // relative to the output folder; empty: there is none
-    std::string missing{};  // GUID of one that was not found
-};
-
-// The picture that the JSON in a string names: {"texture":{"fileID":2800000,"guid":"..."}}
-Picture picture_of(Project& project, const Json* holder) {
-    if (!holder) return {};
+// The GUID of the picture that the JSON in a string names: {"texture":{"fileID":2800000,"guid":"..."}}
+std::string guid_of(const Json* holder) {
     std::string guid;
+    if (!holder) return guid;
     for (const std::string_view key : {"m_SerializedTexture", "m_SerializedCubemap"})
         if (guid.empty()) guid = guid_in(text_of(holder, key));
-    if (guid.empty()) guid = text_of(holder, "m_Guid");
-    if (guid.empty()) return {};
-    const auto found = project.assets.find(guid, "", kPictures);
-    if (!found) return {.missing = guid};
-    const std::string file = path_from(project.folder, found->path);
-    return {.file = file, .missing = file.empty() ? guid : std::string()};
+    return guid.empty() ? std::string(text_of(holder, "m_Guid")) : guid;
+}
+
+const Picture* picture_of(Project& project, const std::string& guid) {
+    return guid.empty() ? nullptr : &project.pictures.find(guid);
+}
+
+bool is_missing(const Picture* picture) {
+    return picture && picture->file.empty();
+}
+
+Value texture_value(const Picture* picture, std::string_view otherwise) {
+    return text(picture && !picture->file.empty() ? std::string_view(picture->file) : otherwise);
+}
+
+std::string missing_comment(const std::string& guid) {
+    return fmt::format("The picture with the GUID {} was not found.", guid);
+}
+
+void append(std::string& differences, std::string_view another) {
+    if (!another.empty()) differences += (differences.empty() ? "" : "; ") + std::string(another);
+}
+
+// What the import settings of its picture say of the texture. They decide how texels are decoded, whatever reads them.
+void add_picture_settings(GraphProperty& made, const Picture& picture, bool is_normal, std::string& difference) {
+    for (const std::string& each : picture.differences) append(difference, each);
+    if (!picture.has_settings) return;
+    if (!is_normal) made.more.push_back({"usage", text(picture.is_srgb ? "color" : "data")});
+    if (is_normal && picture.flips_green) made.more.push_back({"handedness", text("directx")});
+    made.more.insert(made.more.end(), picture.more.begin(), picture.more.end());
+    if (made.type == "texture2dArray" || made.type == "texture3d")
+        made.more.insert(made.more.end(), picture.layers.begin(), picture.layers.end());
+    if (made.type != "texture2d" || is_normal == picture.is_normal_map) return;
+    append(difference, is_normal ? "it is not imported as a normal map, and is read as one"
+                                 : "it is imported as a normal map, and is not read as one");
 }
 
 std::string_view type_word(Type type) {
@@ -47,27 +71,28 @@ std::string_view default_word(int kind) {
 
 Term GraphMaker::texture_constant(std::size_t index, Type type, const Json* holder, std::string_view key,
                                   int default_type) {
-    const Picture picture = picture_of(project_, member(holder, key));
-    std::string& name =
-        texture_names_[fmt::format("{} {} {} {}", static_cast<int>(type), picture.file + picture.missing, default_type,
-                                   picture.file.empty() && picture.missing.empty() ? std::to_string(index) : "")];
+    const std::string guid = guid_of(member(holder, key));
+    const Picture* picture = picture_of(project_, guid);
+    std::string& name = texture_names_[fmt::format("{} {} {} {}", static_cast<int>(type), guid, default_type,
+                                                   guid.empty() ? std::to_string(index) : "")];
     if (name.empty()) {
-        std::string wanted =
-            picture.file.empty() ? camel_case(node(index).name) : camel_case(fs::path(picture.file).stem().string());
+        std::string wanted = !picture || is_missing(picture) ? camel_case(node(index).name)
+                                                             : camel_case(fs::path(picture->file).stem().string());
         if (wanted.empty()) wanted = "texture";
         name = property_names_.unique("_" + wanted, "_texture");
         GraphProperty made{.name = name, .type = std::string(type_word(type))};
-        made.value = text(picture.file.empty() ? default_word(default_type) : std::string_view(picture.file));
-        if (!picture.missing.empty()) {
-            made.comment = fmt::format("The picture with the GUID {} was not found.", picture.missing);
+        made.value = texture_value(picture, default_word(default_type));
+        if (is_missing(picture)) {
+            made.comment = missing_comment(guid);
             approximate(index, fmt::format("its picture has the GUID {}, which no file in {} has: the texture is {}",
-                                           picture.missing, project_.assets.folders(), default_word(default_type)));
+                                           guid, project_.assets.folders(), default_word(default_type)));
         }
         file_.properties.push_back(std::move(made));
-        if (type == Type::Texture2D) {
-            textures_[name].is_normal = default_type == 3;
-            textures_[name].is_linear = default_type == 4;
-        }
+        TextureUse& use = textures_[name];
+        use.is_normal = type == Type::Texture2D && default_type == 3;
+        use.is_linear = type == Type::Texture2D && default_type == 4;
+        use.picture = picture;
+        use.node = index;
     }
     return link("$" + name, type);
 }
@@ -109,6 +134,28 @@ NearestSampler nearest_sampler(int filter, int wrap, int anisotropy) {
     return made;
 }
 
+// A property that was left open until it was known how it is sampled.
+void GraphMaker::declare_texture(GraphProperty& made, TextureUse& use, const Property& source,
+                                 std::string& difference) {
+    const Type type = type_of_property(source.kind);
+    const int default_type = type == Type::Texture2D ? whole_in(source.json, "m_DefaultType", 0, 0, 5) : 0;
+    const std::string guid = guid_of(member(source.json, "m_Value"));
+    use.picture = picture_of(project_, guid);
+    made.type = type_word(type);
+    made.value = texture_value(use.picture, default_word(default_type));
+    if (is_missing(use.picture)) {
+        made.comment = missing_comment(guid);
+        difference =
+            fmt::format("its picture has the GUID {}, which no file in {} has", guid, project_.assets.folders());
+    }
+    if (type == Type::Texture2D) use.is_normal |= default_type == 3;
+    use.is_linear |= default_type == 4;
+    if (default_type == 5) difference = "it is white without a picture, not red";
+    if (flag_of(source.json, "useTilingAndOffset")) made.more.push_back({"tiling", patina::importers::flag(true)});
+    if (source.name != made.name && !source.name.empty()) made.more.push_back({"label", text(source.name)});
+    if (!source.group.empty()) made.more.push_back({"group", text(source.group)});
+}
+
 void GraphMaker::finish_textures() {
     for (auto& [name, use] : textures_) {
         const auto made = std::ranges::find(file_.properties, name, &GraphProperty::name);
@@ -117,30 +164,14 @@ void GraphMaker::finish_textures() {
         const Property* source = nullptr;
         for (const Property& each : graph_.properties)
             if (property_name(each) == name) source = &each;
-        if (source && made->type.empty()) {
-            const Type type = type_of_property(source->kind);
-            const int default_type = type == Type::Texture2D ? whole_in(source->json, "m_DefaultType", 0, 0, 5) : 0;
-            const Picture picture = picture_of(project_, member(source->json, "m_Value"));
-            made->type = type_word(type);
-            made->value = text(picture.file.empty() ? default_word(default_type) : std::string_view(picture.file));
-            if (!picture.missing.empty()) {
-                made->comment = fmt::format("The picture with the GUID {} was not found.", picture.missing);
-                difference = fmt::format("its picture has the GUID {}, which no file in {} has", picture.missing,
-                                         project_.assets.folders());
-            }
-            if (type == Type::Texture2D) use.is_normal |= default_type == 3;
-            use.is_linear |= default_type == 4;
-            if (default_type == 5) difference = "it is white without a picture, not red";
-            if (flag_of(source->json, "useTilingAndOffset"))
-                made->more.push_back({"tiling", patina::importers::flag(true)});
-            if (source->name != name && !source->name.empty()) made->more.push_back({"label", text(source->name)});
-            if (!source->group.empty()) made->more.push_back({"group", text(source->group)});
-        }
-        const bool is_data = use.is_linear || (use.is_data && !use.is_color);
+        if (source && made->type.empty()) declare_texture(*made, use, *source, difference);
+        const bool has_settings = use.picture && use.picture->has_settings;
+        const bool is_data = !has_settings && (use.is_linear || (use.is_data && !use.is_color));
         if (made->type == "texture2d" && (use.is_normal || is_data))
             made->more.push_back({"usage", text(use.is_normal ? "normal" : "data")});
-        if (const std::string wrong = (source ? source->misread : "") + take_misreads(); !wrong.empty())
-            difference += (difference.empty() ? "" : "; ") + wrong;
+        if (use.picture) add_picture_settings(*made, *use.picture, use.is_normal, difference);
+        if (!source && !difference.empty()) approximate(use.node, fmt::format("its picture: {}", difference));
+        append(difference, (source ? source->misread : "") + take_misreads());
         if (source)
             remark(difference.empty() ? Remark::Kind::Taken : Remark::Kind::Changed,
                    fmt::format("property '{}'", source->name),

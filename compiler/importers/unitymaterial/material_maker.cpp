@@ -93,7 +93,8 @@ MaterialMaker::MaterialMaker(const MaterialFile& source, const Shader& shader, P
                              const std::string& name)
     : graph{.name = name}, source_(source), shader_(shader), pictures_(pictures) {
     for (const auto& [texture, saved] : source_.textures)
-        if (!saved.picture.is_none() && !pictures_.find(saved.picture).repeats) all_repeat_ = false;
+        if (!saved.picture.is_none() && !pictures_.find(saved.picture.guid, saved.picture.file).repeats)
+            all_repeat_ = false;
 }
 
 // --- what the material says
@@ -208,7 +209,7 @@ std::string MaterialMaker::sample(const std::string& texture, const std::string&
     std::vector<Member> more;
     if (has_picture(texture)) {
         const AssetId& asset = source_.textures.at(texture).picture;
-        const Picture& picture = pictures_.find(asset);
+        const Picture& picture = pictures_.find(asset.guid, asset.file);
         if (picture.file.empty()) {
             property.comment = fmt::format("The picture with the GUID {} was not found.", asset.guid);
             difference = fmt::format("{}: the texture is {}", picture.missing, fallback);

@@ -14,8 +14,8 @@
 
 #include "compiler/importers/graph_writer.h"
 #include "compiler/importers/importer.h"
+#include "compiler/importers/unity_pictures.h"
 #include "compiler/importers/unitymaterial/material_file.h"
-#include "compiler/importers/unitymaterial/pictures.h"
 #include "compiler/importers/unitymaterial/shaders.h"
 
 namespace patina::importers::unitymaterial {
@@ -53,7 +53,10 @@ public:
     // Whether the keyword is on, and what it does. Of a shader that is guessed, a texture stands for its keyword.
     bool keyword(const std::string& name, const std::string& what_it_does, const std::string& texture = {});
     bool has_picture(const std::string& texture) const;  // it is assigned, whether or not its file is there
-    const Picture& picture(const std::string& texture) { return pictures_.find(source_.textures.at(texture).picture); }
+    const Picture& picture(const std::string& texture) {
+        const AssetId& id = source_.textures.at(texture).picture;
+        return pictures_.find(id.guid, id.file);
+    }
     double number(const std::string& property, double otherwise) const;
     std::array<double, 4> color(const std::string& property, std::array<double, 4> otherwise) const;
 

@@ -1,15 +1,21 @@
-// Pictures that a material names by GUID, with what their import settings ("FILE.meta") say of them.
+// Pictures that a file of Unity names by GUID, with what their import settings ("FILE.meta") say of them. The importers
+// of Unity's formats share it.
+//
+//   Pictures pictures(assets, output_folder);
+//   const Picture& wood = pictures.find("0f6a...");
+//   if (wood.file.empty()) ...                         // wood.missing says why
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "compiler/importers/graph_writer.h"
 #include "compiler/importers/unity_assets.h"
-#include "compiler/importers/unitymaterial/material_file.h"
 
-namespace patina::importers::unitymaterial {
+namespace patina::importers {
 
 struct Picture {
     std::string file{};     // relative to the output folder; empty: it was not found
@@ -18,6 +24,7 @@ struct Picture {
     bool is_srgb = true, is_normal_map = false;
     bool repeats = true;                     // in both directions
     std::vector<Member> more{};              // keys of the property: "sampler", "swizzle"
+    std::vector<Member> layers{};            // of a texture with layers: "grid"
     bool flips_green = false;                // of a normal map
     std::vector<std::string> differences{};  // settings that the graph cannot say
 };
@@ -26,14 +33,15 @@ class Pictures {
 public:
     Pictures(Assets& assets, std::string folder) : assets_(assets), folder_(std::move(folder)) {}
 
-    const Picture& find(const AssetId& id);
+    // `file`: which one of those that are in Unity itself.
+    const Picture& find(std::string_view guid, std::int64_t file = 0);
 
 private:
-    Picture read(const AssetId& id);
+    Picture read(std::string_view guid, std::int64_t file);
 
     Assets& assets_;
     std::string folder_;
-    std::map<std::string, Picture> known_{};  // by GUID
+    std::map<std::string, Picture> known_{};  // by GUID and file
 };
 
-}  // namespace patina::importers::unitymaterial
+}  // namespace patina::importers

@@ -1,4 +1,4 @@
-#include "compiler/importers/unitymaterial/yaml.h"
+#include "compiler/importers/unity_yaml.h"
 
 #include <fmt/format.h>
 #include <yaml-cpp/eventhandler.h>
@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <sstream>
 
-namespace patina::importers::unitymaterial {
+namespace patina::importers {
 namespace {
 
 constexpr std::size_t kMostBytes = 16u << 20;
@@ -121,4 +121,4 @@ YamlFile read_yaml(const std::string& path, const std::string& text) {
     return {.documents = std::move(builder.documents)};
 }
 
-}  // namespace patina::importers::unitymaterial
+}  // namespace patina::importers

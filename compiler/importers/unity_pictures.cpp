@@ -1,4 +1,4 @@
-#include "compiler/importers/unitymaterial/pictures.h"
+#include "compiler/importers/unity_pictures.h"
 
 #include <fmt/format.h>
 
@@ -7,11 +7,15 @@
 #include <fstream>
 #include <iterator>
 
-namespace patina::importers::unitymaterial {
+#include "compiler/importers/unity_yaml.h"
+
+namespace patina::importers {
 namespace {
 
 constexpr std::string_view kBuiltInResources[] = {"0000000000000000f000000000000000",
                                                   "0000000000000000e000000000000000"};
+
+constexpr int kMostLayers = 256;  // of a row or a column, in a graph
 
 int whole(const Yaml* holder, std::string_view key, int otherwise) {
     const std::string_view text = holder ? holder->word(key) : std::string_view();
@@ -52,6 +56,11 @@ void read_settings(const std::string& path, Picture& made) {
     made.is_normal_map = whole(importer, "textureType", 0) == 1;
     made.flips_green = whole(bumps, "flipGreenChannel", 0) != 0;
     read_sampler(importer->find("textureSettings"), made);
+    const int columns = std::clamp(whole(importer, "flipbookColumns", 1), 1, kMostLayers),
+              rows = std::clamp(whole(importer, "flipbookRows", 1), 1, kMostLayers);
+    if (columns > 1 || rows > 1)
+        made.layers.push_back(
+            {"grid", list({number(static_cast<double>(columns)), number(static_cast<double>(rows))})});
     if (whole(mips, "enableMipMap", 1) == 0) made.differences.push_back("it has mip levels");
     const int alpha = whole(importer, "alphaUsage", 1);
     if (!made.is_normal_map && alpha == 0) made.more.push_back({"swizzle", patina::importers::text("rgb1")});
@@ -62,22 +71,22 @@ void read_settings(const std::string& path, Picture& made) {
 
 }  // namespace
 
-const Picture& Pictures::find(const AssetId& id) {
-    const auto [found, is_new] = known_.try_emplace(fmt::format("{} {}", id.guid, id.file));
-    if (is_new) found->second = read(id);
+const Picture& Pictures::find(std::string_view guid, std::int64_t file) {
+    const auto [found, is_new] = known_.try_emplace(fmt::format("{} {}", guid, file));
+    if (is_new) found->second = read(guid, file);
     return found->second;
 }
 
-Picture Pictures::read(const AssetId& id) {
+Picture Pictures::read(std::string_view guid, std::int64_t file) {
     Picture made;
-    if (std::ranges::find(kBuiltInResources, id.guid) != std::end(kBuiltInResources)) {
-        made.missing = fmt::format("it is the picture {} of Unity itself", id.file);
+    if (std::ranges::find(kBuiltInResources, guid) != std::end(kBuiltInResources)) {
+        made.missing = fmt::format("it is the picture {} of Unity itself", file);
         return made;
     }
-    const auto found = assets_.find(id.guid, "", kPictures);
+    const auto found = assets_.find(guid, "", kPictures);
     if (!found) {
         made.missing =
-            fmt::format("no picture in {} has the GUID {}", assets_.folders(), id.guid.empty() ? "(none)" : id.guid);
+            fmt::format("no picture in {} has the GUID {}", assets_.folders(), guid.empty() ? "(none)" : guid);
         return made;
     }
     made.file = path_from(folder_, found->path);
@@ -92,4 +101,4 @@ Picture Pictures::read(const AssetId& id) {
     return made;
 }
 
-}  // namespace patina::importers::unitymaterial
+}  // namespace patina::importers

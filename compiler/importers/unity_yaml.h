@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-namespace patina::importers::unitymaterial {
+namespace patina::importers {
 
 struct Place {
     int line = 0;    // from 1; 0: nowhere
@@ -37,4 +37,4 @@ struct YamlFile {
 
 YamlFile read_yaml(const std::string& path, const std::string& text);
 
-}  // namespace patina::importers::unitymaterial
+}  // namespace patina::importers
