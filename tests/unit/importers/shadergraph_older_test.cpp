@@ -125,5 +125,84 @@ TEST(ShaderGraphTiling, OtherNodesSayThatItCounts) {
     EXPECT_EQ(text_of(made).find(" / "), std::string::npos) << text_of(made);
 }
 
+// --- inputs whose slots a file lacks
+
+std::string without_slots(const std::string& kind, const std::vector<SlotText>& slots, const std::string& more = "") {
+    const int output = slots.back().id;
+    const Imported made = import_graph(one_node({.id = "it", .kind = kind, .slots = slots, .more = more}, output));
+    EXPECT_FALSE(made.has_refused) << kind << remarks(made, Remark::Kind::LeftOut);
+    expect_compiles(made, kind);
+    return text_of(made);
+}
+void expect_text(const std::string& graph, const std::string& part) {
+    EXPECT_NE(graph.find(part), std::string::npos) << part << "\n" << graph;
+}
+
+TEST(ShaderGraphInputs, WithoutASlotHaveTheDefaultOfTheNode) {
+    // What is the default of the library's node, too, is not written.
+    const SlotText half{.id = 0, .value = R"({"x":0.5,"y":0.5,"z":0.5,"w":0.5})"};
+    const SlotText blend{.id = 1, .value = R"({"x":0.25,"y":0.25,"z":0.25,"w":0.25})"};
+    EXPECT_EQ(without_slots("BlendNode", {half, blend, out(2)}).find("opacity"), std::string::npos);
+    expect_text(without_slots("NormalFromHeightNode", {{0, "Vector1"}, out(1, "Vector3")}),
+                R"("node": "NormalFromHeight" })");
+    expect_text(without_slots("RemapNode", {half, out(3)}), R"("node": "Remap", "in": { "value": 0.5 } })");
+    expect_text(without_slots("RefractNode", {out(4, "Vector3")}), R"("node": "RefractUnity" })");
+    expect_text(without_slots("MultiplyNode", {{.id = 0, .kind = "DynamicValue", .value = R"({"e00":0.5})"}, out(2)}),
+                "0.5 * 2");
+    expect_text(without_slots("DivideNode", {half, out(2)}), "0.5 / 2");
+    expect_text(without_slots("Vector2Node", {out(0, "Vector2")}, R"("m_Value":{"x":0.25,"y":0.75})"), "0.25, 0.75");
+    expect_text(without_slots("TilingAndOffsetNode",
+                              {{.id = 2, .kind = "Vector2", .value = R"({"x":0.5,"y":0.5})"}, out(3, "Vector2")}),
+                R"("in": { "uv": "uv", "offset": 0.5 })");
+    const std::string parallax = without_slots(
+        "ParallaxOcclusionMappingNode",
+        {{.id = 2, .kind = "Texture2DInput", .more = R"("m_Texture":{})"}, out(0, "Vector1"), out(1, "Vector2")});
+    EXPECT_EQ(parallax.find("tiling"), std::string::npos) << parallax;
+    EXPECT_EQ(parallax.find("primitiveSize"), std::string::npos) << parallax;
+}
+
+// A matrix times a vector whose slot the file lacks.
+TEST(ShaderGraphInputs, OfAMatrixHaveTheDefaultToo) {
+    ShaderGraphText graph{
+        .nodes = {{.id = "m",
+                   .kind = "Matrix3Node",
+                   .slots = {out(0, "Matrix3")},
+                   .more = R"("m_Row0":{"x":1.0},"m_Row1":{"y":1.0},"m_Row2":{"z":1.0})"},
+                  {.id = "it", .kind = "MultiplyNode", .slots = {{0, "DynamicValue"}, out(2, "DynamicValue")}}},
+        .edges = {{"m", 0, "it", 0}, {"it", 2, "BaseColor"}}};
+    const Imported made = import_graph(graph);
+    expect_compiles(made, "a matrix");
+    expect_text(text_of(made), "float3(2))");
+}
+
+// Without any slot of an input, each class of the list still says what compiles.
+TEST(ShaderGraphInputs, OfEachClassCompileWithoutTheirSlots) {
+    const struct {
+        const char *kind, *inputs;
+    } rows[] =
+        {
+#define INPUTS(kind, inputs) {kind, inputs},
+#include "compiler/importers/shadergraph/inputs.def"
+#undef INPUTS
+        },
+      outputs[] = {
+#define SLOTS(kind, inputs, outputs) {kind, outputs},
+#include "tests/unit/importers/shadergraph_slots.def"
+#undef SLOTS
+      };
+    for (const auto& row : rows) {
+        const auto* slots = std::find_if(std::begin(outputs), std::end(outputs),
+                                         [&](const auto& each) { return std::string_view(each.kind) == row.kind; });
+        ASSERT_NE(slots, std::end(outputs)) << row.kind;
+        const std::string list = slots->inputs;  // "4 Vector1; ..."
+        const std::size_t space = list.find(' '), end = std::min(list.find(';'), list.size());
+        const SlotText slot = out(std::stoi(list), list.substr(space + 1, end - space - 1));
+        const Imported made =
+            import_graph(one_node({.id = "it", .kind = row.kind, .slots = {slot}, .version = 1}, slot.id));
+        EXPECT_FALSE(made.has_refused) << row.kind << remarks(made, Remark::Kind::LeftOut);
+        expect_compiles(made, row.kind);
+    }
+}
+
 }  // namespace
 }  // namespace patina::importers
