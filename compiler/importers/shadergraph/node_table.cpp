@@ -143,9 +143,10 @@ std::string_view value_without_slot(std::string_view kind, int slot) {
 int newest_version(std::string_view kind) {
     // All others have one version.
     static constexpr std::pair<std::string_view, int> kVersions[] = {
-        {"ColorNode", 1},   {"ComputeDeformNode", 1}, {"CustomFunctionNode", 1},      {"GradientNoiseNode", 1},
-        {"NoiseNode", 1},   {"PositionNode", 1},      {"LinearBlendSkinningNode", 1}, {"SampleGradient", 1},
-        {"SwizzleNode", 1}, {"TransformNode", 2},     {"ViewDirectionNode", 1},       {"VoronoiNode", 1}};
+        {"ColorNode", 1},      {"ComputeDeformNode", 1}, {"CustomFunctionNode", 1}, {"GradientNoiseNode", 1},
+        {"NoiseNode", 1},      {"NoiseSineWaveNode", 1}, {"PositionNode", 1},       {"LinearBlendSkinningNode", 1},
+        {"SampleGradient", 1}, {"SwizzleNode", 1},       {"TransformNode", 2},      {"ViewDirectionNode", 1},
+        {"VoronoiNode", 1}};
     const auto found = std::ranges::find_if(kVersions, [&](const auto& each) { return each.first == kind; });
     return found == std::end(kVersions) ? 0 : found->second;
 }

@@ -204,5 +204,67 @@ TEST(ShaderGraphInputs, OfEachClassCompileWithoutTheirSlots) {
     }
 }
 
+// --- versions of nodes
+
+NodeText noise(const char* input, int version) {
+    return {.id = "it",
+            .kind = "NoiseSineWaveNode",
+            .slots = {{.id = 0, .kind = input}, {.id = 1, .kind = "Vector2", .value = R"({"x":-0.5,"y":0.5})"}, out(2)},
+            .version = version};
+}
+TEST(ShaderGraphVersions, TheFirstNoiseSineWaveHasOneNoiseForAllComponents) {
+    ShaderGraphText wide = one_node(noise("DynamicVector", 0), 2);
+    wide.nodes.push_back({.id = "a", .kind = "PositionNode", .slots = {out(0, "Vector3")}, .more = R"("m_Space":2)"});
+    wide.edges.push_back({"a", 0, "it", 0});
+    const Imported old = import_graph(wide);
+    expect_text(text_of(old), R"("node": "NoiseSineWave", "in": { "value": "@positionWS.x")");
+    expect_text(remarks(old, Remark::Kind::Changed), "one noise for all components");
+    expect_compiles(old, "version 0");
+    wide.nodes[0].version = 1;
+    const Imported made = import_graph(wide);
+    expect_text(text_of(made), R"("node": "NoiseSineWave", "in": { "value": "@positionWS")");
+    EXPECT_EQ(remarks(made, Remark::Kind::Changed), "");
+    // One component has one noise.
+    EXPECT_EQ(remarks(import_graph(one_node(noise("DynamicVector", 0), 2)), Remark::Kind::Changed), "");
+    EXPECT_NE(remarks(import_graph(one_node(noise("DynamicVector", 2), 2)), Remark::Kind::Changed), "");
+}
+
+TEST(ShaderGraphVersions, OlderTransformsOfDirectionsAndOfTangentSpaceAreApproximate) {
+    const auto changed = [](const std::string& settings, int version) {
+        const Imported made = import_graph(one_node({.id = "it",
+                                                     .kind = "TransformNode",
+                                                     .slots = {{0, "Vector3"}, out(1, "Vector3")},
+                                                     .more = settings,
+                                                     .version = version},
+                                                    1));
+        expect_compiles(made, settings);
+        return !remarks(made, Remark::Kind::Changed).empty();
+    };
+    const std::string to_tangent = R"("m_Conversion":{"from":2,"to":3})",
+                      to_view = R"("m_Conversion":{"from":0,"to":1})", direction = R"(,"m_ConversionType":1)";
+    for (const int version : {0, 1}) {
+        EXPECT_TRUE(changed(to_tangent, version)) << version;
+        EXPECT_TRUE(changed(to_view + direction, version)) << version;
+        EXPECT_FALSE(changed(to_view, version)) << version;
+    }
+    EXPECT_FALSE(changed(to_tangent, 2));
+    EXPECT_FALSE(changed(to_view + direction, 2));
+    EXPECT_FALSE(changed(to_view + direction + R"(,"m_Normalize":false)", 2));
+    EXPECT_TRUE(changed(to_view, 3));
+}
+
+TEST(ShaderGraphVersions, ATransformKeepsTheLengthIfItSaysSo) {
+    const auto imported = [](const std::string& flag) {
+        return text_of(import_graph(one_node({.id = "it",
+                                              .kind = "TransformNode",
+                                              .slots = {{0, "Vector3"}, out(1, "Vector3")},
+                                              .more = R"("m_ConversionType":1,"m_Normalize":)" + flag,
+                                              .version = 2},
+                                             1)));
+    };
+    expect_text(imported("false"), R"("normalized": false)");
+    EXPECT_EQ(imported("true").find("normalized"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace patina::importers
