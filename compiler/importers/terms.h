@@ -35,6 +35,7 @@ struct Term {
     std::string from_top{};                      // of texture coordinates: the same with v counted from the top
     std::string tangent{};                       // of a normal in world space: a link to the same in tangent space
     bool is_color = false;                       // its components are called r, g, b, a
+    std::string transform{};                     // of a texture that is read without its tiling: the node that says it
     std::string name{};                          // the id that it would get as a node
     std::set<std::size_t> nodes{};               // of the source, that are written in it
     std::optional<std::size_t> owner{};          // the node whose output it is, after which it can be named

@@ -145,7 +145,7 @@ std::optional<Term> GraphMaker::linked_term(std::size_t index, int slot) const {
 
 Term GraphMaker::input(std::size_t index, int slot_id, bool may_stay_number) {
     const Slot* slot = node(index).slot(slot_id);
-    if (!slot) return number_term(0);
+    if (!slot) return without_slot(index, slot_id);
     const Type type = type_of(index, *slot);
     if (std::optional<Term> term = linked_term(index, slot_id)) {
         // A value of another group stays there.

@@ -49,6 +49,8 @@ public:
     Type type_of(std::size_t node, const Slot& slot) const;
     // The value at an input, in the type of its slot. `may_stay_number`: who takes it converts numbers to vectors.
     Term input(std::size_t node, int slot, bool may_stay_number = false);
+    // The value of an input whose slot the file lacks.
+    Term without_slot(std::size_t node, int slot);
     // The same as it comes, in whatever type; nothing if the input is not connected.
     std::optional<Term> linked_term(std::size_t node, int slot) const;
     // `is_handed_on`: it is the value of an input, and keeps the name that it would have there.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "compiler/base/text.h"
 #include "compiler/importers/shadergraph/graph_maker.h"
 
 namespace patina::importers::shadergraph {
@@ -51,6 +52,21 @@ Term GraphMaker::bound(std::size_t index, const Slot& slot, const Term& otherwis
     if (row == std::end(kBound)) return otherwise;
     const int space = whole_in(slot.json, "m_Space", 0, 0, 4);
     return expression(std::string(row->spaces[space == 4 ? 2 : space]), Type::Float3);
+}
+
+Term GraphMaker::without_slot(std::size_t index, int slot) {
+    const std::string_view value = value_without_slot(node(index).kind, slot);
+    if (value.empty()) return number_term(0);
+    if (value.starts_with("m_")) return number_term(number_of(node(index).json, value));
+    if (value.starts_with("uv")) return converted(coordinates(index, value == "uv" ? 0 : value[2] - '0'), Type::Float2);
+    if (value == "screen") return bound(index, {.kind = "ScreenPosition"}, {});
+    std::vector<double> numbers;
+    for (const std::string_view each : split(value, ", "))
+        if (const auto number = read_number(each)) numbers.push_back(*number);
+    if (numbers.empty()) return expression(std::string(value), Type::Float3);
+    const bool is_dynamic = numbers.size() == 4;
+    const Term made = constant(std::move(numbers));
+    return is_dynamic ? converted(made, dynamic_types_[index].vector) : made;
 }
 
 }  // namespace patina::importers::shadergraph

@@ -43,6 +43,11 @@ bool is_default(const PortInfo& port, const Term& term) {
     return term.text() == port.default_value || (number && is_constant_of(term, *number));
 }
 
+bool samples_at_its_uv(std::string_view node) {
+    return node.starts_with("SampleTexture2D") || node == "SampleNormalMap" || node == "GatherTexture2D" ||
+           node == "CalculateLevel";
+}
+
 // The type of a port of the library; None: it follows from other ports.
 Type type_of_port(std::string_view type) {
     for (const Type each : {Type::Bool, Type::Float, Type::Float2, Type::Float3, Type::Float4, Type::Texture2D,
@@ -152,8 +157,14 @@ private:
             is_handed_on_ = !may_stay_number && !only->is_exact && only->components.empty();
             // A node that only hands on keeps what its value is.
             if (is_handed_on_)
-                if (const auto term = maker_.linked_term(node_, only->slot); term && !is_vector(term->type))
+                if (auto term = maker_.linked_term(node_, only->slot); term && !is_vector(term->type)) {
+                    if (only->use == "alone" && is_tiled(*term)) {
+                        term->transform = self_.text();
+                        maker_.approximate(node_,
+                                           "what samples the texture divides by its tiling, which must not be 0");
+                    }
                     return *term;
+                }
             return term_of(*only, may_stay_number);
         }
         if (text.starts_with("$") && text.find_first_of(" (") == text.npos) {
@@ -170,6 +181,23 @@ private:
         if (text == "true" || text == "false") return flag_term(text == "true");
         if (const auto other = with_neutral(text)) return *other;
         return filled(text);
+    }
+
+    // The texture may have a tiling and an offset of its own.
+    bool is_tiled(const Term& texture) const {
+        return std::ranges::any_of(maker_.graph().properties, [&](const Property& each) {
+            return "$" + maker_.property_name(each) == texture.base &&
+                   (maker_.graph().is_subgraph || flag_of(each.json, "useTilingAndOffset"));
+        });
+    }
+    // At a port of a node of the library, which samples the texture with its own transform: what leads to the place
+    // that the node of the source samples.
+    Term without_transform(const Term& term, std::string_view port, const std::string& transform) {
+        const std::string offset = port == "uv" ? fmt::format(" - {}.offset", transform) : "";
+        const std::string from = at_least(term.text(), offset.empty() ? kProduct : kSum) + offset;
+        Term made = expression(fmt::format("{} / {}", at_least(from, kProduct), transform), Type::Float2);
+        made.add_nodes(term);
+        return made;
     }
 
     // Of the node that was called last: an output, or components of one.
@@ -256,6 +284,7 @@ private:
         call_ = library().node(made.node);
         Term holds;
         std::string wanted;
+        std::string transform;  // of a texture that is sampled without its own
         bool has_texel = false;
         for (const std::string& argument : arguments_of(text.substr(open + 1, close - open - 1))) {
             const std::size_t equals = argument.find('=');
@@ -275,13 +304,20 @@ private:
                 term = maker_.texture_constant(node_, type, nullptr, "", 0);
             }
             if (const auto only = only_placeholder(value); only && is_texture(term.type)) {
+                transform = only->use == "size" ? "" : term.transform;
                 if (only->use != "size") wanted = maker_.name_for_texture(std::string_view(term.text()).substr(1));
                 has_texel |= only->use != "normal";
                 note_texture(term, only->use);
             }
             holds.add_nodes(term);
+            if (!transform.empty() && samples_at_its_uv(made.node) &&
+                (port == "uv" || port == "right" || port == "down"))
+                term = without_transform(term, port, transform);
             if (info == call_->ports.end() || !is_default(*info, term)) made.inputs.push_back({port, term.value()});
         }
+        // Other nodes compute with the coordinates, too.
+        if (!transform.empty() && !samples_at_its_uv(made.node))
+            maker_.approximate(node_, "the tiling and the offset of its texture count here");
         const auto own = std::ranges::find(call_->ports, "sampler", &PortInfo::name);
         if (const auto sampler = maker_.linked_sampler(node_); sampler && own != call_->ports.end()) {
             holds.add_nodes(*sampler);

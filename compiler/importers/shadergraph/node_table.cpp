@@ -21,6 +21,15 @@ constexpr Row kRows[] = {
 #undef NODE
 };
 
+struct InputsRow {
+    std::string_view kind, inputs;
+};
+constexpr InputsRow kInputs[] = {
+#define INPUTS(kind, inputs) {kind, inputs},
+#include "compiler/importers/shadergraph/inputs.def"
+#undef INPUTS
+};
+
 std::string_view trimmed(std::string_view text) {
     while (text.starts_with(' ')) text.remove_prefix(1);
     while (text.ends_with(' ')) text.remove_suffix(1);
@@ -121,12 +130,23 @@ const NodeRule* rule_of(const Node& node, const NodeFacts& facts) {
     return found == rules->second.end() ? nullptr : &*found;
 }
 
+std::string_view value_without_slot(std::string_view kind, int slot) {
+    const auto row = std::ranges::find(kInputs, kind, &InputsRow::kind);
+    if (row == std::end(kInputs)) return {};
+    for (const std::string_view each : split(row->inputs, ";")) {
+        const std::string_view text = trimmed(each);
+        if (number_in(text) == slot) return text.substr(text.find(": ") + 2);
+    }
+    return {};
+}
+
 int newest_version(std::string_view kind) {
     // All others have one version.
     static constexpr std::pair<std::string_view, int> kVersions[] = {
-        {"ColorNode", 1},   {"ComputeDeformNode", 1}, {"CustomFunctionNode", 1},      {"GradientNoiseNode", 1},
-        {"NoiseNode", 1},   {"PositionNode", 1},      {"LinearBlendSkinningNode", 1}, {"SampleGradient", 1},
-        {"SwizzleNode", 1}, {"TransformNode", 2},     {"ViewDirectionNode", 1},       {"VoronoiNode", 1}};
+        {"ColorNode", 1},      {"ComputeDeformNode", 1}, {"CustomFunctionNode", 1}, {"GradientNoiseNode", 1},
+        {"NoiseNode", 1},      {"NoiseSineWaveNode", 1}, {"PositionNode", 1},       {"LinearBlendSkinningNode", 1},
+        {"SampleGradient", 1}, {"SwizzleNode", 1},       {"TransformNode", 2},      {"ViewDirectionNode", 1},
+        {"VoronoiNode", 1}};
     const auto found = std::ranges::find_if(kVersions, [&](const auto& each) { return each.first == kind; });
     return found == std::end(kVersions) ? 0 : found->second;
 }

@@ -28,6 +28,8 @@ struct NodeFacts {
 };
 // Null: the class is not in the table, or no row fits.
 const NodeRule* rule_of(const Node& node, const NodeFacts& facts);
+// What an input is if the file lacks its slot (inputs.def); empty: 0.
+std::string_view value_without_slot(std::string_view kind, int slot);
 // The newest version of a class of nodes whose settings are known.
 int newest_version(std::string_view kind);
 bool is_in_table(std::string_view kind);

@@ -95,9 +95,10 @@ void multiply(GraphMaker& maker, std::size_t node) {
     const auto operand = [&](const std::optional<Term>& linked, int slot) {
         if (linked && is_matrix(linked->type)) return converted(maker.named(*linked), matrix_type(rows));
         if (linked) return converted(*linked, vector_type(rows));
+        const Slot* own = maker.node(node).slot(slot);
+        if (!own) return converted(maker.without_slot(node, slot), vector_type(rows));
         std::vector<double> row;
-        for (std::size_t i = 0; i < rows; ++i)
-            row.push_back(number_of(maker.node(node).slot(slot)->json, fmt::format("m_Value.e0{}", i)));
+        for (std::size_t i = 0; i < rows; ++i) row.push_back(number_of(own->json, fmt::format("m_Value.e0{}", i)));
         return constant(row);
     };
     const Term a = operand(first, 0), b = operand(second, 1);

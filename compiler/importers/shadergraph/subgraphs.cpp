@@ -77,6 +77,9 @@ void make_subgraph_node(GraphMaker& maker, std::size_t index) {
             continue;
         }
         std::vector<Term> term = {maker.input(index, slot->id, true)};
+        if (!term[0].transform.empty())
+            maker.approximate(index,
+                              fmt::format("the tiling and the offset of its texture '{}' count here", input.name));
         if (input.type == Type::Texture2D && input.is_normal_map) maker.sample(term[0], TextureMeaning::Normal);
         if (is_gradient && term[0].gradient && term[0].gradient->is_perceptual() != input.is_perceptual)
             maker.approximate(index, fmt::format("the sub-graph blends the gradient '{}' {}", input.name,
