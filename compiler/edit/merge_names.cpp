@@ -31,7 +31,18 @@ SameNames unify_names(std::unique_ptr<GraphText> base, std::unique_ptr<GraphText
     std::vector<Rename> of_base, of_ours, of_theirs;  // that each text gets
     if (base->graph && ours->graph && theirs->graph) {
         const std::vector<Rename> by_ours = find_renames(*base, *ours), by_theirs = find_renames(*base, *theirs);
+        ReusedNames ours_reuses = find_reused_names(*base, *ours, by_ours);
+        ReusedNames theirs_reuses = find_reused_names(*base, *theirs, by_theirs);
+        if (ours_reuses != theirs_reuses) {
+            same.reused_by_ours = std::move(ours_reuses);
+            same.reused_by_theirs = std::move(theirs_reuses);
+        }
         for (const Rename& rename : by_ours) {
+            // That name is the one of another thing there.
+            if (same.reused_by_theirs.holds(rename)) {
+                same.held_of_ours.push_back(rename);
+                continue;
+            }
             const Rename* other = find_rename(by_theirs, rename);
             if (other && other->to == rename.to) {
                 of_base.push_back(rename);
@@ -52,6 +63,10 @@ SameNames unify_names(std::unique_ptr<GraphText> base, std::unique_ptr<GraphText
             }
         }
         for (const Rename& rename : by_theirs) {
+            if (same.reused_by_ours.holds(rename)) {
+                same.held_of_theirs.push_back(rename);
+                continue;
+            }
             if (find_rename(by_ours, rename) || has_name(*ours, rename.list, rename.to)) continue;
             of_base.push_back(rename);
             if (!has_name(*ours, rename.list, rename.from)) {

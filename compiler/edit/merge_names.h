@@ -26,6 +26,9 @@ struct SameNames {
     std::vector<Rename> from_ours, from_theirs;     // that were carried into the other texts
     std::vector<NameConflict> conflicts;            // the texts have the name of OURS
     std::vector<LostName> lost;                     // the base has the new name
+    // Names that one side gave to other things, where the other side did not do the same.
+    ReusedNames reused_by_ours, reused_by_theirs;
+    std::vector<Rename> held_of_ours, held_of_theirs;  // renames that were not carried over because of such names
 };
 
 SameNames unify_names(std::unique_ptr<GraphText> base, std::unique_ptr<GraphText> ours,

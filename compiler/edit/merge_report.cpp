@@ -88,6 +88,11 @@ void ConflictReport::add(std::string message, const std::vector<Did>& all) {
     for (const Did& did : all) diagnostic.notes.push_back(note_at(did.place, did.what));
 }
 
+void ConflictReport::add_some(Side side, const std::vector<TreeChange>& changes, std::vector<Did>& all) const {
+    constexpr std::size_t kMost = 4;
+    for (std::size_t i = 0; i < std::min(changes.size(), kMost); ++i) all.push_back(did(side, changes[i].path));
+}
+
 void ConflictReport::both_renamed(const NameConflict& conflict) {
     const auto did = [&](const GraphText& text, const char* side, const std::string& name) {
         return Did{fmt::format("{}: calls it '{}'", side, name), place_in(text, {conflict.list, name})};
@@ -106,6 +111,30 @@ void ConflictReport::renamed_and_removed(const LostName& lost) {
         {fmt::format("{}: removes '{}.{}'", other, lost.list, lost.from), place_in(removing, {lost.list, lost.from})}};
     if (!ours) std::swap(all[0], all[1]);
     add(fmt::format("{} renames '{}.{}', which {} removes", by, lost.list, lost.from, other), all);
+}
+
+void ConflictReport::reused(const Reuse& reuse) {
+    std::vector<Did> all;
+    for (const Side side : {Side::Ours, Side::Theirs}) {
+        const bool ours = side == Side::Ours;
+        std::vector<Rename> renames = (ours ? names_.reused_by_ours : names_.reused_by_theirs).moves;
+        const std::vector<Rename>& held = ours ? names_.held_of_ours : names_.held_of_theirs;
+        renames.insert(renames.end(), held.begin(), held.end());
+        const std::size_t before = all.size();
+        for (const Rename& rename : renames) {
+            if (rename.list != reuse.list || (rename.from != reuse.name && rename.to != reuse.name)) continue;
+            all.push_back({fmt::format("{}: renames '{}.{}' to '{}'", ours ? "ours" : "theirs", rename.list,
+                                       rename.from, rename.to),
+                           place_in(ours ? *original_.ours : *original_.theirs, {rename.list, rename.to})});
+        }
+        if (all.size() == before) add_some(side, ours ? reuse.ours : reuse.theirs, all);
+    }
+    const bool ours = reuse.by == Side::Ours;
+    const char *by = ours ? "ours" : "theirs", *other = ours ? "theirs" : "ours";
+    const std::string name = fmt::format("{}.{}", reuse.list, reuse.name);
+    add(reuse.is_gone ? fmt::format("{} renames '{}', which {} removes or renames", by, name, other)
+                      : fmt::format("'{}' names another thing in {}, and {} uses the name", name, by, other),
+        all);
 }
 
 void ConflictReport::conflict(const TreeConflict& conflict) {
@@ -132,13 +161,9 @@ void ConflictReport::conflict(const TreeConflict& conflict) {
 
 void ConflictReport::clash(const Diagnostic& error, const std::vector<TreeChange>& ours,
                            const std::vector<TreeChange>& theirs) {
-    constexpr std::size_t kMost = 4;  // of each side
     std::vector<Did> all;
-    const auto add_some = [&](Side side, const std::vector<TreeChange>& changes) {
-        for (std::size_t i = 0; i < std::min(changes.size(), kMost); ++i) all.push_back(did(side, changes[i].path));
-    };
-    add_some(Side::Ours, ours);
-    add_some(Side::Theirs, theirs);
+    add_some(Side::Ours, ours, all);
+    add_some(Side::Theirs, theirs, all);
     if (all.empty()) all.push_back({"", place_in(*original_.ours, {})});
     add(fmt::format("with the changes of both sides, {}", error.message), all);
 }

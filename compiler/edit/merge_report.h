@@ -25,6 +25,14 @@ public:
 
     void both_renamed(const NameConflict& conflict);
     void renamed_and_removed(const LostName& lost);
+    // `by` gave a name to another thing, and the other side uses the name: what both did.
+    struct Reuse {
+        std::string list, name;
+        Side by;
+        bool is_gone = false;  // neither side has the name: the thing is renamed, and removed or renamed by the other
+        std::vector<TreeChange> ours{}, theirs{};
+    };
+    void reused(const Reuse& reuse);
     void conflict(const TreeConflict& conflict);
     // Changes that do not go together.
     void clash(const Diagnostic& error, const std::vector<TreeChange>& ours, const std::vector<TreeChange>& theirs);
@@ -35,6 +43,7 @@ private:
     struct Did;
     Did did(Side side, const Path& path) const;
     void add(std::string message, const std::vector<Did>& all);
+    void add_some(Side side, const std::vector<TreeChange>& changes, std::vector<Did>& all) const;
     const std::vector<TreeChange>& changes_of(Side side) const;
 
     const Sides& original_;

@@ -73,6 +73,8 @@ public:
         by_ours_ = find_changes(*names_.base, *names_.ours);
         by_theirs_ = find_changes(*names_.base, *names_.theirs);
         for (const LostName& lost : names_.lost) clashing_.insert({lost.list, lost.to});
+        find_reuses(Side::Ours, names_.reused_by_ours);
+        find_reuses(Side::Theirs, names_.reused_by_theirs);
     }
 
     // The text in which conflicts have the side of OURS, and the errors that no side has alone. Reports all conflicts.
@@ -81,6 +83,7 @@ public:
         MergedTrees merged = merged_trees(wish);
         for (const NameConflict& conflict : names_.conflicts) report_.both_renamed(conflict);
         for (const LostName& lost : names_.lost) report_.renamed_and_removed(lost);
+        for (const ConflictReport::Reuse& reuse : reuses_) report_.reused(reuse);
         for (const TreeConflict& conflict : merged.conflicts) report_.conflict(conflict);
         return settle(std::move(merged.text), wish, by_theirs_, true);
     }
@@ -102,6 +105,43 @@ public:
     const std::vector<Diagnostic>& old_errors() const { return old_errors_; }
 
 private:
+    // If one side gave a name to another thing, and the other side reads the name or changes what it named, then these
+    // changes do not go together.
+    void find_reuses(Side by, const ReusedNames& reused) {
+        const bool ours = by == Side::Ours;
+        const GraphText &side = ours ? *names_.ours : *names_.theirs, &other = ours ? *names_.theirs : *names_.ours;
+        bool is_used = false;
+        for (const auto& [as, name] : reused.all) {
+            // Of the other names: both sides renamed the thing, or one removed it, or both took a new name.
+            const std::string in_base = list_of(*names_.base->graph, {as, name});
+            const std::string in_other = list_of(*other.graph, {as, name});
+            const bool is_taken = reused.taken.count({as, name}) != 0, is_gone = !is_taken && in_other.empty();
+            if (!is_taken && in_base.empty() == in_other.empty()) continue;
+            const std::string& list = in_base.empty() ? in_other : in_base;
+            ConflictReport::Reuse reuse{.list = list, .name = name, .by = by, .is_gone = is_gone};
+            const std::set<Name> names{{as, name}};
+            std::vector<TreeChange>& uses = ours ? reuse.theirs : reuse.ours;
+            uses = changes_about(ours ? by_theirs_ : by_ours_, names, {other.graph.get()});
+            if (uses.empty()) continue;
+            is_used = true;
+            for (const TreeChange& change : uses) clashing_.insert(change.path);
+            (ours ? reuse.ours : reuse.theirs) =
+                changes_about(ours ? by_ours_ : by_theirs_, names, {names_.base->graph.get(), side.graph.get()});
+            reuses_.push_back(std::move(reuse));
+        }
+        if (!is_used) return;
+        const std::set<Name> all(reused.all.begin(), reused.all.end());
+        const std::vector<TreeChange>& changes = ours ? by_ours_ : by_theirs_;
+        for (const TreeChange& change : changes_about(changes, all, {names_.base->graph.get(), side.graph.get()}))
+            clashing_.insert(change.path);
+        for (const TreeChange& change : changes) {
+            if (!change.is_order) continue;
+            const bool is_theirs = std::any_of(reused.moves.begin(), reused.moves.end(),
+                                               [&](const Rename& move) { return Path{move.list} == change.path; });
+            if (is_theirs) clashing_.insert(change.path);
+        }
+    }
+
     // Withdraws changes of one side, until the text has no error that the other side does not have alone.
     std::string settle(std::string text, MergeWish& wish, const std::vector<TreeChange>& changes, bool reports) {
         std::vector<Diagnostic> errors = new_errors(text);
@@ -207,6 +247,7 @@ private:
     const MergeCheck& check_;
     ConflictReport& report_;
     std::vector<TreeChange> by_ours_{}, by_theirs_{};
+    std::vector<ConflictReport::Reuse> reuses_{};
     std::set<Path> clashing_{};  // changes of both sides that do not go together
     bool has_side_errors_ = false;
     std::vector<Diagnostic> side_errors_{}, old_errors_{};

@@ -7,7 +7,7 @@
 
 #include <span>
 
-#include "compiler/edit/graph_text.h"
+#include "compiler/edit/name_readers.h"
 #include "compiler/edit/text_edits.h"
 
 namespace patina::graph {
@@ -26,10 +26,17 @@ std::vector<Rename> find_renames(const GraphText& before, const GraphText& after
 // Changes each name and all that reads it. Names that the graph does not have change nothing.
 std::vector<TextEdit> rename_edits(const GraphText& text, std::span<const Rename> renames);
 
-// The names of a list, in the order of the text.
-std::vector<std::string_view> names_of(const Graph& graph, std::string_view list);
+// Names that both texts have, and that are those of other things after: two names are swapped, or a thing is renamed
+// and another one gets its old name. A thing with another value keeps its name, if something reads it as before.
+struct ReusedNames {
+    std::vector<Rename> moves{};                       // as far as they are known by what the things hold
+    std::set<std::pair<ReadAs, std::string>> taken{};  // the names that both texts have
+    std::set<std::pair<ReadAs, std::string>> all{};    // and the others of the moves
 
-// All names that are read as those of the list are: a property and an input of a sub-graph are both `$name`.
-std::vector<std::string_view> names_read_like(const Graph& graph, std::string_view list);
+    bool holds(const Rename& rename) const;
+    friend bool operator==(const ReusedNames&, const ReusedNames&) = default;
+};
+// `renames`: those that find_renames() has found.
+ReusedNames find_reused_names(const GraphText& before, const GraphText& after, std::span<const Rename> renames);
 
 }  // namespace patina::graph

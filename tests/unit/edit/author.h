@@ -46,7 +46,57 @@ public:
         }
     }
 
+    // Gives a name of the graph to another thing: swaps two names, or renames a thing and calls another one, or a new
+    // one, by its old name. False: the texts do not tell the things apart.
+    bool reuse_a_name() {
+        const bool is_node = dice_.chance(60);
+        const std::string list = is_node ? "nodes" : "properties", key = is_node ? "/id" : "/name";
+        const std::vector<int> keys = keys_of(values_, list);
+        const auto path_of = [&](int thing) { return list + "/" + std::to_string(thing); };
+        const int a = dice_.pick(keys), how = dice_.below(4);
+        const bool read_a = is_read(list, a);
+        std::string& name = values_[path_of(a) + key];
+        if (how == 0) {
+            const std::string old = name;
+            name = free_name(is_node ? "n" : "_P");
+            const int b = next_key_;
+            is_node ? void(add_node()) : add_property();
+            values_[path_of(b) + key] = old;
+            return !is_alike(path_of(a), path_of(b)) && (read_a || !is_of_one_kind(path_of(a), path_of(b)));
+        }
+        const int b = dice_.pick(keys);
+        if (a == b) return false;
+        // Of properties that are declared alike, readers tell which is which.
+        const bool read_b = is_read(list, b);
+        if (is_alike(path_of(a), path_of(b)) && (is_node || !read_a || !read_b)) return false;
+        if (is_of_one_kind(path_of(a), path_of(b)) && !read_a && !read_b) return false;
+        std::swap(name, values_[path_of(b) + key]);
+        if (how == 1) name = free_name(is_node ? "n" : "_P");
+        return true;
+    }
+
 private:
+    bool is_of_one_kind(const std::string& a, const std::string& b) const {
+        return at(values_, a + "/node") == at(values_, b + "/node") &&
+               at(values_, a + "/type") == at(values_, b + "/type");
+    }
+    bool is_read(const std::string& list, int key) const {
+        const std::string name = (list == "nodes" ? "{" : "{p") + std::to_string(key) + "}";
+        return std::any_of(values_.begin(), values_.end(),
+                           [&](const auto& each) { return each.second.find(name) != std::string::npos; });
+    }
+    bool is_alike(const std::string& a, const std::string& b) const {
+        const auto content = [&](const std::string& path) {
+            Values values;
+            for (const auto& [each, value] : values_) {
+                const bool is_content = is_below(each, path) && each != path + "/id" && each != path + "/name";
+                if (is_content && each.find('@') == each.npos) values[each.substr(path.size())] = value;
+            }
+            return values;
+        };
+        return content(a) == content(b);
+    }
+
     // Never one that there was: a name is all by which a merge knows a thing.
     std::string free_name(const char* letter) {
         std::string name;

@@ -87,6 +87,24 @@ TEST(Diff, ARenameIsOneChange) {
     EXPECT_EQ(changes(kBase, other).find('>' + std::string(" properties")), std::string::npos);
 }
 
+// The surface of a material has no names, as that of a lighting graph has: other values are no renames.
+TEST(Diff, SurfacesWithOtherValues) {
+    EXPECT_EQ(changes(kBase, replaced(kBase, R"("roughness": "edge")", R"("metallic": "edge", "occlusion": "edge")")),
+              "- surface.roughness: \"edge\" -> \n+ surface.metallic:  -> \"edge\"\n"
+              "+ surface.occlusion:  -> \"edge\"\n");
+    // Names vanish and come in the graph's other lists.
+    const std::string other = R"json({ "patina": 1, "workflow": "unlit",
+  "properties": [ { "name": "_Power", "type": "float", "default": 2 } ],
+  "nodes": [ { "id": "glow", "expr": "pow(@uv0.x, $_Power)" } ],
+  "surface": { "color": "= float3(glow)", "alpha": 1 } })json";
+    const std::string there = changes(kBase, other), back = changes(other, kBase);
+    for (const char* part : {"- nodes.mask:", "+ nodes.glow:", "- surface.baseColor:", "+ surface.color:"})
+        EXPECT_NE(there.find(part), std::string::npos) << there;
+    for (const char* part : {"+ nodes.mask:", "- nodes.glow:", "+ surface.baseColor:", "- surface.color:"})
+        EXPECT_NE(back.find(part), std::string::npos) << back;
+    EXPECT_EQ(("\n" + there).find("\n>"), std::string::npos) << there;
+}
+
 TEST(Diff, TheOrderOfPropertiesIsAChange) {
     const std::string a = R"(    { "name": "_Amount", "type": "float", "default": 0.5 })",
                       b = R"(    { "name": "_Tint", "type": "color", "default": "#c9a27e" })";

@@ -232,6 +232,49 @@ protected:
         ADD_FAILURE() << problem << "\n" << all;
     }
 
+    // One side gives names to other things. A clean merge reads what both authors meant.
+    void run_reuse(unsigned seed, Tally& tally, bool prints) {
+        Dice dice(seed);
+        Values base, reused;
+        for (bool is_made = false; !is_made;) {
+            base.clear();
+            Author(base, dice, 0).make_base();
+            reused = base;
+            is_made = Author(reused, dice, 1000).reuse_a_name() && compiles(Writer(base, nullptr).write()) &&
+                      compiles(Writer(reused, nullptr).write());
+        }
+        Values ours = std::move(reused), theirs = changed(base, dice, 2000);
+        Wanted wanted;
+        judge_side(base, theirs, wanted);
+        if (dice.chance(50)) std::swap(ours, theirs);
+        const std::string texts[] = {text_of(base, dice), text_of(ours, dice), text_of(theirs, dice)};
+        const MergeResult merged = merge_graphs(compiler_, {"base.json", texts[0]}, {"ours.json", texts[1]},
+                                                {"theirs.json", texts[2]}, {.path = "merged.graph.json"});
+        const bool is_clean = merged.state == MergeState::Clean;
+        ++(is_clean ? tally.clean : tally.conflicts);
+        tally.open += wanted.is_open;
+        wanted.values = merged_values(base, ours, theirs);
+        std::string problem, text;
+        if (!is_clean || wanted.is_open) {
+            problem = problem_of_open(merged);
+        } else if (wanted.values) {
+            text = Writer(*wanted.values, nullptr).write();
+            if (document_of(merged.text).sorted != document_of(text).sorted) problem = "the merge should be";
+        } else if (!wanted.may_conflict) {
+            problem = "this is a conflict, but the merge is clean";
+        }
+        if (problem.empty() && !prints) return;
+        std::string said;
+        for (const Diagnostic& each : merged.diagnostics) said += to_text(each) + "\n";
+        const std::string all = problem + "\n" + text + "seed " + std::to_string(seed) + "\n--- base\n" + texts[0] +
+                                "--- ours\n" + texts[1] + "--- theirs\n" + texts[2] + "--- merged\n" + merged.text +
+                                said;
+        if (prints) std::printf("%s", all.c_str());
+        if (problem.empty()) return;
+        ++tally.failures;
+        ADD_FAILURE() << all;
+    }
+
     std::string problem_of_open(const MergeResult& merged) {
         if (merged.state == MergeState::Clean) return compiles(merged.text) ? "" : "a clean merge does not compile";
         return problem_of_conflict(merged);
@@ -301,6 +344,18 @@ protected:
 
 TEST_F(RandomMerges, Quick) {
     run_all(0, 300);
+}
+
+TEST_F(RandomMerges, OfNamesThatAreUsedAgain) {
+    const char* only = std::getenv("MERGE_SEED");
+    const unsigned begin = only ? static_cast<unsigned>(std::atoi(only)) : 0, end = only ? begin + 1 : 1000;
+    Tally tally;
+    for (unsigned seed = begin; seed < end && tally.failures < 3; ++seed) run_reuse(seed, tally, only != nullptr);
+    std::printf("%d clean, %d conflicts; %d where a rename is open\n", tally.clean, tally.conflicts, tally.open);
+    if (only) return;
+    EXPECT_GT(tally.clean, tally.conflicts / 4);
+    EXPECT_GT(tally.conflicts, tally.clean / 4);
+    EXPECT_LT(tally.open, (tally.clean + tally.conflicts) / 3);
 }
 
 TEST_F(RandomMerges, TenThousand) {
