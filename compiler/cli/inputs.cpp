@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <set>
 
 #include "compiler/cli/files.h"
 #include "runtime/files/find_files.h"
@@ -101,7 +102,20 @@ Inputs find_inputs(const Console& console, const InputArguments& arguments,
             add_folder(console, word, endings, inputs);
     }
     if (!arguments.list.empty()) add_list(console, arguments.list, inputs);
+    take_out_repeated(inputs.files);
     return inputs;
+}
+
+void take_out_repeated(std::vector<Input>& inputs) {
+    std::map<fs::path, fs::path> folders;  // without symbolic links
+    std::set<fs::path> seen;
+    std::erase_if(inputs, [&](const Input& input) {
+        const fs::path path = input.path;
+        const auto [folder, is_new] = folders.try_emplace(path.parent_path());
+        std::error_code ignored;
+        if (is_new) folder->second = fs::canonical(path.has_parent_path() ? folder->first : ".", ignored);
+        return !seen.insert(folder->second.empty() ? path : folder->second / path.filename()).second;
+    });
 }
 
 Exit take_out_equal_outputs(const Console& console, std::vector<Input>& inputs, std::string_view ending,
