@@ -142,4 +142,9 @@ Exit take_out_equal_outputs(const Console& console, std::vector<Input>& inputs, 
     return are_all ? Exit::Ok : Exit::Wrong;
 }
 
+void name_graph(std::vector<Diagnostic>& diagnostics, const std::string& graph) {
+    for (Diagnostic& each : diagnostics)
+        if (each.file.empty()) each.file = graph;
+}
+
 }  // namespace patina::cli

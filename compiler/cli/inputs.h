@@ -57,6 +57,9 @@ void take_out_repeated(std::vector<Input>& inputs);
 Exit take_out_equal_outputs(const Console& console, std::vector<Input>& inputs, std::string_view ending,
                             std::string_view verb);
 
+// What has no place in a file, such as -D with a name that this graph does not have, is said of the graph.
+void name_graph(std::vector<Diagnostic>& diagnostics, const std::string& graph);
+
 // `make` runs on several threads; `finish`, which prints and writes, on one at a time and in the inputs' order. The
 // exit code is the greatest one that `finish` returns.
 template <class Make, class Finish>

@@ -192,6 +192,7 @@ void add_check(Program& program) {
                 return is_scene(input.path) ? Checked{} : check_file(compiler, *arguments, input);
             },
             [&](const Input& input, Checked& checked) {
+                name_graph(checked.diagnostics, input.path);
                 report(console, checked.diagnostics);
                 if (is_scene(input.path))  // which prints what it finds
                     checked.ok = check_scene(console, compiler, input.path, options_of(*arguments),
