@@ -56,10 +56,12 @@ void add_list(const Console& console, const std::string& list, Inputs& inputs) {
         inputs.exit = Exit::Wrong;
         return;
     }
+    // With NUL bytes, names may have line breaks: 'git ls-files -z'.
+    const char ending = text->find('\0') == text->npos ? '\n' : '\0';
     for (std::size_t begin = 0; begin < text->size();) {
-        const std::size_t end = std::min(text->find('\n', begin), text->size());
+        const std::size_t end = std::min(text->find(ending, begin), text->size());
         std::string path = text->substr(begin, end - begin);
-        if (path.ends_with('\r')) path.pop_back();
+        if (ending == '\n' && path.ends_with('\r')) path.pop_back();
         if (!path.empty())
             inputs.files.push_back({.path = path, .folder = folder_below(path, "."), .from = Input::From::List});
         begin = end + 1;
@@ -73,7 +75,8 @@ void add_input_options(CLI::App& command, InputArguments& arguments, const std::
         ->type_name(" ");
     command
         .add_option("--files", arguments.list,
-                    "Also take the files that this file lists, one a line; -: the list comes from standard input")
+                    "Also take the files that this file lists, one a line, or with a NUL byte after each, as git's -z "
+                    "writes them; -: the list comes from standard input")
         ->type_name("LIST");
     command.add_option("--jobs", arguments.jobs, "Work on N files at once; default: one for each core")
         ->type_name("N")

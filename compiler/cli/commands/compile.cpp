@@ -138,7 +138,7 @@ void add_compile(Program& program) {
         program, "compile",
         {"patina compile rust.graph.json -o out", "patina compile *.graph.json -t glsl --validate -o out",
          "patina compile art -o out --jobs 4 --list-outputs out/all.txt   # out has the folders of art",
-         "git ls-files '*.graph.json' | patina compile --files - -o out",
+         "git ls-files -z '*.graph.json' | patina compile --files - -o out",
          "patina compile rust.graph.json -t spirv -o out --depfile",
          "patina compile art -o out --list-outputs out/all.txt --depfile   # one step of a build",
          "patina compile rust.graph.json -t unity -o Assets/Shaders   # 'patina engines' lists what there is",
