@@ -47,7 +47,12 @@ Exit write(Run& run, const Input& input, const std::string& target, std::span<co
            OutputFiles files) {
     if (run.arguments.depfile && run.arguments.output_list.empty()) {
         const std::string name = output_name(input.path) + run.arguments.kind + ".d";
-        files.add(join_path(folder_of(run.arguments, input), name), make_rule(target, dependencies));
+        runtime::Outcome<std::string> rule = make_rule(target, dependencies);
+        if (!rule) {
+            complain(run.console, Complaint::CannotWrite, {rule.error});
+            return Exit::Wrong;
+        }
+        files.add(join_path(folder_of(run.arguments, input), name), std::move(rule.value));
     }
     if (!run.outputs.write(input.path, files, dependencies)) return Exit::Wrong;
     for (const runtime::OutputFile& file : files.files) run.written += file.path + "\n";
@@ -110,7 +115,12 @@ Exit write_list(Run& run, const Inputs& inputs) {
     if (run.arguments.depfile) {
         add_places(run, inputs);
         const std::vector<std::string> dependencies(run.dependencies.begin(), run.dependencies.end());
-        list.add(path + ".d", make_rule(path, dependencies));
+        runtime::Outcome<std::string> rule = make_rule(path, dependencies);
+        if (!rule) {
+            complain(run.console, Complaint::CannotWrite, {rule.error});
+            return Exit::Wrong;
+        }
+        list.add(path + ".d", std::move(rule.value));
     }
     std::vector<std::string> graphs;
     for (const Input& input : inputs.files) graphs.push_back(input.path);
