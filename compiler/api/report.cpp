@@ -7,6 +7,7 @@
 #include <set>
 #include <tuple>
 
+#include "compiler/base/broken_text.h"
 #include "compiler/base/near_file.h"
 #include "compiler/base/text.h"
 
@@ -63,7 +64,7 @@ ShownLine show(std::string_view line) {
         const std::string_view character = line.substr(at, length);
         const bool is_control = static_cast<unsigned char>(character[0]) < 0x20 || character[0] == 0x7f;
         shown.columns.insert(shown.columns.end(), length, shown.cells.size());
-        shown.cells.emplace_back(is_control ? " " : is_utf8(character, bad) ? character : "\xEF\xBF\xBD");
+        shown.cells.push_back(is_control ? " " : as_utf8(character));
         at += length;
     }
     shown.columns.push_back(shown.cells.size());
@@ -121,7 +122,8 @@ void write_text(std::string& text, const Diagnostic& d, bool colors) {
 using Writer = rapidjson::Writer<rapidjson::StringBuffer>;
 
 void write_json(Writer& writer, const Diagnostic& d) {
-    const auto string = [&](const char* key, std::string_view value) {
+    const auto string = [&](const char* key, std::string_view bytes) {
+        const std::string value = as_utf8(bytes);
         writer.Key(key);
         writer.String(value.data(), static_cast<rapidjson::SizeType>(value.size()));
     };

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "compiler/base/text.h"
+
 namespace patina {
 
 std::optional<BrokenText> broken_text(std::string_view text) {
@@ -22,6 +24,13 @@ std::optional<BrokenText> broken_text(std::string_view text) {
                           .what = "a merge left a conflict here: keep one of the two sides, and no marker"};
     }
     return std::nullopt;
+}
+
+std::string as_utf8(std::string_view text) {
+    std::string made;
+    for (std::size_t bad = 0; !is_utf8(text, bad); text.remove_prefix(bad + 1))
+        made.append(text.substr(0, bad)).append("\xEF\xBF\xBD");
+    return made.append(text);
 }
 
 }  // namespace patina

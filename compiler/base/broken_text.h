@@ -1,10 +1,12 @@
-// What keeps a text from being read, whatever its format: it is UTF-16, or a merge left its markers in it.
+// What keeps a text from being read, whatever its format: it is UTF-16, or a merge left its markers in it. And text
+// that can be read in any case.
 //
 //   if (const std::optional<BrokenText> wrong = broken_text(text)) ...   // {.line = 12, .what = "a merge left ..."}
 #pragma once
 
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace patina {
@@ -16,5 +18,9 @@ struct BrokenText {
 };
 // Nothing, if neither is so.
 std::optional<BrokenText> broken_text(std::string_view text);
+
+// With U+FFFD in the place of each byte that is not UTF-8: what is written as JSON goes through this, because the name
+// of a file may have any bytes.
+std::string as_utf8(std::string_view text);
 
 }  // namespace patina

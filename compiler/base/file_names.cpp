@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "compiler/base/text.h"
+
 namespace patina {
 namespace {
 
@@ -63,6 +65,8 @@ std::string portable_name(std::string name) {
     constexpr std::string_view kRefused = "<>:\"/\\|?*";
     for (char& c : name)
         if (kRefused.find(c) != kRefused.npos || static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '_';
+    for (std::size_t from = 0, bad = 0; !is_utf8(std::string_view(name).substr(from), bad); from += bad + 1)
+        name[from + bad] = '_';
     if (is_device(std::string_view(name).substr(0, name.find('.')))) name[0] = '_';
     return name;
 }

@@ -19,9 +19,9 @@ bool is_file_name(std::string_view text);
 // as it is. Of a URI, everything after the scheme is a path, and ".." does not leave it.
 std::string join_names(const std::string& from, const std::string& name);
 
-// A name for files that every system takes: `<>:"/\|?*` and control characters become '_', and so does the first letter
-// of a name that Windows keeps for a device ("con", "nul", "com1"). An empty name becomes "graph". The bytes of another
-// name stay as many as they are.
+// A name for files whose characters every system takes: `<>:"/\|?*`, control characters and bytes that are not UTF-8
+// become '_', and so does the first letter of a name that Windows keeps for a device ("con", "nul", "com1"). An empty
+// name becomes "graph". Another name has as many bytes as before: a long one is not shortened.
 std::string portable_name(std::string name);
 
 }  // namespace patina

@@ -1,5 +1,6 @@
 #include "compiler/cli/files.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -20,6 +21,17 @@ std::string escaped(std::string_view path) {
         text += c;
     }
     return text;
+}
+
+bool has_line_break(std::string_view path) {
+    return path.find('\n') != path.npos;
+}
+
+runtime::Failure no_rule(std::string_view path) {
+    std::string shown;
+    for (const char c : path) shown += c == '\n' ? std::string("\\n") : std::string(1, c);
+    return {"--depfile: there is a line break in the name '" + shown +
+            "', which make and Ninja cannot read: rename it, or leave out --depfile"};
 }
 
 }  // namespace
@@ -51,7 +63,10 @@ std::string join_path(std::string_view folder, std::string_view name) {
     return (fs::path(folder) / fs::path(name)).string();
 }
 
-std::string make_rule(std::string_view target, std::span<const std::string> dependencies) {
+runtime::Outcome<std::string> make_rule(std::string_view target, std::span<const std::string> dependencies) {
+    if (has_line_break(target)) return no_rule(target);
+    if (const auto odd = std::ranges::find_if(dependencies, has_line_break); odd != dependencies.end())
+        return no_rule(*odd);
     std::string rule = escaped(target) + ":";
     for (const std::string& dependency : dependencies) rule += " \\\n  " + escaped(dependency);
     rule += "\n";

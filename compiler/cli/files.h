@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "runtime/outcome.h"
+
 namespace patina::cli {
 
 // The text of a file, or nothing and `error`.
@@ -18,7 +20,8 @@ bool is_scene(std::string_view path);
 std::string join_path(std::string_view folder, std::string_view name);
 
 // A rule in Makefile syntax, as make's `include` and ninja's `depfile` want it: "target: a.json b.json". Each
-// dependency has an empty rule of its own, so that make goes on when one of them has been removed.
-std::string make_rule(std::string_view target, std::span<const std::string> dependencies);
+// dependency has an empty rule of its own, so that make goes on when one of them has been removed. A failure: a rule
+// cannot hold one of the names.
+runtime::Outcome<std::string> make_rule(std::string_view target, std::span<const std::string> dependencies);
 
 }  // namespace patina::cli

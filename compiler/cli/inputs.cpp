@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <set>
 
 #include "compiler/cli/files.h"
 #include "runtime/files/find_files.h"
@@ -55,10 +56,12 @@ void add_list(const Console& console, const std::string& list, Inputs& inputs) {
         inputs.exit = Exit::Wrong;
         return;
     }
+    // With NUL bytes, names may have line breaks: 'git ls-files -z'.
+    const char ending = text->find('\0') == text->npos ? '\n' : '\0';
     for (std::size_t begin = 0; begin < text->size();) {
-        const std::size_t end = std::min(text->find('\n', begin), text->size());
+        const std::size_t end = std::min(text->find(ending, begin), text->size());
         std::string path = text->substr(begin, end - begin);
-        if (path.ends_with('\r')) path.pop_back();
+        if (ending == '\n' && path.ends_with('\r')) path.pop_back();
         if (!path.empty())
             inputs.files.push_back({.path = path, .folder = folder_below(path, "."), .from = Input::From::List});
         begin = end + 1;
@@ -72,7 +75,8 @@ void add_input_options(CLI::App& command, InputArguments& arguments, const std::
         ->type_name(" ");
     command
         .add_option("--files", arguments.list,
-                    "Also take the files that this file lists, one a line; -: the list comes from standard input")
+                    "Also take the files that this file lists, one a line, or with a NUL byte after each, as git's -z "
+                    "writes them; -: the list comes from standard input")
         ->type_name("LIST");
     command.add_option("--jobs", arguments.jobs, "Work on N files at once; default: one for each core")
         ->type_name("N")
@@ -101,7 +105,20 @@ Inputs find_inputs(const Console& console, const InputArguments& arguments,
             add_folder(console, word, endings, inputs);
     }
     if (!arguments.list.empty()) add_list(console, arguments.list, inputs);
+    take_out_repeated(inputs.files);
     return inputs;
+}
+
+void take_out_repeated(std::vector<Input>& inputs) {
+    std::map<fs::path, fs::path> folders;  // without symbolic links
+    std::set<fs::path> seen;
+    std::erase_if(inputs, [&](const Input& input) {
+        const fs::path path = input.path;
+        const auto [folder, is_new] = folders.try_emplace(path.parent_path());
+        std::error_code ignored;
+        if (is_new) folder->second = fs::canonical(path.has_parent_path() ? folder->first : ".", ignored);
+        return !seen.insert(folder->second.empty() ? path : folder->second / path.filename()).second;
+    });
 }
 
 Exit take_out_equal_outputs(const Console& console, std::vector<Input>& inputs, std::string_view ending,
@@ -126,6 +143,11 @@ Exit take_out_equal_outputs(const Console& console, std::vector<Input>& inputs, 
     const bool are_all = kept.size() == inputs.size();
     inputs = std::move(kept);
     return are_all ? Exit::Ok : Exit::Wrong;
+}
+
+void name_graph(std::vector<Diagnostic>& diagnostics, const std::string& graph) {
+    for (Diagnostic& each : diagnostics)
+        if (each.file.empty()) each.file = graph;
 }
 
 }  // namespace patina::cli

@@ -43,16 +43,22 @@ void add_input_options(CLI::App& command, InputArguments& arguments, const std::
 void require_inputs(const InputArguments& arguments);
 
 // Of folders: the files with one of the endings, in order. A list or a folder that cannot be read, or holds no such
-// file, is reported; the other inputs are there.
+// file, is reported; the other inputs are there. A file that is named twice is there once, where it was named first.
 Inputs find_inputs(const Console& console, const InputArguments& arguments,
                    std::initializer_list<std::string_view> endings);
 
 // The files of a folder and below it. None if it is no folder; not those of folders that cannot be read.
 std::vector<Input> inputs_below(const std::string& folder, std::initializer_list<std::string_view> endings);
 
+// Leaves one of those that are the same file. A symbolic link to a file is a file of its own.
+void take_out_repeated(std::vector<Input>& inputs);
+
 // Takes out those that would write one file, and reports them. Throws the usage error if the command line names both.
 Exit take_out_equal_outputs(const Console& console, std::vector<Input>& inputs, std::string_view ending,
                             std::string_view verb);
+
+// What has no place in a file, such as -D with a name that this graph does not have, is said of the graph.
+void name_graph(std::vector<Diagnostic>& diagnostics, const std::string& graph);
 
 // `make` runs on several threads; `finish`, which prints and writes, on one at a time and in the inputs' order. The
 // exit code is the greatest one that `finish` returns.

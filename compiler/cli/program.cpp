@@ -131,6 +131,7 @@ void add_include_option(CLI::App& command, std::vector<std::string>& folders) {
         .add_option("-I,--include", folders,
                     "Also search this folder for sub-graphs, lighting graphs, nodes and textures")
         ->type_name("DIR")
+        ->check(is_folder)
         ->allow_extra_args(false);
 }
 
@@ -208,6 +209,11 @@ std::function<std::string(std::string)> within(double low, double high) {
         if (CLI::detail::lexical_cast(word, number) && number >= low && number <= high) return {};
         return fmt::format("'{}' is not a number from {} to {}", word, low, high);
     };
+}
+
+std::string is_folder(const std::string& word) {
+    std::error_code ignored;
+    return std::filesystem::is_directory(word, ignored) ? std::string() : "there is no folder '" + word + "'";
 }
 
 std::vector<EqualOutputs> find_equal_outputs(const std::vector<std::string>& graphs, std::string_view ending,

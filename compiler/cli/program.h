@@ -116,6 +116,9 @@ std::function<std::string(std::string)> one_of(std::string what, std::vector<std
 // A check for an option whose value must be a number of this range.
 std::function<std::string(std::string)> within(double low, double high);
 
+// A check for an option whose value must be a folder that is there.
+std::string is_folder(const std::string& word);
+
 // An option that takes words with commas between them: "glsl,hlsl". `check` is called for each word, also for an empty
 // one.
 CLI::Option* add_words_option(CLI::App& command, std::string name, std::vector<std::string>& words, std::string help,

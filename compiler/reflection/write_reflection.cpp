@@ -4,6 +4,7 @@
 
 #include <concepts>
 
+#include "compiler/base/broken_text.h"
 #include "compiler/base/text.h"
 #include "compiler/reflection/describe.h"
 
@@ -83,7 +84,10 @@ public:
 private:
     void raw(const std::string& json) { writer_.RawValue(json.data(), json.size(), rapidjson::kObjectType); }
 
-    void write(std::string_view text) { writer_.String(text.data(), static_cast<rapidjson::SizeType>(text.size())); }
+    void write(std::string_view bytes) {
+        const std::string text = as_utf8(bytes);
+        writer_.String(text.data(), static_cast<rapidjson::SizeType>(text.size()));
+    }
     void write(const std::string& text) { write(std::string_view(text)); }
     void write(bool value) { writer_.Bool(value); }
     template <class T>

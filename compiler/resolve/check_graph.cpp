@@ -40,7 +40,9 @@ void find_meaning(Session& session, const Graph& graph, const Node& node, const 
         if (!function || !function->attribute("node")) {
             std::vector<std::string_view> known = library.function_names();
             std::erase_if(known, [&](std::string_view name) { return !library.function(name)->attribute("node"); });
+            const bool is_shown = !session.diagnostics.is_full();
             DiagnosticRecord& record = session.diagnostics.report(Code::UnknownNode, node.type_span, node.type);
+            if (!is_shown) return;  // advice takes longer than all else that is done for a node
             const std::string advice = nodelang::node_advice(node.type, known, library);
             if (!advice.empty())
                 record.note(advice);
@@ -113,15 +115,39 @@ bool is_too_deep(Session& session, std::size_t levels, Span where) {
     return true;
 }
 
+// Of a search: a node, and which of the nodes that it reads comes next.
+struct Step {
+    std::uint32_t node = 0;
+    std::size_t next = 0;
+};
+
+// "a > b > c > a", in the direction of the data: each node feeds the one before it in the search. Of a long circle, the
+// first nodes and the last one are named.
+std::string circle_of(const Graph& graph, std::span<const Step> search) {
+    constexpr std::size_t kMostNamed = 12, kFirst = 4;
+    std::string circle = graph.nodes[search.front().node].id;
+    for (std::size_t i = 1; i <= search.size(); ++i) {
+        if (i == kFirst && search.size() > kMostNamed) {
+            const std::size_t left_out = search.size() - kFirst - 1;
+            circle += fmt::format(" > ({} more)", left_out);
+            i += left_out;
+        }
+        circle += " > " + graph.nodes[search[search.size() - i].node].id;
+    }
+    return circle;
+}
+
 // A depth-first search without recursion, so that a chain of ten thousand nodes does not overflow the stack.
 void sort_nodes(Session& session, CheckedGraph& checked) {
     enum class Mark : std::uint8_t { New, Open, Done };
     std::vector<Mark> marks(checked.nodes.size(), Mark::New);
-    std::vector<std::pair<std::uint32_t, std::size_t>> stack;
+    std::vector<std::size_t> depths(checked.nodes.size());  // of nodes that are open: their places on the stack
+    std::vector<Step> stack;
     for (std::uint32_t root = 0; root < checked.nodes.size(); ++root) {
         if (marks[root] != Mark::New) continue;
-        stack.emplace_back(root, 0);
+        stack.push_back({.node = root});
         marks[root] = Mark::Open;
+        depths[root] = 0;
         while (!stack.empty()) {
             auto& [node, next] = stack.back();
             const std::vector<std::uint32_t>& reads = checked.nodes[node].reads;
@@ -134,16 +160,11 @@ void sort_nodes(Session& session, CheckedGraph& checked) {
             const std::uint32_t read = reads[next++];
             if (marks[read] == Mark::New) {
                 marks[read] = Mark::Open;
-                stack.emplace_back(read, 0);
+                depths[read] = stack.size();
+                stack.push_back({.node = read});
             } else if (marks[read] == Mark::Open) {
-                const auto start =
-                    std::find_if(stack.begin(), stack.end(), [&](const auto& e) { return e.first == read; });
-                // The circle is written in the direction of the data: each node feeds the one before it in the search.
                 const Node& at = checked.graph->nodes[read];
-                std::string circle = at.id;
-                for (auto entry = stack.end(); entry != start;) {
-                    circle += " > " + checked.graph->nodes[(--entry)->first].id;
-                }
+                const std::string circle = circle_of(*checked.graph, std::span(stack).subspan(depths[read]));
                 session.diagnostics.report(Code::Cycle, at.id_span, circle).at(at.id);
                 checked.ok = false;
             }

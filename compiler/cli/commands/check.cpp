@@ -3,6 +3,7 @@
 // everything in it is checked, but nothing is drawn.
 #include <fmt/format.h>
 
+#include <limits>
 #include <memory>
 
 #include "compiler/cli/commands/commands.h"
@@ -162,6 +163,7 @@ void add_check(Program& program) {
                                      "patina check rust.graph.json --diagnostics=json", "patina check wave.node.hlsl",
                                      "patina check mine.pass.hlsl", "patina check art --jobs 4 --no-validate",
                                      "patina check art --max-instructions 600 --max-textures 8"});
+    const CLI::Range is_count(std::uint32_t{0}, std::numeric_limits<std::uint32_t>::max());
     auto arguments = std::make_shared<Arguments>();
     add_input_options(command, arguments->inputs,
                       "Graphs and scenes (JSON), and files of nodes (.node.hlsl) and of passes (.pass.hlsl)");
@@ -171,11 +173,13 @@ void add_check(Program& program) {
         .add_option(
             "--max-instructions", arguments->max_instructions,
             "Fail if a stage of any pass has more SPIR-V instructions than N with one light; 'patina cost' shows them")
-        ->type_name("N");
+        ->type_name("N")
+        ->check(is_count);
     command
         .add_option("--max-textures", arguments->max_textures,
                     "Fail if a stage of any pass reads textures more than N times with one light")
-        ->type_name("N");
+        ->type_name("N")
+        ->check(is_count);
     add_path_options(command, arguments->path);
     add_include_option(command, arguments->include_dirs);
 
@@ -192,6 +196,7 @@ void add_check(Program& program) {
                 return is_scene(input.path) ? Checked{} : check_file(compiler, *arguments, input);
             },
             [&](const Input& input, Checked& checked) {
+                name_graph(checked.diagnostics, input.path);
                 report(console, checked.diagnostics);
                 if (is_scene(input.path))  // which prints what it finds
                     checked.ok = check_scene(console, compiler, input.path, options_of(*arguments),

@@ -47,7 +47,12 @@ Exit write(Run& run, const Input& input, const std::string& target, std::span<co
            OutputFiles files) {
     if (run.arguments.depfile && run.arguments.output_list.empty()) {
         const std::string name = output_name(input.path) + run.arguments.kind + ".d";
-        files.add(join_path(folder_of(run.arguments, input), name), make_rule(target, dependencies));
+        runtime::Outcome<std::string> rule = make_rule(target, dependencies);
+        if (!rule) {
+            complain(run.console, Complaint::CannotWrite, {rule.error});
+            return Exit::Wrong;
+        }
+        files.add(join_path(folder_of(run.arguments, input), name), std::move(rule.value));
     }
     if (!run.outputs.write(input.path, files, dependencies)) return Exit::Wrong;
     for (const runtime::OutputFile& file : files.files) run.written += file.path + "\n";
@@ -110,7 +115,12 @@ Exit write_list(Run& run, const Inputs& inputs) {
     if (run.arguments.depfile) {
         add_places(run, inputs);
         const std::vector<std::string> dependencies(run.dependencies.begin(), run.dependencies.end());
-        list.add(path + ".d", make_rule(path, dependencies));
+        runtime::Outcome<std::string> rule = make_rule(path, dependencies);
+        if (!rule) {
+            complain(run.console, Complaint::CannotWrite, {rule.error});
+            return Exit::Wrong;
+        }
+        list.add(path + ".d", std::move(rule.value));
     }
     std::vector<std::string> graphs;
     for (const Input& input : inputs.files) graphs.push_back(input.path);
@@ -138,7 +148,7 @@ void add_compile(Program& program) {
         program, "compile",
         {"patina compile rust.graph.json -o out", "patina compile *.graph.json -t glsl --validate -o out",
          "patina compile art -o out --jobs 4 --list-outputs out/all.txt   # out has the folders of art",
-         "git ls-files '*.graph.json' | patina compile --files - -o out",
+         "git ls-files -z '*.graph.json' | patina compile --files - -o out",
          "patina compile rust.graph.json -t spirv -o out --depfile",
          "patina compile art -o out --list-outputs out/all.txt --depfile   # one step of a build",
          "patina compile rust.graph.json -t unity -o Assets/Shaders   # 'patina engines' lists what there is",

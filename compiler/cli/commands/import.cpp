@@ -221,6 +221,7 @@ void add_import(Program& program) {
         .add_option("-I,--include", arguments->include_dirs,
                     "Folder to search for files that the imported ones name; default: the folder of each file")
         ->type_name("DIR")
+        ->check(is_folder)
         ->allow_extra_args(false);
     command.add_flag("--allow-refused", arguments->allows_refused,
                      "Exit with 0, even if a graph shows a constant in the place of a part that is refused");

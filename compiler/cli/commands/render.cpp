@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <set>
@@ -371,7 +372,8 @@ void add_render(Program& program) {
         .add_option("--of-light", request.light,
                     "Show --node of this light alone, by its number from 0; default: the sum over all lights, if the "
                     "value depends on the light")
-        ->type_name("N");
+        ->type_name("N")
+        ->check(CLI::Range(0, std::numeric_limits<int>::max()));
     add_words_option(command, "--aov", arguments->aov,
                      "Also write these values, as --node shows them, into the EXR file: layers with the channels "
                      "normalWS.R and so on",

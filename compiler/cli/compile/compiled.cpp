@@ -79,6 +79,7 @@ Compiled compile_graph(const CompileArguments& arguments, const Compiler& compil
     const CompileOptions options = options_of(arguments);
     Compiled made{.result = arguments.names_no_target ? compile_if_foreign(compiler, input.path, options)
                                                       : compiler.compile_file(input.path, options)};
+    name_graph(made.result.diagnostics, input.path);
     made.ok = made.result.ok;
     if (!made.ok) return made;
     const std::string folder = folder_of(arguments, input);

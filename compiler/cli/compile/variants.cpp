@@ -160,6 +160,7 @@ Exit make_variants(const Console& console, const Compiler& compiler, const std::
     advice.message = "-D NAME=VALUE gives a property a value, and --variants-limit sets the limit";
     for (Diagnostic& each : plan.diagnostics)
         if (each.code == "too-many") each.notes.push_back(advice);
+    name_graph(plan.diagnostics, graph);
     end_progress(console);
     report(console, plan.diagnostics);
     if (!plan.ok) return Exit::Wrong;
@@ -170,6 +171,7 @@ Exit make_variants(const Console& console, const Compiler& compiler, const std::
                                     : announcement(plan, static_cast<double>(plan.count))));
     VariantSet set = compiler.compile_variants(
         graph, plan, options, [&](std::size_t done) { show_progress(console, done, plan.count, graph); });
+    name_graph(set.diagnostics, graph);
     end_progress(console);
     report(console, set.diagnostics);
     if (!set.ok) return Exit::Wrong;

@@ -28,7 +28,8 @@ Measured measure_graph(const Compiler& compiler, const Arguments& arguments, con
     options.include_dirs = arguments.include_dirs;
     options.request = CompileOptions::Passes{.path = arguments.path.path};
     options.switches = arguments.path.switches();
-    const Result result = compile_if_foreign(compiler, graph, options);
+    Result result = compile_if_foreign(compiler, graph, options);
+    name_graph(result.diagnostics, graph);
     Measured made{.report = {.graph = graph}, .diagnostics = result.diagnostics, .ok = result.ok};
     if (!result.ok) return made;
     made.report.passes = measure(result);

@@ -78,6 +78,7 @@ void Watch::find_graphs() {
         const std::vector<Input> found = inputs_below(word, {".graph.json"});
         inputs.insert(inputs.end(), found.begin(), found.end());
     }
+    take_out_repeated(inputs);
     std::vector<std::string> paths;
     for (const Input& input : inputs) paths.push_back(input.path);
     if (paths == found_) return;
