@@ -168,6 +168,19 @@ TEST_F(Merges, WaysOfWritingOneValueAreNoChange) {
     expect_clean(base.text(), ours.text(), theirs.text(), theirs.text());
 }
 
+TEST_F(Merges, ColoursAndNumbersByValue) {
+    const Lines base;
+    Lines ours = base, theirs = base;
+    ours.properties = replaced(base.properties, "#c9a27e", "#C9A27E");
+    theirs.properties = replaced(base.properties, "#c9a27e", "#ffffff");
+    expect_clean(base.text(), ours.text(), theirs.text(), theirs.text());
+    ours = base;
+    theirs = base;
+    ours.surface += R"(, "metallic": 1)";
+    theirs.surface += R"(, "metallic": 1.0)";
+    expect_clean(base.text(), ours.text(), theirs.text(), ours.text());
+}
+
 TEST_F(Merges, EndsOfLinesAndOfTheFileStay) {
     const Lines base;
     Lines theirs = base;
