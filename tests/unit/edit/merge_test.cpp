@@ -118,6 +118,15 @@ TEST_F(Merges, CommentsAndOrderOfOursStay) {
     expect_clean(base.text(), ours.text(), theirs.text(), both.text());
 }
 
+TEST_F(Merges, AKeyInFrontOfOneWithoutASpace) {
+    const Lines base;
+    Lines ours = base, theirs = base, both = base;
+    ours.more = R"(, "budget": {"maxInstructions": 500})";
+    theirs.more = R"(, "budget": {"maxTextures": 5})";
+    both.more = R"(, "budget": { "maxTextures": 5, "maxInstructions": 500})";
+    expect_clean(base.text(), ours.text(), theirs.text(), both.text());
+}
+
 // The comments of OURS stay. Who loses comments of THEIRS is told.
 TEST_F(Merges, CommentsOfTheirs) {
     const Lines base;
