@@ -346,7 +346,10 @@ TEST_F(Merges, ARenameToANameThatTheOtherSideTakes) {
     theirs.nodes =
         replaced(base.nodes, "$_Amount)\" }\n", "$_Amount)\" },\n    { \"id\": \"rust\", \"expr\": \"$_Tint.r\" }\n");
     theirs.surface += R"(, "metallic": "rust")";
-    expect_conflict(base.text(), ours.text(), theirs.text(), {"both sides add 'nodes.rust'"});
+    expect_conflict(
+        base.text(), ours.text(), theirs.text(),
+        {"both sides add 'nodes.rust'", "ours: renames 'nodes.mask' to 'rust'", "theirs: adds 'nodes.rust'"});
+    expect_conflict(base.text(), theirs.text(), ours.text(), {"theirs: renames 'nodes.mask' to 'rust'"});
 }
 
 // --- names that are used again
