@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "compiler/format/color.h"
 #include "compiler/format/read_graph.h"
 #include "compiler/format/scene/read_scene.h"
 #include "compiler/json/json_text.h"
@@ -61,7 +62,8 @@ bool is_same(const Expr& a, const Expr& b, const Renaming& renaming) {
     if (a.kind != b.kind || a.number_kind != b.number_kind || a.number != b.number || a.args.size() != b.args.size())
         return false;
     switch (a.kind) {
-        case Expr::Kind::Color: break;  // #fc8 is #ffcc88
+        case Expr::Kind::Color:          // #fc8 is #ffcc88
+        case Expr::Kind::Number: break;  // 0.25 is 2.5e-1
         case Expr::Kind::Name:
             if (!renaming.nodes.match(a.text, b.text)) return false;
             break;
@@ -71,7 +73,6 @@ bool is_same(const Expr& a, const Expr& b, const Renaming& renaming) {
         case Expr::Kind::Member:
             if (reads_surface(a) ? !renaming.surface.match(a.text, b.text) : a.text != b.text) return false;
             break;
-        case Expr::Kind::Number:
         case Expr::Kind::Bool:
         case Expr::Kind::List:
         case Expr::Kind::Semantic:
@@ -93,10 +94,19 @@ bool is_same(const Expr& a, const Expr& b, const Renaming& renaming) {
 
 // --- reading
 
+// Where all numbers become floats, 1 is 1.0: in lists, and as the value of a surface's input.
+const Expr* with_floats(const Expr& expr, GraphText& text) {
+    if (expr.kind != Expr::Kind::Number && expr.kind != Expr::Kind::List) return &expr;
+    Expr floats = expr;
+    floats.number_kind = nodelang::NumberKind::Float;
+    for (const Expr*& argument : floats.args) argument = with_floats(*argument, text);
+    return &text.ast.exprs.emplace_back(std::move(floats));
+}
+
 // The values at ports, by their place. A string is an expression there, and a list a vector.
 void note_values(const Graph& graph, GraphText& text) {
     const auto note = [&](Span span, const Expr* expr) {
-        if (expr) text.values.emplace(span.begin, expr);
+        if (expr) text.values.emplace(span.begin, expr->kind == Expr::Kind::List ? with_floats(*expr, text) : expr);
     };
     const auto note_all = [&](const std::vector<PortValue>& values) {
         for (const PortValue& value : values) note(value.value_span, value.value);
@@ -107,11 +117,32 @@ void note_values(const Graph& graph, GraphText& text) {
     }
     for (const Input& input : graph.inputs) note(input.default_span, input.value);
     note_all(graph.vertex);
-    note_all(graph.surface);
+    for (const PortValue& value : graph.surface) {
+        if (value.value) note(value.value_span, with_floats(*value.value, text));
+    }
     note_all(graph.outputs);
     note_all(graph.lighting.inputs);
     if (graph.lighting.inlined) note_values(*graph.lighting.inlined, text);
     for (const ExtraPass& pass : graph.passes) note_values(*pass.graph, text);
+}
+
+// The colours in the defaults of properties and in scenes: "#AABBCC" is "#abc".
+void note_colors(const Json& json, GraphText& text) {
+    if (json.kind == Json::Kind::String) {
+        const std::optional<LinearColor> color = parse_color(json.string);
+        if (!color) return;
+        Expr value;
+        value.kind = Expr::Kind::Color;
+        for (const double component : color->value) {
+            Expr number;
+            number.number = component;
+            number.kind = Expr::Kind::Number;
+            value.args.push_back(&text.ast.exprs.emplace_back(std::move(number)));
+        }
+        text.values.emplace(json.span.begin, &text.ast.exprs.emplace_back(std::move(value)));
+    }
+    for (const Json& element : json.elements) note_colors(element, text);
+    for (const JsonMember& member : json.members) note_colors(member.value, text);
 }
 
 TreeValue member_value(const TreeValue& object, const JsonMember& member) {
@@ -197,10 +228,16 @@ std::unique_ptr<GraphText> read_graph_text(const std::string& path, std::string 
         const SceneFiles files{.find = as_written, .require = as_written};
         const Reading reading{text->sources, text->ast, text->diagnostics};
         read_scene(reading, *text->json, path, name_of_file(path), files);
+        note_colors(*text->json, *text);
     } else {
         const std::shared_ptr<Graph> graph =
             read_graph(*text->json, path, text->sources, text->ast, text->diagnostics, std::nullopt);
         note_values(*graph, *text);
+        if (const Json* properties = text->json->find("properties")) {
+            for (const Json& property : properties->elements) {
+                if (const Json* value = property.find("default")) note_colors(*value, *text);
+            }
+        }
         text->graph = graph;
     }
     text->ok = !text->diagnostics.has_errors();

@@ -1,6 +1,6 @@
 // A text that has been read: the JSON tree, and the graph that it means. Two trees are compared here by meaning: nodes
-// are matched by id, properties by name, ports by name; numbers are equal by value, and expressions by their syntax
-// trees.
+// are matched by id, properties by name, ports by name; numbers and colours are equal by value, and expressions by
+// their syntax trees, in which 1 is an integer and 1.0 a float.
 //
 //   const std::unique_ptr<GraphText> text = read_graph_text("rust.graph.json", bytes);
 //   if (text->ok && is_same(text->root(), other->root())) ...

@@ -49,8 +49,10 @@ SameNames unify_names(std::unique_ptr<GraphText> base, std::unique_ptr<GraphText
                 continue;
             }
             // A name that the other side took for something else is no rename to carry over.
-            if (has_name(*theirs, rename.list, rename.to)) continue;
-            if (other && has_name(*ours, rename.list, other->to)) continue;
+            if (has_name(*theirs, rename.list, rename.to) || (other && has_name(*ours, rename.list, other->to))) {
+                same.held_of_ours.push_back(rename);
+                continue;
+            }
             of_base.push_back(rename);
             if (other) {
                 same.conflicts.push_back({rename.list, rename.from, rename.to, other->to});
@@ -67,7 +69,11 @@ SameNames unify_names(std::unique_ptr<GraphText> base, std::unique_ptr<GraphText
                 same.held_of_theirs.push_back(rename);
                 continue;
             }
-            if (find_rename(by_ours, rename) || has_name(*ours, rename.list, rename.to)) continue;
+            if (find_rename(by_ours, rename)) continue;
+            if (has_name(*ours, rename.list, rename.to)) {
+                same.held_of_theirs.push_back(rename);
+                continue;
+            }
             of_base.push_back(rename);
             if (!has_name(*ours, rename.list, rename.from)) {
                 same.lost.push_back({rename.list, rename.from, rename.to, Side::Theirs});

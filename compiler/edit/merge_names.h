@@ -28,7 +28,8 @@ struct SameNames {
     std::vector<LostName> lost;                     // the base has the new name
     // Names that one side gave to other things, where the other side did not do the same.
     ReusedNames reused_by_ours, reused_by_theirs;
-    std::vector<Rename> held_of_ours, held_of_theirs;  // renames that were not carried over because of such names
+    // Renames that were not carried over, because the other text has such a name.
+    std::vector<Rename> held_of_ours, held_of_theirs;
 };
 
 SameNames unify_names(std::unique_ptr<GraphText> base, std::unique_ptr<GraphText> ours,

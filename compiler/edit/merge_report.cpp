@@ -53,6 +53,15 @@ ConflictReport::Did ConflictReport::did(Side side, const Path& path) const {
     const TreeValue before = find(*names_.base, path), after = find(ours ? *names_.ours : *names_.theirs, path);
     const TreeValue after_own = find(text, own);
     std::string what = ours ? "ours: " : "theirs: ";
+    const std::vector<Rename>& held = ours ? names_.held_of_ours : names_.held_of_theirs;
+    const auto rename = std::find_if(held.begin(), held.end(), [&](const Rename& each) {
+        const std::string& name = after ? each.to : each.from;
+        return !before != !after && own == Path{each.list, name};
+    });
+    if (rename != held.end()) {
+        what += fmt::format("renames '{}.{}' to '{}'", rename->list, rename->from, rename->to);
+        return {std::move(what), place_in(text, {rename->list, rename->to})};
+    }
     if (!after) {
         what += fmt::format("removes '{}'", to_string(own));
     } else if (!before) {

@@ -9,6 +9,7 @@
 #include "compiler/edit/merge_names.h"
 #include "compiler/edit/merge_trees.h"
 #include "compiler/format/canonical_form.h"
+#include "compiler/format/read_graph.h"
 #include "patina/text_diff.h"
 
 namespace patina::graph {
@@ -284,6 +285,48 @@ MergeState add_old_errors(const std::vector<Diagnostic>& errors, const Sides& or
     return state;
 }
 
+// --- comments
+
+template <class Visit>
+void for_each_comment(const Json& json, const Visit& visit) {
+    if (json.comments) {
+        for (const std::string& comment : json.comments->before) visit(comment, json);
+        visit(json.comments->trailing, json);
+        for (const std::string& comment : json.comments->end) visit(comment, json);
+    }
+    for (const Json& element : json.elements) for_each_comment(element, visit);
+    for (const JsonMember& member : json.members) for_each_comment(member.value, visit);
+}
+
+// The comments of OURS stay. Says so if THEIRS wrote some that the merge does not have.
+void add_lost_comments(const Sides& original, const std::string& merged, MergeResult& result) {
+    std::set<std::string> known;
+    const auto add = [&](const GraphText& text) {
+        if (text.json)
+            for_each_comment(*text.json, [&](const std::string& comment, const Json&) { known.insert(comment); });
+    };
+    add(*original.base);
+    std::vector<std::pair<std::string, Span>> lost;  // each with the place of the value that has it
+    const auto find_lost = [&] {
+        lost.clear();
+        for_each_comment(*original.theirs->json, [&](const std::string& comment, const Json& owner) {
+            if (!comment.empty() && !known.count(comment)) lost.emplace_back(comment, owner.span);
+        });
+    };
+    find_lost();
+    if (lost.empty()) return;
+    add(*read_graph_text("", merged));
+    find_lost();
+    if (lost.empty()) return;
+    const Span place{lost.front().second.begin, lost.front().second.begin + 1};
+    Diagnostic note =
+        diagnostic_at(place_of(original.theirs->sources, place), {},
+                      fmt::format("the merge keeps the comments of ours, and lacks {} of theirs: {}", lost.size(),
+                                  shown(lost.front().first) + (lost.size() > 1 ? ", ..." : "")));
+    note.severity = Severity::Note;
+    result.diagnostics.push_back(std::move(note));
+}
+
 std::unique_ptr<GraphText> copy_of(const GraphText& text) {
     std::unique_ptr<GraphText> copy =
         read_graph_text(std::string(text.sources.file(text.base)), std::string(text.all()));
@@ -302,7 +345,8 @@ MergeResult merge_texts(const Sides& original, const MergeOptions& options, cons
     const bool is_canonical = formatted(our_text) == our_text;
     const auto laid_out = [&](std::string text) { return is_canonical ? formatted(text) : text; };
 
-    MergeResult result{.state = MergeState::Clean, .text = laid_out(merging.merge_for_ours())};
+    const std::string merged = laid_out(merging.merge_for_ours());
+    MergeResult result{.state = MergeState::Clean, .text = merged};
     const std::vector<Diagnostic> old_errors = merging.old_errors();
     result.diagnostics = report.diagnostics();
     if (!result.diagnostics.empty()) {
@@ -311,6 +355,7 @@ MergeResult merge_texts(const Sides& original, const MergeOptions& options, cons
     } else if (!old_errors.empty()) {
         result.state = add_old_errors(old_errors, original, result);
     }
+    add_lost_comments(original, merged, result);
     return result;
 }
 

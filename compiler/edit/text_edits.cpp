@@ -269,6 +269,7 @@ void edit_children(const SourceMap& sources, const Json& container, const ChildE
             edits.push_back({{offset, end}, std::move(made)});
             return;
         }
+        if (place == 0 && children.front().begin == offset && made.back() != '\n') made += ' ';  // `{"a": 1}`
         edits.push_back({{offset, offset}, std::move(made)});
     };
 

@@ -95,7 +95,7 @@ Exit compare(const Console& console, const Arguments& arguments, PictureComparis
             !add_shader_changes(compiler, both.before, both.after, options_of(arguments, compiler), found, diagnostics);
         report(console, diagnostics);
     }
-    if (is_there && !arguments.picture.output.empty()) {
+    if (is_there && !trouble && !arguments.picture.output.empty()) {  // else it would report the same errors
         found.picture = compare_pictures(console, both.before, both.after, arguments.picture);
         trouble |= !found.picture;
     }

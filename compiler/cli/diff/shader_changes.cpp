@@ -1,5 +1,8 @@
 #include <algorithm>
+#include <filesystem>
+#include <functional>
 #include <tuple>
+#include <utility>
 
 #include "compiler/cli/diff/report.h"
 #include "patina/cost.h"
@@ -20,6 +23,14 @@ ShaderChange change_of(const Shader& shader) {
     return {.pass = shader.pass, .stage = shader.stage, .target = shader.target};
 }
 
+// The errors of a text that was compiled as `alias` are those of `path`.
+void rename_file(std::vector<Diagnostic>& diagnostics, const std::string& alias, const std::string& path) {
+    for (Diagnostic& each : diagnostics) {
+        if (each.file == alias) each.file = path;
+        rename_file(each.notes, alias, path);
+    }
+}
+
 }  // namespace
 
 bool add_shader_changes(const Compiler& compiler, const Version& before, const Version& after,
@@ -28,9 +39,14 @@ bool add_shader_changes(const Compiler& compiler, const Version& before, const V
     compile.hashes = true;
     compile.accept_parts = true;
     const Result old_result = compiler.compile_text(before.path, before.text, compile);
-    const Result new_result = compiler.compile_text(after.path, after.text, compile);
-    for (const Result* result : {&old_result, &new_result}) {
-        if (!result->ok) diagnostics.insert(diagnostics.end(), result->diagnostics.begin(), result->diagnostics.end());
+    // A shader has the name of its graph in a comment: both get that of the old file, each in its own folder.
+    namespace fs = std::filesystem;
+    const std::string new_path =
+        (fs::path(after.path).parent_path() / fs::path(before.path).filename()).generic_string();
+    Result new_result = compiler.compile_text(new_path, after.text, compile);
+    rename_file(new_result.diagnostics, new_path, after.path);
+    for (const Result& result : {std::cref(old_result), std::cref(std::as_const(new_result))}) {
+        if (!result.ok) diagnostics.insert(diagnostics.end(), result.diagnostics.begin(), result.diagnostics.end());
     }
     if (!old_result.ok || !new_result.ok) return false;
     report.has_shaders = true;

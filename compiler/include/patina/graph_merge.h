@@ -35,7 +35,8 @@ struct MergeResult {
     MergeState state = MergeState::Unreadable;  // says what `text` is
     // The text between markers is OURS and THEIRS. Whoever takes the same side everywhere gets a graph that compiles.
     std::string text{};
-    std::vector<Diagnostic> diagnostics{};  // each conflict, with what both sides did; warnings of a clean merge
+    // Each conflict, with what both sides did; warnings of a clean merge; a note if it lacks comments of THEIRS.
+    std::vector<Diagnostic> diagnostics{};
 };
 
 // The text of `ours` with the changes that made `theirs` of `base`. It compiles what it has merged.

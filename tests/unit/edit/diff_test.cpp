@@ -59,6 +59,38 @@ TEST(Diff, WhatIsNoChange) {
     EXPECT_EQ(changes(kBase, moved), "");
 }
 
+TEST(Diff, ColoursByValue) {
+    EXPECT_EQ(changes(kBase, replaced(kBase, "#c9a27e", "#C9A27E")), "");
+    EXPECT_EQ(changes(replaced(kBase, "#c9a27e", "#fff"), replaced(kBase, "#c9a27e", "#FFFFFFff")), "");
+    EXPECT_EQ(changes(kBase, replaced(kBase, "#c9a27e", "#c9a27f")),
+              "~ properties._Tint.default: \"#c9a27e\" -> \"#c9a27f\"\n");
+    // What is no colour is a text.
+    const std::string label = replaced(kBase, "#c9a27e\"", "#c9a27e\", \"label\": \"#abc\"");
+    EXPECT_EQ(changes(label, replaced(label, "#abc", "#ABC")), "~ properties._Tint.label: \"#abc\" -> \"#ABC\"\n");
+    const std::string gradient = replaced(kBase, R"("type": "color", "default": "#c9a27e")",
+                                          R"("type": "gradient", "default": { "colors": [[0, "#abc"], [1, "#fff"]] })");
+    const std::string upper = replaced(gradient, "#abc", "#AABBCC");
+    EXPECT_EQ(changes(gradient, upper), "");
+    const std::string scene = R"({ "patina": 1, "kind": "scene", "camera": { "position": [0, 1, 5] },
+  "lights": [ { "type": "directional", "direction": [0, 1, 0], "color": "#abc" } ], "objects": [] })";
+    EXPECT_EQ(changes(scene, replaced(scene, "#abc", "#AABBCC")), "");
+}
+
+// 1 is an integer and 1.0 a float, which matters to what computes with both.
+TEST(Diff, IntegersAreOtherValuesWhereTheirTypeCounts) {
+    EXPECT_EQ(changes(kBase, replaced(kBase, "\"scale\": 4", "\"scale\": 4.0")), "~ nodes.mask.in.scale: 4 -> 4.0\n");
+    const std::string bare = replaced(kBase, "\"edge\" }", "1 }");
+    EXPECT_EQ(changes(bare, replaced(bare, "1 }", "1.0 }")), "");
+    EXPECT_EQ(changes(bare, replaced(bare, "1 }", "\"= 1.0\" }")), "");
+    EXPECT_EQ(changes(bare, replaced(bare, "1 }", "2.0 }")), "~ surface.roughness: 1 -> 2.0\n");
+    const std::string list = replaced(kBase, "\"@uv0\"", "[1, 2]");
+    EXPECT_EQ(changes(list, replaced(list, "[1, 2]", "[1.0, 2]")), "");
+    const std::string halves = replaced(kBase, "mask * $_Amount", "mask * 0.25");
+    EXPECT_EQ(changes(halves, replaced(halves, "0.25", "2.5e-1")), "");
+    const std::string one = replaced(kBase, "\"default\": 0.5", "\"default\": 1");
+    EXPECT_EQ(changes(one, replaced(one, "\"default\": 1 ", "\"default\": 1.0 ")), "");
+}
+
 TEST(Diff, ValuesLinksAndTypes) {
     EXPECT_EQ(changes(kBase, replaced(kBase, "\"scale\": 4", "\"scale\": 8")), "~ nodes.mask.in.scale: 4 -> 8\n");
     EXPECT_EQ(changes(kBase, replaced(kBase, "\"edge\" }", "\"mask\" }")),

@@ -283,6 +283,7 @@ protected:
     std::string problem_of_conflict(const MergeResult& merged) {
         if (merged.diagnostics.empty()) return "a conflict says nothing";
         for (const Diagnostic& each : merged.diagnostics) {
+            if (each.severity == Severity::Note) continue;  // of comments
             const auto says = [&](const char* side) {
                 return std::any_of(each.notes.begin(), each.notes.end(), [&](const Diagnostic& note) {
                     return note.message.starts_with(side) && note.line > 0;
