@@ -15,18 +15,6 @@ namespace {
 
 constexpr std::size_t kDeepest = 250;
 
-// Version 1.36 says "parameter" for inputs that cannot vary, and "bindinput" at materials.
-bool is_input(const Element& element) {
-    return element.category == "input" || element.category == "parameter" || element.category == "bindinput" ||
-           element.category == "bindparam";
-}
-
-const Element* input_of(const Element& node, std::string_view name) {
-    const auto found =
-        std::ranges::find_if(node.children, [&](const Element& each) { return is_input(each) && each.name() == name; });
-    return found == node.children.end() ? nullptr : &*found;
-}
-
 // Lengths in metres, and angles in degrees, as the standard library defines them.
 std::optional<double> unit_scale(std::string_view unit) {
     static constexpr std::pair<std::string_view, double> kUnits[] = {
@@ -71,6 +59,18 @@ std::string_view reading(std::size_t given, std::size_t wanted, bool is_matrix) 
 }
 
 }  // namespace
+
+// Version 1.36 says "parameter" for inputs that cannot vary, and "bindinput" at materials.
+bool is_input(const Element& element) {
+    return element.category == "input" || element.category == "parameter" || element.category == "bindinput" ||
+           element.category == "bindparam";
+}
+
+const Element* input_of(const Element& node, std::string_view name) {
+    const auto found =
+        std::ranges::find_if(node.children, [&](const Element& each) { return is_input(each) && each.name() == name; });
+    return found == node.children.end() ? nullptr : &*found;
+}
 
 void count_uses(const Element& element, std::map<std::string, std::size_t, std::less<>>& uses) {
     for (const Element& each : element.children) {
@@ -144,6 +144,7 @@ Source GraphMaker::source_of(Scope& scope, const Element& node, std::string_view
         }
         const Element* const interface = own ? own : defined;
         if (!interface) return {};
+        import_.reached.insert(interface);
         if (interface == own && at->around &&
             (own->has("nodename") || own->has("nodegraph") || own->has("interfacename"))) {
             input = own;

@@ -76,6 +76,7 @@ Term GraphMaker::evaluate(Scope& scope, const Element& node, std::string_view ou
 // The first that knows the node: a function, the table, the document.
 Term GraphMaker::computed(Scope& scope, const Element& node, std::string_view output) {
     const Type type = type_of_word(node.type());
+    check_inputs(scope, node);
     if (auto made = apply_special(*this, scope, node, output)) return *made;
     if (auto made = apply_rule(*this, scope, node, output)) return *made;
     const Element* definition = nullptr;
@@ -221,9 +222,16 @@ Term GraphMaker::property_of(const Element& input) {
         const auto limit_value = [&](double limit) {
             return word == "int" ? whole_number(std::round(limit)) : number(static_cast<float>(limit));
         };
-        if ((type == "float" || type == "integer") && low.is_constant() && high.is_constant() &&
-            low.numbers[0] < high.numbers[0] && value.numbers[0] >= low.numbers[0] &&
-            value.numbers[0] <= high.numbers[0])
+        const bool has_range = (type == "float" || type == "integer") && low.is_constant() && high.is_constant() &&
+                               low.numbers[0] < high.numbers[0];
+        const bool is_outside = has_range && (value.numbers[0] < low.numbers[0] || value.numbers[0] > high.numbers[0]);
+        if (is_outside)
+            remark(Remark::Kind::Changed, fmt::format("input '{}'", input.name()),
+                   fmt::format("its limits, {} to {}, are left out: its value, {}, is outside of them",
+                               terms::digits(low.numbers[0]), terms::digits(high.numbers[0]),
+                               terms::digits(value.numbers[0])),
+                   input);
+        if (has_range && !is_outside)
             property.more.push_back({"range", list({limit_value(low.numbers[0]), limit_value(high.numbers[0])})});
         describe(input, property);
         made = terms::link("$" + property.name, value.type);

@@ -5,6 +5,7 @@
 //
 //   graph_maker.cpp     makes the nodes in order and names them; the remarks
 //   connections.cpp     which value an input has: interfaces, definitions, outputs
+//   inputs.cpp          what is wrong with the inputs of a node
 //   rules.cpp           nodes of the table
 //   special_nodes.cpp   nodes that no row can say, by a list of functions
 //   noise.cpp           noise, as files of nodes
@@ -137,6 +138,7 @@ private:
     Term connected(Scope& scope, const Element& input);
     Term output_of(const Element& graph, Scope& around, std::string_view output, const Element& reader);
     Term computed(Scope& scope, const Element& node, std::string_view output);
+    void check_inputs(Scope& scope, const Element& node);
     Term property_of(const Element& input);
     void make_surface(Scope& scope, const Element& shader);
     bool has_effect(Scope& scope, const Element& shader, const Port& port);
@@ -174,6 +176,8 @@ std::vector<std::string_view> special_nodes();
 
 Type type_of_word(std::string_view type);  // "color3"; None: it is no value of a graph
 bool is_color(std::string_view type);
+bool is_input(const Element& element);
+const Element* input_of(const Element& node, std::string_view name);  // null: it is not stated
 void count_uses(const Element& around, std::map<std::string, std::size_t, std::less<>>& uses);
 
 }  // namespace patina::importers::mtlx
