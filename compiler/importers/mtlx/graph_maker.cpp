@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace patina::importers::mtlx {
 namespace {
@@ -53,6 +54,7 @@ Term GraphMaker::evaluate(Scope& scope, const Element& node, std::string_view ou
                        ? std::string(scope.instance ? scope.instance->name() : scope.element->name()) + "/"
                        : "";
     number_of(node);
+    Scope* const around = std::exchange(scope_, &scope);
     Term made;
     if (depth_ > kDeepest || ++evaluated_ > kMostNodes) {
         made = magenta(node, type,
@@ -69,6 +71,7 @@ Term GraphMaker::evaluate(Scope& scope, const Element& node, std::string_view ou
     // Outputs of one node are written again: they are links.
     if (uses(scope, node) > 1 && !made.is_short()) made = named(made);
     scope_label_ = label;
+    scope_ = around;
     open_.erase(key);
     return values_[std::move(key)] = std::move(made);
 }
@@ -161,16 +164,34 @@ void GraphMaker::refuse(const Element& node, std::string reason) {
         .kind = Remark::Kind::LeftOut, .where = {}, .text = std::move(reason), .label = scope_label_};
 }
 
+// What a refused node reads stays in the graph, for the node that its author puts in its place. In words, by its
+// inputs.
+std::string GraphMaker::kept_inputs(const Element& node) {
+    std::string made;
+    if (!scope_ || depth_ > kDeepest || evaluated_ > kMostNodes) return made;
+    for (const Element& each : node.children) {
+        const Type type = type_of_word(each.type());
+        if (!mtlx::is_input(each) || type == Type::None || !is_set(*scope_, node, each.name())) continue;
+        const Term term = input(*scope_, node, {.name = std::string(each.name()), .type = std::string(each.type())});
+        if (term.is_constant()) continue;
+        const Term kept = terms::is_vector(type) ? named(term) : term;
+        written(kept, fmt::format("the note of '{}'", node.name()));
+        made += fmt::format("{}{} = {}", made.empty() ? "" : ", ", each.name(), kept.text());
+    }
+    return made;
+}
+
 // A node of its own, so that the place is seen in the graph, too.
 Term GraphMaker::magenta(const Element& node, Type type, std::string_view reason) {
     import_.has_refused = true;
     const bool is_input = node.category == "input" || node.category == "output" || node.category == "bindinput";
+    const std::string reads = is_input ? std::string() : kept_inputs(node);
     if (!is_input) refuse(node, std::string(reason));
     const Term made = terms::stand_in(type);
     const std::string id = ids_.unique(terms::camel_case(node.name()), "refused");
     types_[id] = made.type;
-    file_.nodes.push_back(
-        {.id = id, .expression = made.text(), .more = {{"note", text(fmt::format("not imported: {}", reason))}}});
+    const std::string note = fmt::format("not imported: {}{}{}", reason, reads.empty() ? "" : ". It read ", reads);
+    file_.nodes.push_back({.id = id, .expression = made.text(), .more = {{"note", text(note)}}});
     return terms::link(id, made.type);
 }
 

@@ -138,6 +138,7 @@ private:
     Term connected(Scope& scope, const Element& input);
     Term output_of(const Element& graph, Scope& around, std::string_view output, const Element& reader);
     Term computed(Scope& scope, const Element& node, std::string_view output);
+    std::string kept_inputs(const Element& node);
     void check_inputs(Scope& scope, const Element& node);
     Term property_of(const Element& input);
     void make_surface(Scope& scope, const Element& shader);
@@ -164,6 +165,7 @@ private:
     std::map<std::string, Type, std::less<>> types_{};  // of expressions, by id, and of inputs: "surface.emission"
     std::map<std::string, Texture> textures_{};         // by file and how it is read
     std::map<std::string, std::string> samples_{};      // by texture and coordinates: the node
+    Scope* scope_ = nullptr;                            // of the node that is evaluated
     std::size_t depth_ = 0, evaluated_ = 0;
     std::string scope_label_{};
 };

@@ -51,6 +51,7 @@ bool GraphMaker::is_default(Scope& scope, const Element& shader, const SurfaceRu
 }
 
 void GraphMaker::make_surface(Scope& scope, const Element& shader) {
+    scope_ = &scope;
     std::string kind(shader.category);
     if (kind == "UsdPreviewSurface") {
         const std::string word = word_of(scope, shader, "useSpecularWorkflow");

@@ -115,5 +115,26 @@ TEST(MtlxReport, WhatNothingReadsIsSaid) {
               "variantset 'colours': a graph has no sets of values: the inputs keep their own\n");
 }
 
+TEST(MtlxReport, WhatARefusedNodeReadStays) {
+    Imported made = import_text(
+        one_node(sources() +
+                     R"(<sin name="wave" type="float"><input name="in" type="float" nodename="source_float"/></sin>
+<curveadjust name="tested" type="float"><input name="in" type="float" nodename="wave"/><input name="knots" type="float" value="1"/></curveadjust>)",
+                 "float"));
+    EXPECT_NE(text_of(made).find(R"x("id": "wave", "expr": "sin(@positionOS.x)")x"), std::string::npos)
+        << text_of(made);
+    EXPECT_NE(text_of(made).find("has points of several values. It read in = wave\""), std::string::npos)
+        << text_of(made);
+    EXPECT_NE(remarks(made, Remark::Kind::Taken).find("sin 'wave': the node 'wave'\n"), std::string::npos)
+        << remarks(made, Remark::Kind::Taken);
+    expect_compiles(made, "a refused node");
+    // A whole surface.
+    made = import_text(material(
+        R"(<foggy name="shader" type="surfaceshader"><input name="tint" type="color3" nodename="source_color3"/><input name="file" type="filename" value="a.png"/></foggy>)",
+        sources()));
+    EXPECT_NE(text_of(made).find("It read tint = "), std::string::npos) << text_of(made);
+    expect_compiles(made, "a refused surface");
+}
+
 }  // namespace
 }  // namespace patina::importers
