@@ -87,7 +87,7 @@ std::optional<Term> product(const std::string& text, const std::vector<Term>& te
 // "{in} > 0 ? 1.0 : {other}" of a number.
 std::optional<Term> choice(const std::string& text, const std::vector<Term>& terms) {
     const std::size_t question = text.find(" > 0 ? "), colon = text.find(" : ");
-    if (question == text.npos || colon == text.npos || !terms[0].is_constant()) return {};
+    if (question == text.npos || colon == text.npos || !text.starts_with('{') || !terms[0].is_constant()) return {};
     const bool is_first = terms[0].numbers[0] > 0;
     const std::string first = text.substr(question + 7, colon - question - 7), second = text.substr(colon + 3);
     if (const auto value = read_number(is_first ? first : second)) {
