@@ -265,6 +265,7 @@ Term GraphMaker::property_of(const Element& input) {
         remark(Remark::Kind::Taken, fmt::format("input '{}'", input.name()),
                fmt::format("the property '{}'", property.name), input);
         file_.properties.push_back(std::move(property));
+        property_places_.push_back(&input);
     }
     properties_[&input] = made;
     return made;
@@ -285,12 +286,32 @@ void GraphMaker::report_nodes() {
     }
 }
 
+// The document's order.
+void GraphMaker::sort_properties() {
+    std::map<const Element*, std::size_t> order;
+    const auto count = [&](const auto& self, const Element& element) -> void {
+        order.emplace(&element, order.size());
+        for (const Element& each : element.children) self(self, each);
+    };
+    count(count, import_.document.root);
+    std::vector<std::pair<std::size_t, std::size_t>> places;  // those of shaders of version 1.36 are copies: at the end
+    for (std::size_t i = 0; i < property_places_.size(); ++i) {
+        const auto found = order.find(property_places_[i]);
+        places.emplace_back(found == order.end() ? order.size() : found->second, i);
+    }
+    std::ranges::sort(places);
+    std::vector<GraphProperty> sorted;
+    for (const auto& [place, index] : places) sorted.push_back(std::move(file_.properties[index]));
+    file_.properties = std::move(sorted);
+}
+
 void GraphMaker::make(const Element& material, const Element& shader, Scope& scope) {
     number_of(shader);
     import_.reached.insert(&shader);
     import_.reached.insert(&material);
     const std::size_t first_remark = import_.remarks.size();
     make_surface(scope, shader);
+    sort_properties();
     if (import_.error.empty()) refuse_invalid(shader, first_remark);
     report_nodes();
     if (&material != &shader)

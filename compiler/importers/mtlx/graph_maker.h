@@ -102,6 +102,9 @@ public:
     // By the words of the node. What a sampler cannot do is said.
     Sampling sampling_of(Scope& scope, const Element& node, std::string_view wrap_input = "uaddressmode",
                          std::string_view other_wrap_input = "vaddressmode");
+    // What a property of the interface shows that names no picture: "black"; empty: it names one, or is no property, or
+    // the node has another colour then.
+    std::string shown_without_file(Scope& scope, const Element& node, std::string_view file_input, bool is_normal);
     // The texture's property: "$_Wood".
     std::string texture(Scope& scope, const Element& node, std::string_view file_input, const Sampling& sampling);
     // "label", "group" and "help" of a property.
@@ -146,6 +149,7 @@ private:
     bool is_default(Scope& scope, const Element& shader, const SurfaceRule::Ignored& ignored);
     void add_to_surface(const std::string& key, const Term& value);
     void refuse_invalid(const Element& shader, std::size_t first_remark);
+    void sort_properties();
     void report_nodes();
     std::size_t number_of(const Element& node);
 
@@ -163,6 +167,7 @@ private:
     std::map<const Element*, Term> properties_{};                         // of inputs of node graphs
     std::map<std::string, std::set<std::size_t>, std::less<>> owners_{};  // id -> the nodes that are written in it
     std::map<std::string, Type, std::less<>> types_{};  // of expressions, by id, and of inputs: "surface.emission"
+    std::vector<const Element*> property_places_{};     // of the properties, in their order: what says them
     std::map<std::string, Texture> textures_{};         // by file and how it is read
     std::map<std::string, std::string> samples_{};      // by texture and coordinates: the node
     Scope* scope_ = nullptr;                            // of the node that is evaluated

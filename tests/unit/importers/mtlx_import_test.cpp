@@ -28,8 +28,8 @@ TEST(MtlxImport, ChainsOfNodesAreExpressions) {
   "lighting": "gltf",
   "properties": [
     { "name": "_Tint", "type": "color", "default": [0.5, 0.25, 0.125], "label": "Tint", "group": "Wood" },
-    { "name": "_Planks", "type": "texture2d", "default": "./planks.png" },
-    { "name": "_Rings", "type": "float", "default": 8, "range": [1, 20] }
+    { "name": "_Rings", "type": "float", "default": 8, "range": [1, 20] },
+    { "name": "_Planks", "type": "texture2d", "default": "./planks.png" }
   ],
   "nodes": [
     { "id": "planks", "node": "SampleTexture2D", "in": { "texture": "$_Planks" } },
