@@ -9,6 +9,7 @@
 #include "compiler/base/text.h"
 #include "compiler/importers/mtlx/colors.h"
 #include "compiler/importers/mtlx/graph_maker.h"
+#include "compiler/importers/mtlx/library.h"
 
 namespace patina::importers::mtlx {
 namespace {
@@ -109,7 +110,7 @@ Scope& GraphMaker::scope_of(const Element& graph, Scope& around, const Element* 
                                                     .number = scopes_.size()}));
     Scope& made = *scopes_.back();
     if (!made.definition && graph.has("nodedef"))
-        made.definition = import_.document.root.child("nodedef", graph.attribute("nodedef"));
+        made.definition = import_.document.root.child("nodedef", graph.attribute("nodedef"));  // of the document
     count_uses(graph, made.uses);
     return made;
 }
@@ -404,7 +405,12 @@ Term GraphMaker::output_of(const Element& graph, Scope& around, std::string_view
 
 const Element* GraphMaker::implementation(const Element& node, const Element*& definition) const {
     definition = nullptr;
-    const Element& root = import_.document.root;
+    for (const Element* root : {&import_.document.root, &standard_library()})
+        if (const Element* const found = implementation_in(*root, node, definition); found || definition) return found;
+    return nullptr;
+}
+
+const Element* GraphMaker::implementation_in(const Element& root, const Element& node, const Element*& definition) {
     for (const Element& each : root.children) {
         if (each.category != "nodedef") continue;
         const bool is_named = node.has("nodedef") && each.name() == node.attribute("nodedef");

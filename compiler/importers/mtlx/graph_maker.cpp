@@ -6,6 +6,8 @@
 #include <cmath>
 #include <utility>
 
+#include "compiler/importers/mtlx/library.h"
+
 namespace patina::importers::mtlx {
 namespace {
 
@@ -274,6 +276,7 @@ Term GraphMaker::property_of(const Element& input) {
 void GraphMaker::report_nodes() {
     for (const auto& [index, outcome] : outcomes_) {
         const Element& node = *elements_[index];
+        if (outcome.kind == Remark::Kind::Taken && is_of_library(node)) continue;  // no part of the document
         std::string part = outcome.label + (node.name().empty() ? std::string(node.category)
                                                                 : fmt::format("{} '{}'", node.category, node.name()));
         std::string text = outcome.text;

@@ -6,6 +6,7 @@
 //   graph_maker.cpp     makes the nodes in order and names them; the remarks
 //   connections.cpp     which value an input has: interfaces, definitions, outputs
 //   inputs.cpp          what is wrong with the inputs of a node
+//   library.cpp         definitions of the standard library
 //   rules.cpp           nodes of the table
 //   special_nodes.cpp   nodes that no row can say, by a list of functions
 //   noise.cpp           noise, as files of nodes
@@ -142,6 +143,7 @@ private:
     Term output_of(const Element& graph, Scope& around, std::string_view output, const Element& reader);
     Term computed(Scope& scope, const Element& node, std::string_view output);
     std::string kept_inputs(const Element& node);
+    static const Element* implementation_in(const Element& root, const Element& node, const Element*& definition);
     void check_inputs(Scope& scope, const Element& node);
     Term property_of(const Element& input);
     void make_surface(Scope& scope, const Element& shader);

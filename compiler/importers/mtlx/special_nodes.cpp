@@ -469,9 +469,13 @@ std::optional<Term> apply_special(GraphMaker& maker, Scope& scope, const Element
     for (const std::string_view noise : {"noise2d", "noise3d", "fractal2d", "fractal3d", "cellnoise2d", "cellnoise3d",
                                          "worleynoise2d", "worleynoise3d"})
         if (node.category == noise) return make_noise(maker, scope, node);
+    // A turn by 0 changes nothing.
+    const At at{maker, scope, node, output};
+    if ((node.category == "rotate2d" || node.category == "rotate3d") && at.input("amount", "float", "0").is_all(0))
+        return at.input("in", node.type(), "0");
     const auto row = std::ranges::find(kRows, node.category, &Row::category);
     if (row == std::end(kRows)) return {};
-    return row->make({maker, scope, node, output});
+    return row->make(at);
 }
 
 std::vector<std::string_view> special_nodes() {

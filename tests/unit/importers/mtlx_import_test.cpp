@@ -492,6 +492,41 @@ TEST(MtlxImport, PatternsAreThoseOfTheLibrary) {
     }
 }
 
+// By the library's node graph: amplitude and pivot are 0.5, places are multiplied and moved, and the result is clamped.
+TEST(MtlxImport, UnifiedNoiseIsOneOfTheOthers) {
+    const auto import = [](const std::string& node, const std::string& inputs) {
+        const Imported made =
+            import_text(one_node(fmt::format(R"(<{0} name="tested" type="float">{1}</{0}>)", node, inputs), "float"));
+        EXPECT_FALSE(made.has_refused) << remarks(made, Remark::Kind::LeftOut);
+        EXPECT_EQ(remarks(made, Remark::Kind::Changed), "");
+        expect_compiles(made, node + inputs);
+        return made;
+    };
+    const auto type = [](int index) { return fmt::format(R"(<input name="type" type="integer" value="{}"/>)", index); };
+    const auto has = [](const Imported& made, const std::string& part) {
+        return text_of(made).find(part) != std::string::npos;
+    };
+    Imported made = import("unifiednoise3d", R"(<input name="freq" type="vector3" value="2,2,2"/>)");
+    EXPECT_TRUE(has(made, R"("node": "./noise3d.node.hlsl", "in": { "position": "moved" })")) << text_of(made);
+    EXPECT_TRUE(has(made, R"("id": "moved", "expr": "@positionOS * 2")")) << text_of(made);
+    EXPECT_TRUE(has(made, "perlin * 0.5 + 0.5")) << text_of(made);
+    EXPECT_TRUE(has(made, "clamp(")) << text_of(made);
+    EXPECT_EQ(remarks(made, Remark::Kind::Taken).find("perlin"), std::string::npos);
+    made = import("unifiednoise3d", type(1) + R"(<input name="clampoutput" type="boolean" value="false"/>)");
+    EXPECT_TRUE(has(made, R"("node": "./cellnoise3d.node.hlsl")")) << text_of(made);
+    EXPECT_FALSE(has(made, "clamp(")) << text_of(made);
+    made = import("unifiednoise2d", type(2) + R"(<input name="jitter" type="float" value="0.25"/>)");
+    EXPECT_TRUE(has(made, R"("node": "./worleynoise2d.node.hlsl")")) << text_of(made);
+    EXPECT_TRUE(has(made, R"("jitter": 0.25)")) << text_of(made);
+    EXPECT_FALSE(has(made, "Rotate(")) << text_of(made);
+    made = import("unifiednoise2d", type(3) + R"(<input name="octaves" type="integer" value="5"/>)");
+    EXPECT_TRUE(has(made, R"("node": "./fractal3d.node.hlsl")")) << text_of(made);
+    EXPECT_TRUE(has(made, R"("octaves": 5)")) << text_of(made);
+    // It is turned by (0.5 - 1) * 90000 degrees.
+    made = import("unifiednoise2d", R"(<input name="jitter" type="float" value="0.5"/>)");
+    EXPECT_TRUE(has(made, "-radians(-45000)")) << text_of(made);
+}
+
 // 0.6 is not below 0.3, so it is the second value. Versions before 1.37 had this node.
 TEST(MtlxImport, CompareHasTheSecondValueFromTheCutoffOn) {
     for (const auto& [tested, wanted] : {std::pair(0.6, 0.75), std::pair(0.3, 0.75), std::pair(0.2, 0.25)}) {
