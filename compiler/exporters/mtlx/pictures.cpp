@@ -14,9 +14,10 @@ namespace patina::exporters::mtlx {
 namespace {
 
 // What a texture without a file has.
-std::vector<double> color_of(const std::string& word) {
+std::vector<double> color_of(const std::string& word, TextureUsage usage) {
+    const double grey = usage == TextureUsage::Color ? 0.21404114 : 0.5;  // as a file's, which is decoded
     if (word == "black") return {0, 0, 0, 1};
-    if (word == "gray") return {0.5, 0.5, 0.5, 1};
+    if (word == "gray") return {grey, grey, grey, 1};
     if (word == "bump") return {0.5, 0.5, 1, 1};
     return {1, 1, 1, 1};
 }
@@ -131,7 +132,7 @@ Ref NodeWriter::picture(ir::Value texture, ir::Value at, std::string type) {
     }
     current_ = before;
     if (!property->is_file) {
-        std::vector<double> color = color_of(property->texture_path);
+        std::vector<double> color = color_of(property->texture_path, own.usage);
         color.resize(width_of(type));
         arguments.push_back({.name = "default", .value = {.numbers = color}, .type = type});
     }

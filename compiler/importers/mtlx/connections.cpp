@@ -9,23 +9,12 @@
 #include "compiler/base/text.h"
 #include "compiler/importers/mtlx/colors.h"
 #include "compiler/importers/mtlx/graph_maker.h"
+#include "compiler/importers/mtlx/library.h"
 
 namespace patina::importers::mtlx {
 namespace {
 
 constexpr std::size_t kDeepest = 250;
-
-// Version 1.36 says "parameter" for inputs that cannot vary, and "bindinput" at materials.
-bool is_input(const Element& element) {
-    return element.category == "input" || element.category == "parameter" || element.category == "bindinput" ||
-           element.category == "bindparam";
-}
-
-const Element* input_of(const Element& node, std::string_view name) {
-    const auto found =
-        std::ranges::find_if(node.children, [&](const Element& each) { return is_input(each) && each.name() == name; });
-    return found == node.children.end() ? nullptr : &*found;
-}
 
 // Lengths in metres, and angles in degrees, as the standard library defines them.
 std::optional<double> unit_scale(std::string_view unit) {
@@ -72,6 +61,18 @@ std::string_view reading(std::size_t given, std::size_t wanted, bool is_matrix) 
 
 }  // namespace
 
+// Version 1.36 says "parameter" for inputs that cannot vary, and "bindinput" at materials.
+bool is_input(const Element& element) {
+    return element.category == "input" || element.category == "parameter" || element.category == "bindinput" ||
+           element.category == "bindparam";
+}
+
+const Element* input_of(const Element& node, std::string_view name) {
+    const auto found =
+        std::ranges::find_if(node.children, [&](const Element& each) { return is_input(each) && each.name() == name; });
+    return found == node.children.end() ? nullptr : &*found;
+}
+
 void count_uses(const Element& element, std::map<std::string, std::size_t, std::less<>>& uses) {
     for (const Element& each : element.children) {
         if (each.category == "nodegraph") continue;
@@ -109,7 +110,7 @@ Scope& GraphMaker::scope_of(const Element& graph, Scope& around, const Element* 
                                                     .number = scopes_.size()}));
     Scope& made = *scopes_.back();
     if (!made.definition && graph.has("nodedef"))
-        made.definition = import_.document.root.child("nodedef", graph.attribute("nodedef"));
+        made.definition = import_.document.root.child("nodedef", graph.attribute("nodedef"));  // of the document
     count_uses(graph, made.uses);
     return made;
 }
@@ -144,6 +145,7 @@ Source GraphMaker::source_of(Scope& scope, const Element& node, std::string_view
         }
         const Element* const interface = own ? own : defined;
         if (!interface) return {};
+        import_.reached.insert(interface);
         if (interface == own && at->around &&
             (own->has("nodename") || own->has("nodegraph") || own->has("interfacename"))) {
             input = own;
@@ -403,7 +405,12 @@ Term GraphMaker::output_of(const Element& graph, Scope& around, std::string_view
 
 const Element* GraphMaker::implementation(const Element& node, const Element*& definition) const {
     definition = nullptr;
-    const Element& root = import_.document.root;
+    for (const Element* root : {&import_.document.root, &standard_library()})
+        if (const Element* const found = implementation_in(*root, node, definition); found || definition) return found;
+    return nullptr;
+}
+
+const Element* GraphMaker::implementation_in(const Element& root, const Element& node, const Element*& definition) {
     for (const Element& each : root.children) {
         if (each.category != "nodedef") continue;
         const bool is_named = node.has("nodedef") && each.name() == node.attribute("nodedef");

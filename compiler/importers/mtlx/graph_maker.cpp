@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+
+#include "compiler/importers/mtlx/library.h"
 
 namespace patina::importers::mtlx {
 namespace {
@@ -53,6 +56,7 @@ Term GraphMaker::evaluate(Scope& scope, const Element& node, std::string_view ou
                        ? std::string(scope.instance ? scope.instance->name() : scope.element->name()) + "/"
                        : "";
     number_of(node);
+    Scope* const around = std::exchange(scope_, &scope);
     Term made;
     if (depth_ > kDeepest || ++evaluated_ > kMostNodes) {
         made = magenta(node, type,
@@ -69,6 +73,7 @@ Term GraphMaker::evaluate(Scope& scope, const Element& node, std::string_view ou
     // Outputs of one node are written again: they are links.
     if (uses(scope, node) > 1 && !made.is_short()) made = named(made);
     scope_label_ = label;
+    scope_ = around;
     open_.erase(key);
     return values_[std::move(key)] = std::move(made);
 }
@@ -76,6 +81,7 @@ Term GraphMaker::evaluate(Scope& scope, const Element& node, std::string_view ou
 // The first that knows the node: a function, the table, the document.
 Term GraphMaker::computed(Scope& scope, const Element& node, std::string_view output) {
     const Type type = type_of_word(node.type());
+    check_inputs(scope, node);
     if (auto made = apply_special(*this, scope, node, output)) return *made;
     if (auto made = apply_rule(*this, scope, node, output)) return *made;
     const Element* definition = nullptr;
@@ -160,16 +166,34 @@ void GraphMaker::refuse(const Element& node, std::string reason) {
         .kind = Remark::Kind::LeftOut, .where = {}, .text = std::move(reason), .label = scope_label_};
 }
 
+// What a refused node reads stays in the graph, for the node that its author puts in its place. In words, by its
+// inputs.
+std::string GraphMaker::kept_inputs(const Element& node) {
+    std::string made;
+    if (!scope_ || depth_ > kDeepest || evaluated_ > kMostNodes) return made;
+    for (const Element& each : node.children) {
+        const Type type = type_of_word(each.type());
+        if (!mtlx::is_input(each) || type == Type::None || !is_set(*scope_, node, each.name())) continue;
+        const Term term = input(*scope_, node, {.name = std::string(each.name()), .type = std::string(each.type())});
+        if (term.is_constant()) continue;
+        const Term kept = terms::is_vector(type) ? named(term) : term;
+        written(kept, fmt::format("the note of '{}'", node.name()));
+        made += fmt::format("{}{} = {}", made.empty() ? "" : ", ", each.name(), kept.text());
+    }
+    return made;
+}
+
 // A node of its own, so that the place is seen in the graph, too.
 Term GraphMaker::magenta(const Element& node, Type type, std::string_view reason) {
     import_.has_refused = true;
     const bool is_input = node.category == "input" || node.category == "output" || node.category == "bindinput";
+    const std::string reads = is_input ? std::string() : kept_inputs(node);
     if (!is_input) refuse(node, std::string(reason));
     const Term made = terms::stand_in(type);
     const std::string id = ids_.unique(terms::camel_case(node.name()), "refused");
     types_[id] = made.type;
-    file_.nodes.push_back(
-        {.id = id, .expression = made.text(), .more = {{"note", text(fmt::format("not imported: {}", reason))}}});
+    const std::string note = fmt::format("not imported: {}{}{}", reason, reads.empty() ? "" : ". It read ", reads);
+    file_.nodes.push_back({.id = id, .expression = made.text(), .more = {{"note", text(note)}}});
     return terms::link(id, made.type);
 }
 
@@ -221,9 +245,16 @@ Term GraphMaker::property_of(const Element& input) {
         const auto limit_value = [&](double limit) {
             return word == "int" ? whole_number(std::round(limit)) : number(static_cast<float>(limit));
         };
-        if ((type == "float" || type == "integer") && low.is_constant() && high.is_constant() &&
-            low.numbers[0] < high.numbers[0] && value.numbers[0] >= low.numbers[0] &&
-            value.numbers[0] <= high.numbers[0])
+        const bool has_range = (type == "float" || type == "integer") && low.is_constant() && high.is_constant() &&
+                               low.numbers[0] < high.numbers[0];
+        const bool is_outside = has_range && (value.numbers[0] < low.numbers[0] || value.numbers[0] > high.numbers[0]);
+        if (is_outside)
+            remark(Remark::Kind::Changed, fmt::format("input '{}'", input.name()),
+                   fmt::format("its limits, {} to {}, are left out: its value, {}, is outside of them",
+                               terms::digits(low.numbers[0]), terms::digits(high.numbers[0]),
+                               terms::digits(value.numbers[0])),
+                   input);
+        if (has_range && !is_outside)
             property.more.push_back({"range", list({limit_value(low.numbers[0]), limit_value(high.numbers[0])})});
         describe(input, property);
         made = terms::link("$" + property.name, value.type);
@@ -236,6 +267,7 @@ Term GraphMaker::property_of(const Element& input) {
         remark(Remark::Kind::Taken, fmt::format("input '{}'", input.name()),
                fmt::format("the property '{}'", property.name), input);
         file_.properties.push_back(std::move(property));
+        property_places_.push_back(&input);
     }
     properties_[&input] = made;
     return made;
@@ -244,6 +276,7 @@ Term GraphMaker::property_of(const Element& input) {
 void GraphMaker::report_nodes() {
     for (const auto& [index, outcome] : outcomes_) {
         const Element& node = *elements_[index];
+        if (outcome.kind == Remark::Kind::Taken && is_of_library(node)) continue;  // no part of the document
         std::string part = outcome.label + (node.name().empty() ? std::string(node.category)
                                                                 : fmt::format("{} '{}'", node.category, node.name()));
         std::string text = outcome.text;
@@ -256,12 +289,32 @@ void GraphMaker::report_nodes() {
     }
 }
 
+// The document's order.
+void GraphMaker::sort_properties() {
+    std::map<const Element*, std::size_t> order;
+    const auto count = [&](const auto& self, const Element& element) -> void {
+        order.emplace(&element, order.size());
+        for (const Element& each : element.children) self(self, each);
+    };
+    count(count, import_.document.root);
+    std::vector<std::pair<std::size_t, std::size_t>> places;  // those of shaders of version 1.36 are copies: at the end
+    for (std::size_t i = 0; i < property_places_.size(); ++i) {
+        const auto found = order.find(property_places_[i]);
+        places.emplace_back(found == order.end() ? order.size() : found->second, i);
+    }
+    std::ranges::sort(places);
+    std::vector<GraphProperty> sorted;
+    for (const auto& [place, index] : places) sorted.push_back(std::move(file_.properties[index]));
+    file_.properties = std::move(sorted);
+}
+
 void GraphMaker::make(const Element& material, const Element& shader, Scope& scope) {
     number_of(shader);
     import_.reached.insert(&shader);
     import_.reached.insert(&material);
     const std::size_t first_remark = import_.remarks.size();
     make_surface(scope, shader);
+    sort_properties();
     if (import_.error.empty()) refuse_invalid(shader, first_remark);
     report_nodes();
     if (&material != &shader)

@@ -5,6 +5,8 @@
 //
 //   graph_maker.cpp     makes the nodes in order and names them; the remarks
 //   connections.cpp     which value an input has: interfaces, definitions, outputs
+//   inputs.cpp          what is wrong with the inputs of a node
+//   library.cpp         definitions of the standard library
 //   rules.cpp           nodes of the table
 //   special_nodes.cpp   nodes that no row can say, by a list of functions
 //   noise.cpp           noise, as files of nodes
@@ -101,6 +103,9 @@ public:
     // By the words of the node. What a sampler cannot do is said.
     Sampling sampling_of(Scope& scope, const Element& node, std::string_view wrap_input = "uaddressmode",
                          std::string_view other_wrap_input = "vaddressmode");
+    // What a property of the interface shows that names no picture: "black"; empty: it names one, or is no property, or
+    // the node has another colour then.
+    std::string shown_without_file(Scope& scope, const Element& node, std::string_view file_input, bool is_normal);
     // The texture's property: "$_Wood".
     std::string texture(Scope& scope, const Element& node, std::string_view file_input, const Sampling& sampling);
     // "label", "group" and "help" of a property.
@@ -137,12 +142,16 @@ private:
     Term connected(Scope& scope, const Element& input);
     Term output_of(const Element& graph, Scope& around, std::string_view output, const Element& reader);
     Term computed(Scope& scope, const Element& node, std::string_view output);
+    std::string kept_inputs(const Element& node);
+    static const Element* implementation_in(const Element& root, const Element& node, const Element*& definition);
+    void check_inputs(Scope& scope, const Element& node);
     Term property_of(const Element& input);
     void make_surface(Scope& scope, const Element& shader);
     bool has_effect(Scope& scope, const Element& shader, const Port& port);
     bool is_default(Scope& scope, const Element& shader, const SurfaceRule::Ignored& ignored);
     void add_to_surface(const std::string& key, const Term& value);
     void refuse_invalid(const Element& shader, std::size_t first_remark);
+    void sort_properties();
     void report_nodes();
     std::size_t number_of(const Element& node);
 
@@ -160,8 +169,10 @@ private:
     std::map<const Element*, Term> properties_{};                         // of inputs of node graphs
     std::map<std::string, std::set<std::size_t>, std::less<>> owners_{};  // id -> the nodes that are written in it
     std::map<std::string, Type, std::less<>> types_{};  // of expressions, by id, and of inputs: "surface.emission"
+    std::vector<const Element*> property_places_{};     // of the properties, in their order: what says them
     std::map<std::string, Texture> textures_{};         // by file and how it is read
     std::map<std::string, std::string> samples_{};      // by texture and coordinates: the node
+    Scope* scope_ = nullptr;                            // of the node that is evaluated
     std::size_t depth_ = 0, evaluated_ = 0;
     std::string scope_label_{};
 };
@@ -174,6 +185,8 @@ std::vector<std::string_view> special_nodes();
 
 Type type_of_word(std::string_view type);  // "color3"; None: it is no value of a graph
 bool is_color(std::string_view type);
+bool is_input(const Element& element);
+const Element* input_of(const Element& node, std::string_view name);  // null: it is not stated
 void count_uses(const Element& around, std::map<std::string, std::size_t, std::less<>>& uses);
 
 }  // namespace patina::importers::mtlx

@@ -105,12 +105,25 @@ void report_unread(Import& import, const Element& around, const std::string& lab
     for (const Element& each : around.children) {
         const bool is_other = each.category == "nodedef" || each.category == "output" || each.category == "input" ||
                               each.category == "implementation";
+        const bool is_interface = mtlx::is_input(each) && around.category == "nodegraph" && !around.has("nodedef");
         if (each.category == "nodegraph") {
             report_unread(import, each, std::string(each.name()) + "/");
+        } else if (is_interface && !import.reached.contains(&each)) {
+            import.remarks.push_back({.kind = Remark::Kind::Taken,
+                                      .part = fmt::format("{}input '{}'", label, each.name()),
+                                      .text = "no material reads it",
+                                      .line = each.line,
+                                      .column = each.column});
         } else if (!is_other && !each.type().empty() && !import.reached.contains(&each)) {
             import.remarks.push_back({.kind = Remark::Kind::Taken,
                                       .part = fmt::format("{}{} '{}'", label, each.category, each.name()),
                                       .text = "no material reads it",
+                                      .line = each.line,
+                                      .column = each.column});
+        } else if (each.category == "variantset") {
+            import.remarks.push_back({.kind = Remark::Kind::Changed,
+                                      .part = fmt::format("variantset '{}'", each.name()),
+                                      .text = "a graph has no sets of values: the inputs keep their own",
                                       .line = each.line,
                                       .column = each.column});
         } else if (each.category == "look" || each.category == "propertyset" || each.category == "geominfo" ||

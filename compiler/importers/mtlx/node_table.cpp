@@ -1,5 +1,7 @@
 #include "compiler/importers/mtlx/node_table.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <iterator>
 #include <map>
@@ -155,6 +157,20 @@ const NodeRule* rule_of(std::string_view category, const NodeFacts& facts) {
 
 bool is_in_table(std::string_view category) {
     return table().contains(category);
+}
+
+bool reads_input(std::string_view category, std::string_view input) {
+    const auto asks = [&](std::string_view word) {
+        if (word.starts_with("set:") || word.starts_with("unset:")) return word.substr(word.find(':') + 1) == input;
+        return word.substr(0, word.find_first_of(".=")) == input;
+    };
+    const std::string choice = fmt::format("[{}|", input);
+    return std::ranges::any_of(kRows, [&](const TableRow& row) {
+        if (row.category != category) return false;
+        const std::vector<Port> ports = ports_of(row.inputs);
+        return std::ranges::find(ports, input, &Port::name) != ports.end() ||
+               std::ranges::any_of(split(row.condition, " "), asks) || row.outputs.find(choice) != row.outputs.npos;
+    });
 }
 
 std::span<const TableRow> table_rows() {

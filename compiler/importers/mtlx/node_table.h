@@ -39,6 +39,7 @@ struct NodeFacts {
 // Null: the category is not in the table, or no row fits.
 const NodeRule* rule_of(std::string_view category, const NodeFacts& facts);
 bool is_in_table(std::string_view category);
+bool reads_input(std::string_view category, std::string_view input);  // a row of the category
 
 struct TableRow {
     std::string_view category, condition, inputs, outputs, remark;

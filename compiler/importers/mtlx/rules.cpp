@@ -84,10 +84,26 @@ std::optional<Term> product(const std::string& text, const std::vector<Term>& te
     return made;
 }
 
+// "{a} + {b}" and "{a} - {b}" of numbers.
+std::optional<Term> sum(const std::string& text, const std::vector<Term>& terms) {
+    const std::size_t end = text.find('}');
+    if (terms.size() != 2 || !text.starts_with('{') || !text.ends_with('}') || text.find('{', end) != end + 4)
+        return {};
+    const std::string sign = text.substr(end + 1, 3);
+    const bool is_number = terms[0].is_constant() && terms[1].is_constant() && terms[0].numbers.size() == 1 &&
+                           terms[1].numbers.size() == 1;
+    if (!is_number || (sign != " + " && sign != " - ")) return {};
+    const double second = terms[1].numbers[0];
+    Term made = terms[0];
+    made.numbers[0] += sign == " + " ? second : -second;
+    made.add_nodes(terms[1]);
+    return made;
+}
+
 // "{in} > 0 ? 1.0 : {other}" of a number.
 std::optional<Term> choice(const std::string& text, const std::vector<Term>& terms) {
     const std::size_t question = text.find(" > 0 ? "), colon = text.find(" : ");
-    if (question == text.npos || colon == text.npos || !terms[0].is_constant()) return {};
+    if (question == text.npos || colon == text.npos || !text.starts_with('{') || !terms[0].is_constant()) return {};
     const bool is_first = terms[0].numbers[0] > 0;
     const std::string first = text.substr(question + 7, colon - question - 7), second = text.substr(colon + 3);
     if (const auto value = read_number(is_first ? first : second)) {
@@ -131,6 +147,7 @@ Term GraphMaker::filled(Scope& scope, const Element& node, const NodeRule& rule,
     const bool is_whole = places.size() == 1 && text.starts_with('{') && text.find('}') + 1 == text.size();
     if (is_whole) return terms[0];
     if (auto made = product(text, terms)) return *made;
+    if (auto made = sum(text, terms)) return *made;
     if (auto made = choice(text, terms)) return *made;
     // Numbers stand for vectors, but not if all operands do: "float4(0, 0, 0, 0) + 1".
     const std::size_t width = terms::is_vector(type) ? terms::width(type) : 1;

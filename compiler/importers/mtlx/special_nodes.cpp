@@ -35,6 +35,10 @@ Term texel_as(const Term& texel, std::string_view type) {
     return is_part ? terms::swizzled(texel, std::string_view("rgb").substr(0, terms::width(wanted))) : texel;
 }
 
+bool has_texture(const At& at, bool is_normal = false) {
+    return !at.word("file").empty() || !at.maker.shown_without_file(at.scope, at.node, "file", is_normal).empty();
+}
+
 Term without_file(const At& at) {
     Term made = at.input("default", at.node.type(), "0");
     at.maker.approximate(at.node, "it names no picture: its default value");
@@ -42,12 +46,12 @@ Term without_file(const At& at) {
 }
 
 Term image(const At& at) {
-    if (at.word("file").empty()) return without_file(at);
+    if (!has_texture(at)) return without_file(at);
     return texel_as(at.maker.sampled(at.scope, at.node, at.input("texcoord", "vector2", "@UV0")), at.node.type());
 }
 
 Term tiledimage(const At& at) {
-    if (at.word("file").empty()) return without_file(at);
+    if (!has_texture(at)) return without_file(at);
     return texel_as(at.maker.sampled(at.scope, at.node, tiled_coordinates(at.maker, at.scope, at.node)),
                     at.node.type());
 }
@@ -102,7 +106,7 @@ Term gltf_coordinates(const At& at) {
 }
 
 Term gltf_image(const At& at) {
-    if (at.word("file").empty()) return without_file(at);
+    if (!has_texture(at)) return without_file(at);
     const Term texel = at.maker.sampled(at.scope, at.node, gltf_coordinates(at));
     const bool is_color = at.node.category == "gltf_colorimage";
     Term made = is_color ? texel : texel_as(texel, at.node.type());
@@ -167,7 +171,7 @@ std::optional<GraphNode> hexagons(const At& at, std::string_view node, bool is_n
 }
 
 Term hextiledimage(const At& at) {
-    if (at.word("file").empty()) return without_file(at);
+    if (!has_texture(at)) return without_file(at);
     auto made = hexagons(at, "HexTiling", false);
     if (!made) return at.maker.magenta(at.node, at.type(), "its picture cannot be read");
     const Term contrast = at.input("falloffcontrast", "float", "0.5");
@@ -314,7 +318,7 @@ Term normalmap(const At& at) {
 }
 
 Term hextilednormalmap(const At& at) {
-    if (at.word("file").empty()) return at.maker.geometry("Nworld", Type::Float3);
+    if (!has_texture(at, true)) return at.maker.geometry("Nworld", Type::Float3);
     auto made = hexagons(at, "HexTilingNormal", true);
     if (!made) return at.maker.magenta(at.node, at.type(), "its picture cannot be read");
     const Term strength = at.input("strength", "float", "1");
@@ -324,7 +328,7 @@ Term hextilednormalmap(const At& at) {
 }
 
 Term gltf_normalmap(const At& at) {
-    if (at.word("file").empty()) return at.maker.geometry("Nworld", Type::Float3);
+    if (!has_texture(at, true)) return at.maker.geometry("Nworld", Type::Float3);
     Term texel = terms::link("", Type::Float4);
     Sampling sampling = at.maker.sampling_of(at.scope, at.node);
     sampling.is_normal = true;
@@ -465,9 +469,13 @@ std::optional<Term> apply_special(GraphMaker& maker, Scope& scope, const Element
     for (const std::string_view noise : {"noise2d", "noise3d", "fractal2d", "fractal3d", "cellnoise2d", "cellnoise3d",
                                          "worleynoise2d", "worleynoise3d"})
         if (node.category == noise) return make_noise(maker, scope, node);
+    // A turn by 0 changes nothing.
+    const At at{maker, scope, node, output};
+    if ((node.category == "rotate2d" || node.category == "rotate3d") && at.input("amount", "float", "0").is_all(0))
+        return at.input("in", node.type(), "0");
     const auto row = std::ranges::find(kRows, node.category, &Row::category);
     if (row == std::end(kRows)) return {};
-    return row->make({maker, scope, node, output});
+    return row->make(at);
 }
 
 std::vector<std::string_view> special_nodes() {

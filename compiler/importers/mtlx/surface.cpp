@@ -51,6 +51,7 @@ bool GraphMaker::is_default(Scope& scope, const Element& shader, const SurfaceRu
 }
 
 void GraphMaker::make_surface(Scope& scope, const Element& shader) {
+    scope_ = &scope;
     std::string kind(shader.category);
     if (kind == "UsdPreviewSurface") {
         const std::string word = word_of(scope, shader, "useSpecularWorkflow");
@@ -64,6 +65,7 @@ void GraphMaker::make_surface(Scope& scope, const Element& shader) {
         add_to_surface("color", color);
         return;
     }
+    check_inputs(scope, shader);
     file_.workflow = surface->workflow;
     file_.lighting = surface->lighting;
     std::map<std::string, std::size_t> counts;
@@ -71,6 +73,18 @@ void GraphMaker::make_surface(Scope& scope, const Element& shader) {
                                      "opacityMode", "useSpecularWorkflow"};
     for (const Statement& each : surface->rule.statements) count(each.text, counts);
     Term alpha;
+    const auto say = [&](std::string_view input, Remark::Kind of, std::string what) {
+        carried.insert(std::string(input));
+        if (const Element* const stated = shader.child("", input))
+            remark(of, fmt::format("{} input '{}'", kind, input), std::move(what), *stated);
+    };
+    const auto say_constant_normal = [&](const Term& value, const std::vector<std::string>& inputs) {
+        const bool is_usual =
+            value.text() == "float3(0, 0, 1)" || value.text() == "float3(0.5, 0.5, 1)" || value.is_all(0);
+        for (const std::string& input : inputs)
+            say(input, is_usual ? Remark::Kind::Taken : Remark::Kind::Changed,
+                is_usual ? "the mesh's own normal" : "the mesh's own normal stands for a constant direction");
+    };
     for (const Statement& each : surface->rule.statements) {
         std::vector<std::string> inputs;
         for (const Port& port : surface->rule.inputs)
@@ -91,9 +105,7 @@ void GraphMaker::make_surface(Scope& scope, const Element& shader) {
         if (key == "normal" || key.ends_with("NormalWS")) {
             // A constant direction in the world is what programs write for a default.
             if (value.is_constant()) {
-                if (const Element* stated = shader.child("", inputs.empty() ? "" : inputs[0]))
-                    remark(Remark::Kind::Taken, fmt::format("{} input '{}'", kind, inputs[0]), "the mesh's own normal",
-                           *stated);
+                say_constant_normal(value, inputs);
                 for (const std::string& input : inputs) carried.insert(input);
                 continue;
             }
@@ -106,7 +118,10 @@ void GraphMaker::make_surface(Scope& scope, const Element& shader) {
             if (key == "clearcoatNormalWS" && value.text() == "@normalWS") continue;
             if (key == "coatNormalWS" && value.text() == "@normalWS") continue;
         }
-        if (key == "normalTS" && value.is_constant()) continue;
+        if (key == "normalTS" && value.is_constant()) {
+            say_constant_normal(value, inputs);
+            continue;
+        }
         written(value, fmt::format("'surface.{}'", key));
         for (const std::string& input : inputs) {
             if (!carried.insert(input).second) continue;
@@ -127,6 +142,8 @@ void GraphMaker::make_surface(Scope& scope, const Element& shader) {
     Term cutoff;
     if (shader.category == "gltf_pbr") {
         const std::string stated = word_of(scope, shader, "alpha_mode");
+        if (!stated.empty() && stated != "0" && stated != "1" && stated != "2")
+            say("alpha_mode", Remark::Kind::Changed, fmt::format("'{}' is no mode: the surface is opaque", stated));
         if (stated == "1" || stated == "2") {
             mode = stated == "1" ? "cutout" : "fade";
             alpha = input(scope, shader, {.name = "alpha", .type = "float", .otherwise = "1"});
@@ -147,6 +164,14 @@ void GraphMaker::make_surface(Scope& scope, const Element& shader) {
             approximate(shader, "its opacity is that of red, in all channels");
     }
     if (mode == "fade" && alpha.is_all(1)) mode.clear();
+    const std::string is_drawn = fmt::format("the surface is {}", mode.empty() ? "opaque" : fmt::format("'{}'", mode));
+    const std::string alpha_mode = word_of(scope, shader, "alpha_mode");
+    if (alpha_mode.size() == 1 && alpha_mode <= "2") say("alpha_mode", Remark::Kind::Taken, is_drawn);
+    for (const std::string_view each : {"alpha", "opacityMode"})
+        say(each, Remark::Kind::Taken, each == "alpha" && !mode.empty() ? "'surface.alpha'" : is_drawn);
+    for (const std::string_view each : {"alpha_cutoff", "opacityThreshold"})
+        say(each, Remark::Kind::Taken, mode == "cutout" ? "'surface.alphaClip'" : is_drawn);
+    say("useSpecularWorkflow", Remark::Kind::Taken, fmt::format("the workflow '{}'", file_.workflow));
     if (!mode.empty()) {
         written(alpha, "'surface.alpha'");
         if (!alpha.is_all(1)) add_to_surface("alpha", alpha);
@@ -166,9 +191,8 @@ void GraphMaker::make_surface(Scope& scope, const Element& shader) {
                    is_default(scope, shader, each) ? "its default" : std::string(each.text), *stated);
     }
     for (const Element& each : shader.children) {
-        const bool is_input =
-            each.category == "input" || each.category == "parameter" || each.category.starts_with("bind");
-        if (!is_input || carried.contains(std::string(each.name()))) continue;
+        const bool is_missing = each.has("interfacename") && !source_of(scope, shader, each.name()).input;
+        if (!is_input(each) || is_missing || carried.contains(std::string(each.name()))) continue;
         if (surface->rule.input(each.name()))
             remark(Remark::Kind::Taken, fmt::format("{} input '{}'", kind, each.name()),
                    "it has no effect without the layer that reads it", each);

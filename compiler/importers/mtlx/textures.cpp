@@ -19,6 +19,12 @@ std::string wrap_word(std::string_view mode) {
     return mode == "mirror" ? "mirror" : "repeat";
 }
 
+// Only colours have a colour space, whatever the elements around say.
+Colorspace space_of(const Element& node, const Element& input) {
+    const std::string_view type = node.type();
+    return type == "float" || type.starts_with("vector") ? Colorspace{} : colorspace_of(input.colorspace);
+}
+
 }  // namespace
 
 Sampling GraphMaker::sampling_of(Scope& scope, const Element& node, std::string_view wrap_input,
@@ -32,6 +38,28 @@ Sampling GraphMaker::sampling_of(Scope& scope, const Element& node, std::string_
     return {.wrap = wrap, .filter = filter == "closest" ? "nearest" : "linear"};
 }
 
+std::string GraphMaker::shown_without_file(Scope& scope, const Element& node, std::string_view file_input,
+                                           bool is_normal) {
+    const Source source = source_of(scope, node, file_input);
+    if (!source.is_interface || !source.input->attribute("value").empty()) return {};
+    if (is_normal) return "bump";
+    const std::string_view name = is_set(scope, node, "fallback") ? "fallback" : "default";
+    const Term otherwise = input(scope, node, {.name = std::string(name), .otherwise = "0"});
+    // A file's grey is decoded, as a colour.
+    const double grey = space_of(node, *source.input).is_color ? 0.21404114 : 0.5;
+    const std::pair<std::string_view, std::vector<double>> shown[] = {
+        {"white", {1, 1, 1}}, {"black", {0, 0, 0}}, {"gray", {grey, grey, grey}}, {"bump", {0.5, 0.5, 1}}};
+    for (const auto& [word, color] : shown) {
+        bool is_same = otherwise.is_constant();
+        for (std::size_t i = 0; i < otherwise.numbers.size(); ++i) {
+            const bool is_unset_alpha = i == 3 && !is_set(scope, node, name);
+            is_same &= is_unset_alpha || std::abs(otherwise.numbers[i] - (i == 3 ? 1 : color[i])) < 1e-6;
+        }
+        if (is_same) return std::string(word);
+    }
+    return {};
+}
+
 std::string GraphMaker::texture(Scope& scope, const Element& node, std::string_view file_input,
                                 const Sampling& sampling) {
     const Source source = source_of(scope, node, file_input);
@@ -42,10 +70,7 @@ std::string GraphMaker::texture(Scope& scope, const Element& node, std::string_v
         return {};
     }
     const bool is_normal = sampling.is_normal;
-    // Only colours have a colour space, whatever the elements around say.
-    const std::string_view type = node.type();
-    const bool is_data = type == "float" || type.starts_with("vector");
-    const Colorspace space = is_data ? Colorspace{} : colorspace_of(source.input->colorspace);
+    const Colorspace space = space_of(node, *source.input);
     if (!is_normal) {
         if (!space.is_known)
             approximate(node, fmt::format("the colour space '{}' is not known: its numbers are taken as linear",
@@ -77,9 +102,11 @@ std::string GraphMaker::texture(Scope& scope, const Element& node, std::string_v
     texture.property = property_names_.unique("_" + wanted, "_texture");
     texture.is_normal = is_normal;
     GraphProperty made{.name = texture.property, .type = "texture2d"};
-    made.value = text(!file.empty() ? std::string_view(file)
-                      : is_normal   ? std::string_view("bump")
-                                    : std::string_view("white"));
+    const std::string shown = shown_without_file(scope, node, file_input, is_normal);
+    made.value = text(!shown.empty()  ? std::string_view(shown)
+                      : !file.empty() ? std::string_view(file)
+                      : is_normal     ? std::string_view("bump")
+                                      : std::string_view("white"));
     if (is_normal)
         made.more.push_back({"usage", text("normal")});
     else if (!space.is_color)
@@ -94,12 +121,13 @@ std::string GraphMaker::texture(Scope& scope, const Element& node, std::string_v
         remark(Remark::Kind::Taken, fmt::format("input '{}'", source.input->name()),
                fmt::format("the property '{}'", made.name), *source.input);
     }
-    if (file.empty()) {
+    if (file.empty() && shown.empty()) {
         made.comment = fmt::format("The picture '{}' was not found.", stated);
         approximate(node, fmt::format("the picture '{}' is not there: the texture is {}", stated,
                                       is_normal ? "flat" : "white"));
     }
     file_.properties.push_back(std::move(made));
+    property_places_.push_back(source.input);
     return "$" + texture.property;
 }
 
@@ -154,7 +182,9 @@ std::optional<Term> normal_map_of(GraphMaker& maker, Scope& scope, const Element
     const bool is_tiled = found->category == "tiledimage", is_usd = found->category == "UsdUVTexture";
     if (found->category != "image" && !is_tiled && !is_usd) return {};
     if (type_of_word(found->type()) != Type::Float3 && !is_usd) return {};
-    if (maker.word_of(*source.scope, *found, "file").empty()) return {};
+    if (maker.word_of(*source.scope, *found, "file").empty() &&
+        maker.shown_without_file(*source.scope, *found, "file", true).empty())
+        return {};
     if (is_usd) {
         const Term scale = maker.input(*source.scope, *found, {.name = "scale", .type = "color4", .otherwise = "1"});
         const Term bias = maker.input(*source.scope, *found, {.name = "bias", .type = "color4", .otherwise = "0"});

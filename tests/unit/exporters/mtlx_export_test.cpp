@@ -158,6 +158,31 @@ TEST(MtlxExport, PicturesAreTurned) {
     }
 }
 
+// A texture slot that has no picture yet.
+TEST(MtlxExport, TexturesWithoutAPictureStayProperties) {
+    const Compiler compiler;
+    for (const std::string usage : {"color", "data"}) {
+        for (const std::string shown : {"white", "black", "gray", "bump"}) {
+            if (usage == "color" && shown == "bump") continue;
+            const std::string property = fmt::format(R"({{ "name": "_Slot", "type": "texture2d", {}"default": "{}" }})",
+                                                     usage == "color" ? "" : R"("usage": "data", )", shown);
+            const std::string graph = save(
+                "slots.graph.json",
+                fmt::format(
+                    R"({{"patina": 1, "kind": "material", "name": "slots", "workflow": "metallic-roughness", "properties": [{}],
+"nodes": [{{ "id": "slot", "node": "SampleTexture2D", "in": {{ "texture": "$_Slot" }} }}], "surface": {{ "baseColor": "slot.rgb" }}}})",
+                    property));
+            const MtlxExport made = export_mtlx(compiler, graph, {.folder = folder().string()});
+            ASSERT_TRUE(made.ok) << errors(made.diagnostics);
+            const importers::Source source{.path = save("x.mtlx", made.text), .start = {}};
+            const importers::Imported imported = importers::importer_of(source)->read(source, {});
+            ASSERT_GE(imported.graphs.size(), 1u) << imported.error;
+            EXPECT_NE(imported.graphs[0].text.find(property), std::string::npos)
+                << property << made.text << imported.graphs[0].text;
+        }
+    }
+}
+
 TEST(MtlxExport, NormalMaps) {
     const std::string nodes =
         R"x({ "id": "bumps", "node": "SampleNormalMap", "in": { "texture": "$_Bumps", "uv": "= @uv0 * 2", "scale": "$_Amount" } })x";

@@ -28,8 +28,8 @@ TEST(MtlxImport, ChainsOfNodesAreExpressions) {
   "lighting": "gltf",
   "properties": [
     { "name": "_Tint", "type": "color", "default": [0.5, 0.25, 0.125], "label": "Tint", "group": "Wood" },
-    { "name": "_Planks", "type": "texture2d", "default": "./planks.png" },
-    { "name": "_Rings", "type": "float", "default": 8, "range": [1, 20] }
+    { "name": "_Rings", "type": "float", "default": 8, "range": [1, 20] },
+    { "name": "_Planks", "type": "texture2d", "default": "./planks.png" }
   ],
   "nodes": [
     { "id": "planks", "node": "SampleTexture2D", "in": { "texture": "$_Planks" } },
@@ -217,22 +217,24 @@ Case case_of(const mtlx::TableRow& row, const std::string& free_type, bool is_li
 
 // The types that a row without a condition has in the standard library.
 std::vector<std::string> types_of(const mtlx::TableRow& row) {
-    const std::set<std::string_view> of_float = {
-        "dotproduct",       "magnitude", "distance", "determinant", "extract", "geomcolor", "facingratio",
-        "ambientocclusion", "time",      "frame",    "randomfloat", "circle",  "line",      "trianglewave"};
+    const std::set<std::string_view> of_float = {"dotproduct", "magnitude",    "distance",    "determinant",
+                                                 "extract",    "geomcolor",    "facingratio", "ambientocclusion",
+                                                 "time",       "frame",        "randomfloat", "circle",
+                                                 "line",       "trianglewave", "cloverleaf"};
     const std::set<std::string_view> of_vector3 = {
         "crossproduct",    "reflect",  "refract", "rotate3d", "transformpoint", "transformvector", "transformnormal",
         "transformmatrix", "position", "normal",  "tangent",  "bitangent",      "viewdirection",   "bump",
         "heighttonormal",  "combine3"};
-    const std::set<std::string_view> of_vector2 = {"rotate2d", "place2d", "UsdTransform2d"};
+    const std::set<std::string_view> of_vector2 = {"rotate2d", "place2d", "UsdTransform2d", "roughness_anisotropy"};
     const std::set<std::string_view> of_color4 = {"premult", "unpremult", "in",           "out",     "mask",
                                                   "over",    "matte",     "disjointover", "combine4"};
-    const std::set<std::string_view> of_color3 = {"luminance",    "rgbtohsv", "hsvtorgb",     "hsvadjust",
-                                                  "saturate",     "grid",     "tiledcircles", "randomcolor",
-                                                  "checkerboard", "blackbody"};
+    const std::set<std::string_view> of_color3 = {"luminance",    "rgbtohsv",  "hsvtorgb",     "hsvadjust",
+                                                  "saturate",     "grid",      "tiledcircles", "randomcolor",
+                                                  "checkerboard", "blackbody", "crosshatch"};
     const std::set<std::string_view> of_boolean = {"and", "or", "xor", "not"};
     const std::string_view node = row.category;
     if (of_float.contains(node)) return {"float"};
+    if (node.ends_with("_to_lin_rec709")) return {row.condition.empty() ? "color3" : "color4"};
     if (of_vector3.contains(node)) return {"vector3"};
     if (of_vector2.contains(node)) return {"vector2"};
     if (of_color4.contains(node)) return {"color4"};
@@ -408,6 +410,144 @@ TEST(MtlxImport, NoiseHasTheValuesOfOtherPrograms) {
         }
     }
     EXPECT_GE(count, 15u);
+}
+
+// The value of an input of the surface, with what it reads.
+std::vector<double> computed(const Imported& made, const std::string& key, const std::vector<double>& uv) {
+    static const Compiler compiler;
+    std::vector<NamedValue> names = {{.name = "uv0", .values = uv}};
+    const std::string& text = text_of(made);
+    const auto run = [&](std::string expression) {
+        for (std::size_t at; (at = expression.find('@')) != expression.npos;) expression.erase(at, 1);
+        const EvalResult result = compiler.evaluate_expression(expression, names);
+        EXPECT_TRUE(result.ok) << expression;
+        return result.ok ? result.outputs[0].values : std::vector<double>();
+    };
+    const auto quoted = [&](std::size_t at) { return text.substr(at, text.find('"', at) - at); };
+    for (std::size_t at = 0; (at = text.find("\"id\": \"", at)) != text.npos; ++at)
+        names.push_back({.name = quoted(at + 7), .values = run(quoted(text.find("\"expr\": \"", at) + 9))});
+    const std::size_t at = text.find("\"" + key + "\": \"") + key.size() + 5;
+    return run(text[at] == '=' ? quoted(at + 2) : quoted(at));
+}
+
+// The numbers are those of the node graphs in the standard library, computed apart from this program.
+TEST(MtlxImport, ColourTransformsAreThoseOfTheLibrary) {
+    const std::pair<std::string, std::vector<double>> transforms[] = {
+        {"g18_rec709", {0.287174589, 0.0824692444, 0.000874689659}},
+        {"g22_rec709", {0.217637641, 0.0473661427, 0.000182922021}},
+        {"rec709_display", {0.189464571, 0.0358968236, 8.36511642e-05}},
+        {"acescg", {0.695412289, 0.219862009, -0.0211844758}},
+        {"g22_ap1", {0.341616151, 0.025684891, -0.0111218928}},
+        {"srgb_texture", {0.21404114, 0.0508760882, 0.00154798762}},
+        {"lin_adobergb", {0.599588934, 0.25, 0.0101263325}},
+        {"adobergb", {0.285610671, 0.04741747, -0.00184422544}},
+        {"lin_displayp3", {0.556232726, 0.239485395, -0.00751684}},
+        {"srgb_displayp3", {0.250741934, 0.0440135947, -0.00650520334}},
+    };
+    for (const auto& [name, wanted] : transforms) {
+        const Imported made = import_text(one_node(
+            fmt::format(
+                R"(<{0}_to_lin_rec709 name="tested" type="color3"><input name="in" type="color3" value="0.5, 0.25, 0.02"/></{0}_to_lin_rec709>)",
+                name),
+            "color3"));
+        const std::vector<double> values = computed(made, "baseColor", {0, 0});
+        ASSERT_EQ(values.size(), 3u) << name;
+        for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(values[i], wanted[i], 1e-6) << name << i;
+    }
+}
+
+TEST(MtlxImport, PatternsAreThoseOfTheLibrary) {
+    const std::string tiles = R"(<input name="uvtiling" type="vector2" value="4, 4"/>)",
+                      staggered = tiles + R"(<input name="staggered" type="boolean" value="true"/>)";
+    struct Case {
+        std::string node, type, inputs;
+        std::vector<double> at;  // v from the bottom
+        double wanted;
+    };
+    const Case cases[] = {
+        {"cloverleaf", "float", "", {0.24, 0.1}, 1},
+        {"cloverleaf", "float", "", {0.4, 0.15}, 1},
+        {"cloverleaf", "float", "", {0.92, 0.8}, 0},
+        {"cloverleaf", "float", "", {0.77, 0.22}, 0},
+        {"crosshatch", "color3", tiles, {0.54, 0.28}, 0},
+        {"crosshatch", "color3", tiles, {0.17, 0.11}, 0},
+        {"crosshatch", "color3", tiles, {0.55, 0.3}, 1},
+        {"crosshatch", "color3", tiles, {0.28, 0.53}, 1},
+        {"crosshatch", "color3", staggered, {0.47, 0.34}, 1},
+        {"crosshatch", "color3", staggered, {1, 0.2}, 0},
+        {"crosshatch", "color3", staggered, {0.41, 0.2}, 0},
+        {"crosshatch", "color3", staggered, {0.9, 0.1}, 1},
+        {"tiledcircles", "color3", staggered, {0.06, 0.23}, 0},
+        {"tiledcircles", "color3", staggered, {0.77, 0.62}, 0},
+        {"tiledcircles", "color3", staggered, {0.98, 0.42}, 1},
+        {"tiledcircles", "color3", staggered, {0.77, 0.41}, 1},
+    };
+    for (const Case& each : cases) {
+        const Imported made = import_text(one_node(
+            fmt::format(R"(<{0} name="tested" type="{1}">{2}</{0}>)", each.node, each.type, each.inputs), each.type));
+        const std::vector<double> values =
+            computed(made, each.type == "float" ? "roughness" : "baseColor", {each.at[0], 1 - each.at[1]});
+        ASSERT_FALSE(values.empty());
+        EXPECT_EQ(values[0], each.wanted) << each.node << " " << each.at[0] << ", " << each.at[1] << text_of(made);
+    }
+}
+
+// By the library's node graph: amplitude and pivot are 0.5, places are multiplied and moved, and the result is clamped.
+TEST(MtlxImport, UnifiedNoiseIsOneOfTheOthers) {
+    const auto import = [](const std::string& node, const std::string& inputs) {
+        const Imported made =
+            import_text(one_node(fmt::format(R"(<{0} name="tested" type="float">{1}</{0}>)", node, inputs), "float"));
+        EXPECT_FALSE(made.has_refused) << remarks(made, Remark::Kind::LeftOut);
+        EXPECT_EQ(remarks(made, Remark::Kind::Changed), "");
+        expect_compiles(made, node + inputs);
+        return made;
+    };
+    const auto type = [](int index) { return fmt::format(R"(<input name="type" type="integer" value="{}"/>)", index); };
+    const auto has = [](const Imported& made, const std::string& part) {
+        return text_of(made).find(part) != std::string::npos;
+    };
+    Imported made = import("unifiednoise3d", R"(<input name="freq" type="vector3" value="2,2,2"/>)");
+    EXPECT_TRUE(has(made, R"("node": "./noise3d.node.hlsl", "in": { "position": "moved" })")) << text_of(made);
+    EXPECT_TRUE(has(made, R"("id": "moved", "expr": "@positionOS * 2")")) << text_of(made);
+    EXPECT_TRUE(has(made, "perlin * 0.5 + 0.5")) << text_of(made);
+    EXPECT_TRUE(has(made, "clamp(")) << text_of(made);
+    EXPECT_EQ(remarks(made, Remark::Kind::Taken).find("perlin"), std::string::npos);
+    made = import("unifiednoise3d", type(1) + R"(<input name="clampoutput" type="boolean" value="false"/>)");
+    EXPECT_TRUE(has(made, R"("node": "./cellnoise3d.node.hlsl")")) << text_of(made);
+    EXPECT_FALSE(has(made, "clamp(")) << text_of(made);
+    made = import("unifiednoise2d", type(2) + R"(<input name="jitter" type="float" value="0.25"/>)");
+    EXPECT_TRUE(has(made, R"("node": "./worleynoise2d.node.hlsl")")) << text_of(made);
+    EXPECT_TRUE(has(made, R"("jitter": 0.25)")) << text_of(made);
+    EXPECT_FALSE(has(made, "Rotate(")) << text_of(made);
+    made = import("unifiednoise2d", type(3) + R"(<input name="octaves" type="integer" value="5"/>)");
+    EXPECT_TRUE(has(made, R"("node": "./fractal3d.node.hlsl")")) << text_of(made);
+    EXPECT_TRUE(has(made, R"("octaves": 5)")) << text_of(made);
+    // It is turned by (0.5 - 1) * 90000 degrees.
+    made = import("unifiednoise2d", R"(<input name="jitter" type="float" value="0.5"/>)");
+    EXPECT_TRUE(has(made, "-radians(-45000)")) << text_of(made);
+}
+
+// 0.6 is not below 0.3, so it is the second value. Versions before 1.37 had this node.
+TEST(MtlxImport, CompareHasTheSecondValueFromTheCutoffOn) {
+    for (const auto& [tested, wanted] : {std::pair(0.6, 0.75), std::pair(0.3, 0.75), std::pair(0.2, 0.25)}) {
+        const Imported made = import_text(one_node(
+            fmt::format(
+                R"(<compare name="tested" type="float"><input name="intest" type="float" value="{}"/><parameter name="cutoff" type="float" value="0.3"/><input name="in1" type="float" value="0.25"/><input name="in2" type="float" value="0.75"/></compare>)",
+                tested),
+            "float"));
+        EXPECT_EQ(computed(made, "roughness", {0, 0}).at(0), wanted) << tested;
+    }
+}
+
+// sqrt(1 - 0.75) is 0.5: 0.36 is 0.72 along the tangent, and 0.18 across it.
+TEST(MtlxImport, RoughnessAnisotropyStretches) {
+    const Imported made = import_text(one_node(
+        R"(<roughness_anisotropy name="both" type="vector2"><input name="roughness" type="float" value="0.6"/><input name="anisotropy" type="float" value="0.75"/></roughness_anisotropy>
+<convert name="tested" type="color3"><input name="in" type="vector2" nodename="both"/></convert>)",
+        "color3"));
+    const std::vector<double> values = computed(made, "baseColor", {0, 0});
+    EXPECT_NEAR(values.at(0), 0.72, 1e-6) << text_of(made);
+    EXPECT_NEAR(values.at(1), 0.18, 1e-6) << text_of(made);
 }
 
 TEST(MtlxImport, EachInputOfASurfaceShaderIsCarriedOver) {

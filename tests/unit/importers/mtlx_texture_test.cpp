@@ -52,5 +52,54 @@ TEST(MtlxTexture, PropertiesKeepTheirDescription) {
     expect_compiles(made, "two properties of one picture");
 }
 
+// A texture slot without a picture, which stays one.
+TEST(MtlxTexture, APropertyMayNameNoPicture) {
+    const auto import = [](const std::string& otherwise, const std::string& type = "color3") {
+        return import_text(material(
+            R"(<gltf_pbr name="shader" type="surfaceshader"><input name="base_color" type="color3" nodegraph="NG" output="out"/></gltf_pbr>)",
+            fmt::format(
+                R"(<nodegraph name="NG"><input name="slot" type="filename" value="" uiname="Slot" colorspace="srgb_texture"/><image name="picture" type="{0}"><input name="file" type="filename" interfacename="slot"/>{1}</image><convert name="three" type="color3"><input name="in" type="{0}" nodename="picture"/></convert><output name="out" type="color3" nodename="three"/></nodegraph>)",
+                type,
+                otherwise.empty() ? ""
+                                  : fmt::format(R"(<input name="default" type="{}" value="{}"/>)", type, otherwise))));
+    };
+    const auto expect_slot = [](const Imported& made, const std::string& word) {
+        EXPECT_TRUE(has(
+            made, fmt::format(R"({{ "name": "_Slot", "type": "texture2d", "default": "{}", "label": "Slot" }})", word)))
+            << text_of(made);
+        EXPECT_TRUE(has(made, R"("node": "SampleTexture2D", "in": { "texture": "$_Slot" })")) << text_of(made);
+        EXPECT_EQ(remarks(made, Remark::Kind::Changed), "");
+        expect_compiles(made, word);
+    };
+    expect_slot(import("1, 1, 1"), "white");
+    expect_slot(import("1, 1, 1, 1", "color4"), "white");
+    expect_slot(import("0.21404114, 0.21404114, 0.21404114"), "gray");
+    expect_slot(import("0, 0, 0"), "black");
+    expect_slot(import(""), "black");
+    // No texture has this colour.
+    const Imported red = import("1, 0, 0");
+    EXPECT_TRUE(has(red, R"("baseColor": [1, 0, 0])")) << text_of(red);
+    EXPECT_EQ(remarks(red, Remark::Kind::Changed),
+              "NG/image 'picture': 'surface.baseColor': it names no picture: its default value\n");
+    const Imported normal = import_text(material(
+        R"(<gltf_pbr name="shader" type="surfaceshader"><input name="normal" type="vector3" nodegraph="NG" output="out"/></gltf_pbr>)",
+        R"(<nodegraph name="NG"><input name="slot" type="filename" value=""/><image name="picture" type="vector3"><input name="file" type="filename" interfacename="slot"/></image><normalmap name="bumps" type="vector3"><input name="in" type="vector3" nodename="picture"/></normalmap><output name="out" type="vector3" nodename="bumps"/></nodegraph>)"));
+    EXPECT_TRUE(has(normal, R"("usage": "normal", "default": "bump")")) << text_of(normal);
+    expect_compiles(normal, "a normal map without a picture");
+}
+
+// The order of the document, not that in which the surface reads them.
+TEST(MtlxTexture, PropertiesKeepTheirOrder) {
+    save("a.png", "no picture");
+    const Imported made = import_text(material(
+        R"(<gltf_pbr name="shader" type="surfaceshader"><input name="base_color" type="color3" nodegraph="NG" output="color"/><input name="roughness" type="float" nodegraph="NG" output="r"/><input name="metallic" type="float" nodegraph="NG" output="m"/></gltf_pbr>)",
+        R"(<nodegraph name="NG"><input name="rough" type="float" value="1"/><input name="metal" type="float" value="0"/><input name="picture" type="filename" value="a.png"/>
+<image name="image" type="color3"><input name="file" type="filename" interfacename="picture"/></image>
+<output name="color" type="color3" nodename="image"/><output name="r" type="float" interfacename="rough"/><output name="m" type="float" interfacename="metal"/></nodegraph>)"));
+    const std::string& text = text_of(made);
+    EXPECT_LT(text.find("\"_Rough\""), text.find("\"_Metal\"")) << text;
+    EXPECT_LT(text.find("\"_Metal\""), text.find("\"_Picture\"")) << text;
+}
+
 }  // namespace
 }  // namespace patina::importers
