@@ -150,7 +150,7 @@ TEST(ShaderGraphCode, ParametersAreThoseOfTheFunction) {
 const char* const kLights =
     "float Up(float x) { return x + 1; }\n"
     "void Lit_float(float3 A, float B, out float3 Out) { Out = A * B * GetMainLight().color; }\n"
-    "void Glow_float(float3 A, float B, out float3 Out) { Out = A * Up(B); }\n"
+    "void Glow_float(float3 A, float B, out float3 Out) { float Lit = Up(B); Out = A * Lit; }\n"
     "float Late(float x) { return x * _Time.y; }\n"
     "void Lazy_float(float3 A, float B, out float3 Out) { Out = A * Late(B); }\n";
 

@@ -207,7 +207,8 @@ Code from_file(GraphMaker& maker, std::size_t index, std::string_view own) {
     std::vector<const HlslFunction*> needed = {&*main};
     for (std::size_t i = 0; i < needed.size(); ++i)
         for (const HlslFunction& each : functions) {
-            if (each.name == needed[i]->name || !has_identifier(needed[i]->body, each.name)) continue;
+            // A type or a variable may have the name, too.
+            if (each.name == needed[i]->name || argument_counts(needed[i]->body, each.name).empty()) continue;
             if (std::ranges::find(needed, each.name, &HlslFunction::name) != needed.end()) continue;
             const std::vector<const HlslFunction*> fitting = overloads(functions, each.name, needed[i]->body);
             if (fitting.size() != 1)
