@@ -31,6 +31,7 @@ public:
     };
     // The file with the GUID, or else with the name and one of the endings.
     std::optional<Found> find(std::string_view guid, std::string_view name, std::span<const std::string_view> endings);
+    const std::vector<std::string>& searched() const { return folders_; }
     // Where it searches, for messages.
     std::string folders() const;
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <memory>
 #include <tuple>
 #include <utility>
@@ -158,6 +159,15 @@ runtime::Outcome<OutputFiles> files_of(const Imported& made, const fs::path& fol
     return files;
 }
 
+// The file is there already, as it would be written: several imports share it, such as a sub-graph of two graphs.
+bool is_there(const runtime::OutputFile& file) {
+    std::error_code ignored;
+    if (!fs::is_regular_file(file.path, ignored) || fs::file_size(file.path, ignored) != file.bytes.size())
+        return false;
+    std::ifstream stream(file.path, std::ios::binary);
+    return std::string{std::istreambuf_iterator<char>(stream), {}} == file.bytes;
+}
+
 Exit import_file(const Console& console, const Arguments& arguments, const std::string& file, PictureEncoder encode) {
     const importers::Source source = source_of(file);
     const Importer* importer = importers::importer_of(source);
@@ -177,11 +187,13 @@ Exit import_file(const Console& console, const Arguments& arguments, const std::
         made.graphs.push_back({.name = fs::path(file).stem().string() + ".import.json",
                                .text = json_of(fs::path(file).filename().string(), names, made.remarks, true)});
     }
-    const runtime::Outcome<OutputFiles> files = files_of(made, folder, encode);
+    runtime::Outcome<OutputFiles> files = files_of(made, folder, encode);
     if (!files) {
         complain(console, Complaint::CannotWrite, {files.error});
         return Exit::Wrong;
     }
+    // An import that would write nothing has been made before.
+    if (!std::ranges::all_of(files.value.files, is_there)) std::erase_if(files.value.files, is_there);
     for (const runtime::OutputFile& each : files.value.files) {
         if (!is_taken(each.path)) continue;
         complain(console, Complaint::FileExists, {each.path});

@@ -93,6 +93,12 @@ void GraphMaker::find_order() {
     }
     for (const auto& [to, from] : edges_)
         if (states[to.first] == 2) ++uses_[from];
+    for (const Block& block : graph_.blocks)
+        if (!block.is_vertex) in_fragment_.insert(block.node);
+    for (auto at = order_.rbegin(); at != order_.rend(); ++at)
+        for (const Slot& slot : node(*at).slots)
+            if (const auto found = edges_.find({*at, slot.id}); found != edges_.end() && in_fragment_.contains(*at))
+                in_fragment_.insert(found->second.first);
 }
 
 bool GraphMaker::is_half(std::size_t index) const {

@@ -45,6 +45,7 @@ public:
     bool is_linked(std::size_t node, int slot) const { return edges_.contains({node, slot}); }
     bool is_used(std::size_t node, int slot) const { return uses_.contains({node, slot}); }
     std::size_t uses(std::size_t node, int slot) const;
+    bool is_in_fragment(std::size_t node) const { return in_fragment_.contains(node); }
     // The type of a slot, which for a dynamic one follows from what is connected to the node.
     Type type_of(std::size_t node, const Slot& slot) const;
     // The value at an input, in the type of its slot. `may_stay_number`: who takes it converts numbers to vectors.
@@ -133,7 +134,8 @@ private:
     std::map<Key, Key> edges_{};         // input -> output
     std::map<Key, std::size_t> uses_{};  // of outputs, by nodes that count
     std::vector<std::size_t> order_{};
-    std::map<Key, Term> terms_{};  // outputs
+    std::set<std::size_t> in_fragment_{};  // nodes that something but the vertex block reads
+    std::map<Key, Term> terms_{};          // outputs
     struct DynamicTypes {
         Type vector = Type::Float, matrix = Type::Matrix2;
     };

@@ -383,7 +383,8 @@ bool apply_rule(GraphMaker& maker, std::size_t node) {
                               [&](int slot) {
                                   const Slot* found = maker.node(node).slot(slot);
                                   return found ? width(maker.type_of(node, *found)) : 1;
-                              }};
+                              },
+                          .is_in_fragment = maker.is_in_fragment(node)};
     const NodeRule* rule = rule_of(maker.node(node), facts);
     if (!rule) return false;
     if (rule->remark.starts_with("!"))

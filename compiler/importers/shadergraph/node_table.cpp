@@ -87,6 +87,7 @@ bool holds(std::string_view condition, const Node& node, const NodeFacts& facts)
         const bool is_true = word[mark] == '='   ? is_set(what, value, node)
                              : word[mark] == '<' ? node.version < number_in(value)
                              : what == "linked"  ? facts.is_linked(number_in(value))
+                             : what == "stage"   ? facts.is_in_fragment
                              : what == "number"  ? facts.components(number_in(value)) == 1
                                                  : facts.is_used(number_in(value));
         if (!is_true) return false;

@@ -25,6 +25,7 @@ struct NodeRule {
 struct NodeFacts {
     std::function<bool(int)> is_linked, is_used;   // an input, an output
     std::function<std::size_t(int)> components{};  // of an input's type
+    bool is_in_fragment = true;                    // something but the vertex block reads it
 };
 // Null: the class is not in the table, or no row fits.
 const NodeRule* rule_of(const Node& node, const NodeFacts& facts);

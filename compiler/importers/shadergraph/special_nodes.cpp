@@ -190,6 +190,11 @@ void custom_interpolator(GraphMaker& maker, std::size_t node) {
     const std::string name(text_of(maker.node(node).json, "customBlockNodeName"));
     for (const Block& block : maker.graph().blocks) {
         if (!block.is_vertex || block.name.substr(0, block.name.find('#')) != name) continue;
+        // "Blend#3#nointerpolation"
+        const std::size_t qualifier = block.name.find('#', std::min(block.name.find('#'), block.name.size() - 1) + 1);
+        if (qualifier != block.name.npos)
+            maker.approximate(node, fmt::format("its value is interpolated in the usual way, not as '{}'",
+                                                block.name.substr(qualifier + 1)));
         const Slot* slot = maker.node(block.node).slot(block.slot);
         const Type type = slot ? maker.type_of(block.node, *slot) : Type::Float4;
         // The block becomes a node of this name, which is computed for each vertex.

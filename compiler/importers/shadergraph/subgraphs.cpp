@@ -20,14 +20,12 @@ const Slot* slot_of(const Node& node, const SubgraphPorts::Input& input) {
     return guids.empty() && found != node.slots.end() ? &*found : nullptr;
 }
 
-std::optional<int> chosen_entry(const Node& node, const SubgraphPorts::Input& input) {
+// The word that the node chooses; empty: none.
+std::string_view chosen_entry(const Node& node, const SubgraphPorts::Input& input) {
     const std::vector<Json>& names = elements_of(node.json, "m_Dropdowns");
     const std::vector<Json>& entries = elements_of(node.json, "m_DropdownSelectedEntries");
-    for (std::size_t i = 0; i < std::min(names.size(), entries.size()); ++i) {
-        if (names[i].string != input.reference) continue;
-        const auto found = std::ranges::find(input.entries, entries[i].string);
-        if (found != input.entries.end()) return static_cast<int>(found - input.entries.begin());
-    }
+    for (std::size_t i = 0; i < std::min(names.size(), entries.size()); ++i)
+        if (names[i].string == input.reference) return entries[i].string;
     return {};
 }
 
@@ -53,9 +51,15 @@ void make_subgraph_node(GraphMaker& maker, std::size_t index) {
     Term holds;
     for (const SubgraphPorts::Input& input : ports.inputs) {
         if (input.is_dropdown) {
-            const auto entry = chosen_entry(at, input);
-            if (entry && !is_default(input, number_term(*entry)))
-                made.inputs.push_back({input.name, number_term(*entry).value()});
+            const std::string_view entry = chosen_entry(at, input);
+            const auto found = std::ranges::find(input.entries, entry);
+            const Term number = number_term(static_cast<double>(found - input.entries.begin()));
+            if (found == input.entries.end() && !entry.empty())
+                maker.approximate(index, fmt::format("the dropdown '{}' of the sub-graph has no entry '{}': it keeps "
+                                                     "its default",
+                                                     input.name, entry));
+            else if (found != input.entries.end() && !is_default(input, number))
+                made.inputs.push_back({input.name, number.value()});
             continue;
         }
         const Slot* slot = slot_of(at, input);

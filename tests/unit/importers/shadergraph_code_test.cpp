@@ -145,5 +145,123 @@ TEST(ShaderGraphCode, ParametersAreThoseOfTheFunction) {
     expect_compiles(made, "parameters");
 }
 
+// --- what a file has beside the function
+
+const char* const kLights =
+    "float Up(float x) { return x + 1; }\n"
+    "void Lit_float(float3 A, float B, out float3 Out) { Out = A * B * GetMainLight().color; }\n"
+    "void Glow_float(float3 A, float B, out float3 Out) { float Lit = Up(B); Out = A * Lit; }\n"
+    "float Late(float x) { return x * _Time.y; }\n"
+    "void Lazy_float(float3 A, float B, out float3 Out) { Out = A * Late(B); }\n";
+
+TEST(ShaderGraphCode, OnlyWhatAFunctionReachesReadsTheEngine) {
+    save_shader_graph("Glow.hlsl", kLights, kGuid);
+    const Imported made = import_graph(one_node(custom("", "Glow", 0), 2));
+    EXPECT_FALSE(made.has_refused) << remarks(made, Remark::Kind::LeftOut);
+    EXPECT_EQ(remarks(made, Remark::Kind::Changed), "");
+    EXPECT_EQ(text_of(made, "Glow.node.hlsl").find("engineLight"), std::string::npos);
+    expect_compiles(made, "no light");
+    const Imported lit = import_graph(one_node(custom("", "Lit", 0), 2));
+    EXPECT_NE(text_of(lit, "Lit.node.hlsl").find("[hidden] Light engineLight = light) {"), std::string::npos)
+        << text_of(lit, "Lit.node.hlsl");
+    expect_compiles(lit, "light");
+    const std::string lost = remarks(import_graph(one_node(custom("", "Lazy", 0), 2)), Remark::Kind::LeftOut);
+    EXPECT_NE(lost.find("it calls 'Late', which reads values of the engine"), std::string::npos) << lost;
+}
+
+TEST(ShaderGraphCode, IncludesBesideTheFileAreRead) {
+    save_shader_graph("Circle.hlsl",
+                      "#include \"Glow.hlsl\"\n#include \"Circle.hlsl\"\nfloat Half(float x) { return x * HALF; }\n");
+    save_shader_graph("Glow.hlsl",
+                      "#include \"Packages/com.unity.render-pipelines.universal/ShaderLibrary/Lighting.hlsl\"\n"
+                      "#define HALF 0.5\n  # include \"Circle.hlsl\" // what it needs\n"
+                      "void Glow_float(float3 A, float B, out float3 Out) { Out = A * Half(B); }\n",
+                      kGuid);
+    const Imported made = import_graph(one_node(custom("", "Glow", 0), 2));
+    EXPECT_FALSE(made.has_refused) << remarks(made, Remark::Kind::LeftOut);
+    EXPECT_NE(text_of(made, "Glow.node.hlsl").find("return x * 0.5;"), std::string::npos)
+        << text_of(made, "Glow.node.hlsl");
+    expect_compiles(made, "an include");
+    // Each file is taken once, and not without end.
+    for (int i = 0; i < 12; ++i)
+        save_shader_graph(fmt::format("Deep{}.hlsl", i), fmt::format("#include \"Deep{}.hlsl\"\n", i + 1));
+    save_shader_graph("Deep12.hlsl", "float Half(float x) { return x; }\n");
+    save_shader_graph(
+        "Glow.hlsl",
+        "#include \"Deep0.hlsl\"\nvoid Glow_float(float3 A, float B, out float3 Out) { Out = A * Half(B); }\n", kGuid);
+    EXPECT_TRUE(import_graph(one_node(custom("", "Glow", 0), 2)).has_refused);
+}
+
+TEST(ShaderGraphCode, OverloadsAreTakenByTheirArgumentsOrRefused) {
+    const std::string call = "void Glow_float(float3 A, float B, out float3 Out) { Out = A * Help(B); }\n";
+    save_shader_graph("Glow.hlsl",
+                      "float Help(float x, float y) { return x * y; }\nhalf Help(half x) { return x; }\n"
+                      "float Help(float x) { return x * 3; }\n" +
+                          call,
+                      kGuid);
+    const Imported made = import_graph(one_node(custom("", "Glow", 0), 2));
+    EXPECT_FALSE(made.has_refused) << remarks(made, Remark::Kind::LeftOut);
+    EXPECT_NE(text_of(made, "Glow.node.hlsl").find("return x * 3;"), std::string::npos);
+    EXPECT_EQ(text_of(made, "Glow.node.hlsl").find("return x * y;"), std::string::npos);
+    expect_compiles(made, "one of three");
+    save_shader_graph("Glow.hlsl", "float Help(float2 x) { return x.x; }\nfloat Help(float x) { return x; }\n" + call,
+                      kGuid);
+    const std::string lost = remarks(import_graph(one_node(custom("", "Glow", 0), 2)), Remark::Kind::LeftOut);
+    EXPECT_NE(lost.find("its file defines the function 'Help' 2 times"), std::string::npos) << lost;
+}
+
+// --- words of HLSL and of the engine
+
+NodeText of_matrix(const std::string& body) {
+    NodeText node = custom(body);
+    node.slots.push_back({.id = 3, .kind = "Matrix3", .name = "M"});
+    return node;
+}
+
+// Not all compilers of HLSL know several elements at once.
+TEST(ShaderGraphCode, ElementsOfMatricesAreRead) {
+    const Imported made =
+        import_graph(one_node(of_matrix("M._m10 = 4;\\nOut = A * M._m01_m02_m00 + M._12_23.xyx * M._m10 * B;"), 2));
+    EXPECT_EQ(remarks(made, Remark::Kind::Changed) + remarks(made, Remark::Kind::LeftOut), "");
+    const std::string& code = text_of(made, "Glow.node.hlsl");
+    EXPECT_NE(
+        code.find("M[1][0] = 4;\n    Out = A * float3(M[0][1], M[0][2], M[0][0]) + float2(M[0][1], M[1][2]).xyx * "
+                  "M[1][0] * B;"),
+        std::string::npos)
+        << code;
+    expect_compiles(made, "elements");
+    for (const char* body : {"Out = A * B;\\nM._m00_m11 = A.xy;", "Out = A * B;\\nOut.xy = mul(M, M)._m00_m11;"}) {
+        const std::string lost = remarks(import_graph(one_node(of_matrix(body), 2)), Remark::Kind::LeftOut);
+        EXPECT_NE(lost.find("line 2 of its code: the elements '_m00_m11' are"), std::string::npos) << body << lost;
+    }
+}
+
+TEST(ShaderGraphCode, MessagesHaveTheWordsOfTheAuthor) {
+    const Imported made = import_graph(one_node(custom("Out = _SinTime.w * A + _Time.y * B;"), 2));
+    EXPECT_FALSE(made.has_refused) << remarks(made, Remark::Kind::LeftOut);
+    const std::string& code = text_of(made, "Glow.node.hlsl");
+    EXPECT_NE(code.find("out float3 Out, [hidden] float engineTime = time) {"), std::string::npos) << code;
+    expect_compiles(made, "times");
+    const std::string lost =
+        remarks(import_graph(one_node(custom("Out = _WorldSpaceCameraPos * A + UNITY_MATRIX_V[2].xyz * _Time.y;"), 2)),
+                Remark::Kind::LeftOut);
+    EXPECT_EQ(lost.find("engine"), lost.find("engine, or another part")) << lost;
+    EXPECT_NE(lost.find("in 'Out = _WorldSpaceCameraPos * A + UNITY_MATRIX_V[2].xyz * (_Time).y;'"), std::string::npos)
+        << lost;
+    EXPECT_NE(lost.find("declares 'UNITY_MATRIX_V'"), std::string::npos) << lost;
+}
+
+TEST(ShaderGraphCode, AFunctionMayHaveANameOfAnyLetters) {
+    const Imported made = import_graph(one_node(custom("Out = A * B;", "名前"), 2));
+    EXPECT_FALSE(made.has_refused) << remarks(made, Remark::Kind::LeftOut);
+    expect_compiles(made, "a name");
+    const std::string lost = remarks(import_graph(one_node(custom("", "名前", 0), 2)), Remark::Kind::LeftOut);
+    EXPECT_NE(lost.find("its function is called '名前'"), std::string::npos) << lost;
+    NodeText node = custom("出力 = A * B;");
+    node.slots[2].name = "出力";
+    const std::string output = remarks(import_graph(one_node(node, 2)), Remark::Kind::LeftOut);
+    EXPECT_NE(output.find("its output '出力' has a name without any letter of English"), std::string::npos) << output;
+}
+
 }  // namespace
 }  // namespace patina::importers

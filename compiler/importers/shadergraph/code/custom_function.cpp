@@ -10,6 +10,7 @@
 #include "compiler/base/text.h"
 #include "compiler/importers/shadergraph/code/hlsl_grammar.h"
 #include "compiler/importers/shadergraph/code/hlsl_text.h"
+#include "compiler/importers/shadergraph/code/includes.h"
 #include "compiler/importers/shadergraph/code/texture_reads.h"
 #include "compiler/importers/shadergraph/code/unknown_words.h"
 #include "compiler/importers/shadergraph/graph_maker.h"
@@ -125,6 +126,16 @@ std::vector<std::string> names_in(std::string_view parameters) {
     return made;
 }
 
+// "[hidden] float engineTime = time, ..." -> "engineTime", ...
+std::vector<std::string> hidden_names_in(std::string_view parameters) {
+    std::vector<std::string> made;
+    for (const std::string& each : arguments_of(parameters)) {
+        const std::vector<std::string_view> words = split(each, " ");
+        if (words.size() > 2) made.emplace_back(words[2]);
+    }
+    return made;
+}
+
 // The first output that the code leaves as it is.
 std::string unassigned(const Node& node, const Code& code, std::string_view body) {
     const std::vector<const Slot*> slots = ordered(node);
@@ -135,6 +146,10 @@ std::string unassigned(const Node& node, const Code& code, std::string_view body
 }
 
 Code from_string(GraphMaker& maker, std::size_t index) {
+    for (const Slot& slot : maker.node(index).slots)
+        if (port_of(slot).empty())
+            return {.error = fmt::format("its {} '{}' has a name without any letter of English",
+                                         slot.is_input ? "input" : "output", slot.name)};
     HlslText body = in_node_language(text_of(maker.node(index).json, "m_FunctionBody"));
     if (!body.error.empty()) return {.error = body.error};
     std::set<std::string, std::less<>> samplers;
@@ -144,6 +159,26 @@ Code from_string(GraphMaker& maker, std::size_t index) {
     Code made{.main = {.parameters = signature(maker, index), .body = body.code}, .engine_values = body.parameters};
     for (const Slot* slot : ordered(maker.node(index))) made.ports.push_back(port_of(*slot));
     made.error = unassigned(maker.node(index), made, body.code);
+    return made;
+}
+
+// Those of the functions with a name that a call in the code may mean: by the count of its arguments; and of a pair for
+// both precisions the one for full precision.
+std::vector<const HlslFunction*> overloads(const std::vector<HlslFunction>& functions, const std::string& name,
+                                           std::string_view body) {
+    std::vector<const HlslFunction*> made;
+    for (const HlslFunction& each : functions)
+        if (each.name == name) made.push_back(&each);
+    const auto is_half = [](const HlslFunction* each) {
+        return each->parameters.find("half") != each->parameters.npos;
+    };
+    if (const auto count = std::ranges::count_if(made, is_half); count > 0 && count < std::ssize(made))
+        std::erase_if(made, is_half);
+    if (made.size() < 2) return made;
+    const std::vector<std::size_t> counts = argument_counts(body, name);
+    std::erase_if(made, [&](const HlslFunction* each) {
+        return std::ranges::find(counts, arguments_of(each->parameters).size()) == counts.end();
+    });
     return made;
 }
 
@@ -161,21 +196,37 @@ Code from_file(GraphMaker& maker, std::size_t index, std::string_view own) {
             .is_missing = true};
     std::ifstream file(found->path, std::ios::binary);
     const std::string text{std::istreambuf_iterator<char>(file), {}};
-    HlslText code = in_node_language(text);
-    if (!code.error.empty()) return {.error = code.error};
+    const Included whole = with_includes(found->path, text, maker.project().assets.searched());
+    HlslText code = in_node_language(whole.text);
+    if (!code.error.empty())
+        return {.error = code.error + (whole.count > 0 ? ", counted with the files that it includes" : "")};
     code.code = with_texture_reads(std::move(code.code), {});
     const std::vector<HlslFunction> functions = functions_in(code.code);
     const auto main = std::ranges::find(functions, own, &HlslFunction::name);
     if (main == functions.end()) return {.error = fmt::format("'{}' has no function '{}_float'", found->path, own)};
     std::vector<const HlslFunction*> needed = {&*main};
     for (std::size_t i = 0; i < needed.size(); ++i)
-        for (const HlslFunction& each : functions)
-            if (&each != needed[i] && has_identifier(needed[i]->body, each.name) &&
-                std::ranges::find(needed, &each) == needed.end())
-                needed.push_back(&each);
-    if (needed.size() > 1 && !code.parameters.empty())
-        return {.error = "functions that it calls read values of the engine"};
-    Code made{.main = *main, .engine_values = code.parameters, .ports = names_in(main->parameters)};
+        for (const HlslFunction& each : functions) {
+            // A type or a variable may have the name, too.
+            if (each.name == needed[i]->name || argument_counts(needed[i]->body, each.name).empty()) continue;
+            if (std::ranges::find(needed, each.name, &HlslFunction::name) != needed.end()) continue;
+            const std::vector<const HlslFunction*> fitting = overloads(functions, each.name, needed[i]->body);
+            if (fitting.size() != 1)
+                return {.error = fmt::format("its file defines the function '{}' {} times, for other types, and a node "
+                                             "file has each name once",
+                                             each.name, fitting.size())};
+            needed.push_back(fitting[0]);
+        }
+    Code made{.main = *main, .ports = names_in(main->parameters)};
+    // Of the whole file; only what these functions read is a parameter.
+    const std::vector<std::string> names = hidden_names_in(code.parameters), values = arguments_of(code.parameters);
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        for (std::size_t j = 1; j < needed.size(); ++j)
+            if (has_identifier(needed[j]->body, names[i]))
+                return {.error = fmt::format("it calls '{}', which reads values of the engine", needed[j]->name)};
+        if (has_identifier(main->body, names[i]))
+            made.engine_values += (made.engine_values.empty() ? "" : ", ") + values[i];
+    }
     const std::size_t slots = maker.node(index).slots.size();
     if (made.ports.size() != slots)
         return {.error = fmt::format("its function '{}' has {} parameters, and the node has {} inputs and outputs", own,
@@ -204,15 +255,15 @@ std::string node_file(const Code& code, std::string_view name, std::string_view 
 std::string engine_word(const Code& code) {
     std::vector<std::string> functions;
     for (const HlslFunction& each : code.helpers) functions.push_back(each.name);
-    const auto unknown = [&](const HlslFunction& function, const std::string& more) {
+    for (std::string& each : hidden_names_in(code.engine_values)) functions.push_back(std::move(each));
+    const auto unknown = [&](const HlslFunction& function) {
         std::vector<std::string> known = functions;
-        for (const std::string_view parameters : {std::string_view(function.parameters), std::string_view(more)})
-            for (std::string& each : names_in(parameters)) known.push_back(std::move(each));
+        for (std::string& each : names_in(function.parameters)) known.push_back(std::move(each));
         return unknown_word(function.body, known);
     };
     for (const HlslFunction& each : code.helpers)
-        if (std::string word = unknown(each, {}); !word.empty()) return word;
-    return unknown(code.main, code.engine_values);
+        if (std::string word = unknown(each); !word.empty()) return word;
+    return unknown(code.main);
 }
 
 // The first place where the code is no HLSL; empty: it is well-formed.
@@ -244,7 +295,7 @@ std::string mistake(const std::string& file, const std::string& text) {
     for (const Diagnostic& each : result.diagnostics)
         if (each.severity == Severity::Error) {
             const std::size_t begin = std::min(each.source_line.find_first_not_of(' '), each.source_line.size());
-            return fmt::format("{}, in '{}'", each.message, each.source_line.substr(begin, 80));
+            return fmt::format("{}, in '{}'", each.message, as_written(each.source_line.substr(begin)).substr(0, 80));
         }
     return result.ok ? "" : "it is not valid";
 }
@@ -253,15 +304,19 @@ std::string mistake(const std::string& file, const std::string& text) {
 
 void make_custom_function(GraphMaker& maker, std::size_t index) {
     const Node& at = maker.node(index);
-    const std::string own = identifier(text_of(at.json, "m_FunctionName"));
-    if (own.empty()) {
-        maker.refuse(index, "its function has no name");
+    const bool is_file = whole_of(at.json, "m_SourceType") == 0;
+    const std::string_view written = text_of(at.json, "m_FunctionName");
+    std::string own = identifier(written);
+    if (own.empty() && (written.empty() || is_file)) {
+        maker.refuse(index, written.empty()
+                                ? "its function has no name"
+                                : fmt::format("its function is called '{}', without any letter of English", written));
         return;
     }
+    if (own.empty()) own = "Function";  // of code in the node, nobody else reads the name
     std::string name = own;
     name[0] = name[0] >= 'a' && name[0] <= 'z' ? static_cast<char>(name[0] - 32) : name[0];
     if (library().node(name)) name += "Custom";
-    const bool is_file = whole_of(at.json, "m_SourceType") == 0;
     const Code code = is_file ? from_file(maker, index, own) : from_string(maker, index);
     if (code.is_missing && apply_known(maker, index, own)) {
         maker.approximate(index, code.error + ": it is taken for the usual function of this name");

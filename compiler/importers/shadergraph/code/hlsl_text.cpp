@@ -5,7 +5,9 @@
 #include <algorithm>
 
 #include "compiler/base/text.h"
+#include "compiler/importers/expression_text.h"
 #include "compiler/importers/shadergraph/code/condition.h"
+#include "compiler/importers/shadergraph/code/matrix_elements.h"
 
 namespace patina::importers::shadergraph {
 namespace {
@@ -180,6 +182,8 @@ constexpr EngineWord kEngine[] = {
     {"shadowAttenuation", false, false, "shadow", ""},
     {"_WorldSpaceCameraPos", false, false, "engineCamera", "[hidden] float3 engineCamera = cameraPositionWS"},
     {"_Time", false, false, "float4(0.05, 1, 2, 3) * engineTime", "[hidden] float engineTime = time"},
+    {"_SinTime", false, false, "sin(float4(0.125, 0.25, 0.5, 1) * engineTime)", "[hidden] float engineTime = time"},
+    {"_CosTime", false, false, "cos(float4(0.125, 0.25, 0.5, 1) * engineTime)", "[hidden] float engineTime = time"},
     {"_ScreenParams", false, false, "engineScreen.xyxy", "[hidden] float2 engineScreen = screenSize"},
 };
 
@@ -215,12 +219,21 @@ void use_engine_words(HlslText& text) {
             text.code.replace(at, end - at, ours);
             at += ours.size();
         }
-        if (is_used && !each.parameter.empty())
+        if (is_used && text.parameters.find(each.parameter) == text.parameters.npos)
             text.parameters += (text.parameters.empty() ? "" : ", ") + std::string(each.parameter);
     }
 }
 
 }  // namespace
+
+std::string as_written(std::string text) {
+    for (const EngineWord& each : kEngine) {
+        if (each.parameter.empty()) continue;
+        for (std::size_t at = 0; (at = text.find(each.ours, at)) != text.npos; at += each.word.size())
+            text.replace(at, each.ours.size(), each.word);
+    }
+    return text;
+}
 
 bool has_identifier(std::string_view code, std::string_view word) {
     for (std::size_t at = 0; (at = code.find(word, at)) != code.npos; ++at) {
@@ -229,6 +242,19 @@ bool has_identifier(std::string_view code, std::string_view word) {
         if (!before && (end == code.size() || (!is_letter(code[end]) && !is_digit(code[end])))) return true;
     }
     return false;
+}
+
+std::vector<std::size_t> argument_counts(std::string_view code, std::string_view function) {
+    std::vector<std::size_t> made;
+    for (std::size_t at = 0; (at = code.find(function, at)) != code.npos; at += function.size()) {
+        const std::size_t before = at > 0 ? at - 1 : 0, open = code.find_first_not_of(" \n", at + function.size());
+        const bool is_call = open != code.npos && code[open] == '(' &&
+                             has_identifier(code.substr(before, at + function.size() + 1 - before), function);
+        if (!is_call) continue;
+        const std::size_t end = behind_bracket(code, open);
+        made.push_back(terms::arguments_of(code.substr(open + 1, end - open - 2)).size());
+    }
+    return made;
 }
 
 HlslText in_node_language(std::string_view hlsl) {
@@ -272,11 +298,13 @@ HlslText in_node_language(std::string_view hlsl) {
             made.code += text[i++];
         }
     }
+    made.code = with_matrix_elements(made.code, made.error);
     use_engine_words(made);
     return made;
 }
 
 bool assigns(std::string_view code, std::string_view variable) {
+    if (variable.empty()) return false;
     for (std::size_t at = 0; (at = code.find(variable, at)) != code.npos; at += variable.size()) {
         const std::size_t behind = at + variable.size();
         if (!has_identifier(code.substr(at > 0 ? at - 1 : 0, variable.size() + (at > 0 ? 2 : 1)), variable)) continue;

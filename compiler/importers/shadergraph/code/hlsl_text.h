@@ -18,6 +18,9 @@ struct HlslText {
 };
 HlslText in_node_language(std::string_view hlsl);
 
+// For messages: the names of the engine again in the place of what stands for them.
+std::string as_written(std::string text);
+
 struct HlslFunction {
     std::string result{}, name{}, parameters{}, body{};  // "void", "Noise_float", "float2 UV, out float Out", "..."
 };
@@ -26,6 +29,9 @@ std::vector<HlslFunction> functions_in(std::string_view code);
 
 // Something is assigned to the variable, or a function takes it.
 bool assigns(std::string_view code, std::string_view variable);
+
+// How many arguments each call of the function has.
+std::vector<std::size_t> argument_counts(std::string_view code, std::string_view function);
 
 // The word stands in the code by itself.
 bool has_identifier(std::string_view code, std::string_view word);

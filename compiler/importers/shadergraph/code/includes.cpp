@@ -1,0 +1,84 @@
+#include "compiler/importers/shadergraph/code/includes.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <optional>
+#include <set>
+#include <string_view>
+#include <vector>
+
+namespace patina::importers::shadergraph {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kDeepest = 8;
+constexpr std::size_t kLongest = 4'000'000;  // characters of all files together
+
+// #include "NAME"
+std::string_view included(std::string_view line) {
+    const auto skip = [&] { line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size())); };
+    skip();
+    if (!line.starts_with("#")) return {};
+    line.remove_prefix(1);
+    skip();
+    if (!line.starts_with("include")) return {};
+    line.remove_prefix(7);
+    skip();
+    if (!line.starts_with("\"")) return {};
+    line.remove_prefix(1);
+    return line.substr(0, line.find('"'));
+}
+
+class Expander {
+public:
+    explicit Expander(std::span<const std::string> folders) : folders_(folders) {}
+
+    void add(const fs::path& path, std::string_view text, int depth) {
+        std::error_code ignored;
+        taken_.insert(fs::weakly_canonical(path, ignored));
+        while (!text.empty()) {
+            const std::size_t end = std::min(text.find('\n'), text.size() - 1) + 1;
+            const std::string_view line = text.substr(0, end);
+            text.remove_prefix(end);
+            const std::string_view name = included(line);
+            const std::optional<fs::path> file = name.empty() ? std::nullopt : find(path, name);
+            if (!file) {
+                made.text += line;
+            } else if (depth < kDeepest && made.text.size() < kLongest && !taken_.contains(*file)) {
+                std::ifstream stream(*file, std::ios::binary);
+                const std::string inner{std::istreambuf_iterator<char>(stream), {}};
+                ++made.count;
+                add(*file, inner, depth + 1);
+                made.text += "\n";
+            }
+        }
+    }
+
+    Included made{};
+
+private:
+    std::optional<fs::path> find(const fs::path& from, std::string_view name) const {
+        std::vector<fs::path> places = {from.parent_path()};
+        places.insert(places.end(), folders_.begin(), folders_.end());
+        std::error_code ignored;
+        for (const fs::path& each : places)
+            if (fs::is_regular_file(each / name, ignored)) return fs::weakly_canonical(each / name, ignored);
+        return {};
+    }
+
+    std::span<const std::string> folders_;
+    std::set<fs::path> taken_{};
+};
+
+}  // namespace
+
+Included with_includes(const std::string& path, const std::string& text, std::span<const std::string> folders) {
+    Expander expander(folders);
+    expander.add(path, text, 0);
+    return std::move(expander.made);
+}
+
+}  // namespace patina::importers::shadergraph
