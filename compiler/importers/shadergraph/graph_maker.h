@@ -109,6 +109,7 @@ private:
     void declare_texture(GraphProperty& made, TextureUse& use, const Property& source, std::string& difference);
     void make_surface();
     Term block_value(const Block& block, Type type);
+    void weigh(const Term& color, const Term& alpha, bool is_faded);
     void add_pinned(std::string id, const Block& block);
     void say_block(std::string part, std::string text, Place place);
     void make_outputs();

@@ -71,6 +71,8 @@ public:
         const bool is_universal =
             target_.kind.find("Universal") != std::string::npos || target_.kind == "PBRMasterNode";
         if (made_.is_lit && is_universal) made_.lighting = "unity-brdf2";
+        is_old_ = target_.kind.ends_with("MasterNode");
+        is_universal_ = is_universal;
         const std::string difference(is_known ? material->difference
                                               : "this importer does not know it: it is drawn without light");
         workflow();
@@ -125,24 +127,49 @@ private:
     }
 
     void surface() {
-        const int mode = whole("m_AlphaMode", 0, 3);
         made_.is_blended = is_sprite_ || whole("m_SurfaceType", 0) == 1;
         made_.is_clipped = has_clip();
         made_.is_clipped_blend = made_.is_blended && made_.is_clipped;
         std::string_view kind = made_.is_clipped ? "cutout" : "opaque";
-        if (made_.is_blended) {
-            const bool keeps_reflections = made_.is_lit && whole("m_BlendModePreserveSpecular", 0) != 0;
-            static constexpr std::string_view kKinds[] = {"fade", "transparent", "additive", "multiply"};
-            kind = kKinds[mode];
-            if (mode == 0 && keeps_reflections) kind = "transparent";
-        }
+        if (made_.is_blended) kind = blending();
         add(Remark::Kind::Taken, "Surface Type", fmt::format("'{}'", kind));
-        if (made_.is_blended) add(Remark::Kind::Taken, "Blending Mode", fmt::format("'{}'", kind));
         if (made_.is_clipped)
             add(Remark::Kind::Taken, "Alpha Clipping",
                 made_.is_blended ? "an alpha of 0 below the threshold" : "'cutout'");
         if (kind != "opaque") made_.render.push_back({"surface", text(kind)});
         made_.is_tinted = is_sprite_ && whole("m_DisableTint", 0) == 0;
+    }
+
+    // The kind of a blended surface. What alpha does to the colour is done where the colour is written.
+    std::string_view blending() {
+        enum Mode { kAlpha, kPremultiply, kAdditive, kMultiply };
+        static constexpr std::string_view kKinds[] = {"fade", "transparent", "additive", "multiply"};
+        const int mode = whole("m_AlphaMode", 0, 3);
+        constexpr std::string_view kPreserve = "m_BlendModePreserveSpecular";
+        const bool can_keep = made_.is_lit && holder(kPreserve);
+        const bool keeps_highlights = can_keep && whole(kPreserve, 0) != 0;
+        const std::string_view kind = kKinds[mode == kAlpha && keeps_highlights ? kPremultiply : mode];
+        made_.is_weighted = mode == kAdditive;
+        made_.is_faded = mode == kMultiply && is_universal_ && !is_old_;
+        std::string what, difference;
+        if (made_.is_weighted) what = ", and alpha weights the colour";
+        if (made_.is_faded) what = ", and alpha fades the colour to white";
+        if (mode == kPremultiply && !is_old_)
+            difference = ": the colour is multiplied by alpha, which Unity expects of what the graph computes";
+        if (mode == kAdditive && made_.is_lit && !keeps_highlights)
+            difference = " alone, and not highlights and emission";
+        add(difference.empty() ? Remark::Kind::Taken : Remark::Kind::Changed, "Blending Mode",
+            fmt::format("'{}'{}{}", kind, what, difference));
+        constexpr std::string_view kLabel = "Preserve Specular Lighting";
+        if (can_keep && mode == kAlpha)
+            add(Remark::Kind::Taken, kLabel,
+                keeps_highlights ? "alpha does not weaken highlights" : "alpha weakens highlights, too");
+        if (keeps_highlights && mode == kAdditive)
+            add(made_.is_specular ? Remark::Kind::Taken : Remark::Kind::Changed, kLabel,
+                made_.is_specular ? "alpha does not weaken highlights" : "alpha weakens the highlights of metals");
+        if (keeps_highlights && (mode == kPremultiply || mode == kMultiply))
+            add(Remark::Kind::Taken, kLabel, "it has no effect with this blending");
+        return kind;
     }
 
     void faces_and_depth() {
@@ -178,6 +205,8 @@ private:
         if (is_universal && made_.is_lit)
             add(Remark::Kind::Changed, kLabel, "materials cannot change the workflow, nor reject shadows");
         if (made_.is_clipped_blend) add(Remark::Kind::Changed, kLabel, "materials cannot turn off alpha clipping");
+        if (made_.is_weighted || made_.is_faded)
+            add(Remark::Kind::Changed, kLabel, "alpha changes the colour, whichever blending a material chooses");
     }
     bool holder_is_on(std::string_view key) const { return whole(key, 0) != 0; }
 
@@ -200,7 +229,7 @@ public:
 private:
     const TargetSettings& target_;
     Settings made_{};
-    bool is_sprite_ = false;
+    bool is_sprite_ = false, is_old_ = false, is_universal_ = false;
 };
 
 bool is_clipped_by_slot(const ShaderGraph& graph) {
