@@ -32,6 +32,12 @@ constexpr Material kMaterials[] = {
     {"VFX", false, "it is drawn on its mesh, and not on particles"},
 };
 
+const Material* material_of(std::string_view name) {
+    const auto found = std::ranges::find_if(
+        kMaterials, [&](const Material& each) { return name.find(each.in_name) != std::string_view::npos; });
+    return found == std::end(kMaterials) ? nullptr : &*found;
+}
+
 // Settings that change nothing that a graph says.
 struct Known {
     std::string_view key, label, text;
@@ -56,6 +62,12 @@ constexpr Lost kLost[] = {
     {"m_SupportsLODCrossFade", "LOD Cross Fade", 0, "levels of detail do not fade"},
     {"m_AdditionalMotionVectorMode", "Additional Motion Vectors", 0, "there are no motion vectors"},
     {"m_AlembicMotionVectors", "Alembic Motion Vectors", 0, "there are no motion vectors"},
+    {"m_SortPriority", "Sorting Priority", 0, "it is drawn in the order of its kind of surface"},
+    {"m_Tessellation", "Tessellation", 0, "the triangles are those of the mesh"},
+    {"m_TransparentDepthPrepass", "Transparent Depth Prepass", 0, "it is drawn once"},
+    {"m_TransparentDepthPostpass", "Transparent Depth Postpass", 0, "it is drawn once"},
+    {"m_BackThenFrontRendering", "Back Then Front Rendering", 0, "it is drawn once"},
+    {"m_Distortion", "Distortion", 0, "what is behind it is not distorted"},
 };
 
 class Reader {
@@ -63,10 +75,12 @@ public:
     explicit Reader(const TargetSettings& target) : target_(target) {}
 
     Settings read() {
-        const auto material = std::ranges::find_if(
-            kMaterials, [&](const Material& each) { return target_.material.find(each.in_name) != std::string::npos; });
-        const bool is_known = material != std::end(kMaterials);
-        made_.is_lit = is_known && material->is_lit;
+        const Material* material = material_of(target_.material);
+        if (!material) material = material_of(target_.kind);  // a target without materials, as that of effects
+        is_effect_ = target_.kind == "VFXTarget";
+        is_high_definition_ = target_.kind.starts_with("HD");
+        const bool is_known = material != nullptr;
+        made_.is_lit = is_known && (is_effect_ ? whole("m_Lit", 0) != 0 : material->is_lit);
         is_sprite_ = target_.material.find("Sprite") != std::string::npos;
         const bool is_universal =
             target_.kind.find("Universal") != std::string::npos || target_.kind == "PBRMasterNode";
@@ -78,7 +92,7 @@ public:
         workflow();
         add(difference.empty() ? Remark::Kind::Taken : Remark::Kind::Changed, "Material",
             fmt::format("the workflow '{}'{}", made_.workflow(), difference.empty() ? "" : ": " + difference));
-        made_.has_many_blocks = target_.kind.starts_with("HD");
+        made_.has_many_blocks = is_high_definition_;
         surface();
         faces_and_depth();
         if (whole("m_AllowMaterialOverride", 0) != 0)
@@ -122,7 +136,8 @@ private:
     static bool is_set(const Json& value) { return value.number != 0 || value.boolean || !value.string.empty(); }
 
     bool has_clip() const {
-        if (holder("m_AlphaClip")) return whole("m_AlphaClip", 0) != 0;
+        for (const std::string_view key : {"m_AlphaClip", "m_AlphaTest"})
+            if (holder(key)) return whole(key, 0) != 0;
         return is_clipped_by_slot;
     }
 
@@ -132,7 +147,8 @@ private:
         made_.is_clipped_blend = made_.is_blended && made_.is_clipped;
         std::string_view kind = made_.is_clipped ? "cutout" : "opaque";
         if (made_.is_blended) kind = blending();
-        add(Remark::Kind::Taken, "Surface Type", fmt::format("'{}'", kind));
+        add(is_effect_ ? Remark::Kind::Changed : Remark::Kind::Taken, "Surface Type",
+            fmt::format("'{}'{}", kind, is_effect_ ? ": the effect chooses how it blends" : ""));
         if (made_.is_clipped)
             add(Remark::Kind::Taken, "Alpha Clipping",
                 made_.is_blended ? "an alpha of 0 below the threshold" : "'cutout'");
@@ -144,8 +160,10 @@ private:
     std::string_view blending() {
         enum Mode { kAlpha, kPremultiply, kAdditive, kMultiply };
         static constexpr std::string_view kKinds[] = {"fade", "transparent", "additive", "multiply"};
-        const int mode = whole("m_AlphaMode", 0, 3);
-        constexpr std::string_view kPreserve = "m_BlendModePreserveSpecular";
+        static constexpr Mode kModesOfSystem[] = {kAlpha, kAdditive, kAlpha, kAlpha, kPremultiply};
+        const int mode = has_system_data() ? kModesOfSystem[whole("m_BlendMode", 0, 4)] : whole("m_AlphaMode", 0, 3);
+        const std::string_view kPreserve =
+            is_high_definition_ ? "m_BlendPreserveSpecular" : "m_BlendModePreserveSpecular";
         const bool can_keep = made_.is_lit && holder(kPreserve);
         const bool keeps_highlights = can_keep && whole(kPreserve, 0) != 0;
         const std::string_view kind = kKinds[mode == kAlpha && keeps_highlights ? kPremultiply : mode];
@@ -172,7 +190,28 @@ private:
         return kind;
     }
 
+    // Of the high definition pipeline, from its version 10: which names its settings otherwise.
+    bool has_system_data() const { return is_high_definition_ && holder("m_BlendMode"); }
+
+    // Its opaque surfaces test and write the depth in any case.
+    void faces_and_depth_of_system() {
+        static constexpr std::string_view kWords[] = {"off", "front", "back"};
+        const int sides = whole("m_DoubleSidedMode", 0, 3);
+        const std::string_view cull =
+            kWords[sides != 0 ? 0 : whole(made_.is_blended ? "m_TransparentCullMode" : "m_OpaqueCullMode", 2, 2)];
+        // 1: both sides have the same normal; 2 and 3: that of back faces is turned.
+        const bool keeps_normal = sides == 1 && made_.is_lit;
+        add(keeps_normal ? Remark::Kind::Changed : Remark::Kind::Taken, "Render Face",
+            fmt::format("\"cull\": \"{}\"{}", cull,
+                        keeps_normal ? ": the normals of back faces are turned to the viewer" : ""));
+        if (cull != "back") made_.render.push_back({"cull", text(cull)});
+        if (!made_.is_blended) return;
+        if (whole("m_ZWrite", 0) != 0) depth_write(true);
+        depth_test(whole("m_ZTest", 4, 8));
+    }
+
     void faces_and_depth() {
+        if (has_system_data()) return faces_and_depth_of_system();
         std::string_view cull = is_sprite_ ? "off" : "back";
         if (holder("m_RenderFace")) {
             static constexpr std::string_view kWords[] = {"off", "front", "back"};
@@ -183,13 +222,16 @@ private:
         add(Remark::Kind::Taken, "Render Face", fmt::format("\"cull\": \"{}\"", cull));
         if (cull != "back") made_.render.push_back({"cull", text(cull)});
         const int write = whole("m_ZWriteControl", 0, 2);
-        if (write == 1 || write == 2) {
-            made_.render.push_back({"depthWrite", flag(write == 1)});
-            add(Remark::Kind::Taken, "Depth Write", write == 1 ? "true" : "false");
-        }
+        if (write == 1 || write == 2) depth_write(write == 1);
+        depth_test(whole("m_ZTestMode", 4, 8));
+    }
+    void depth_write(bool writes) {
+        made_.render.push_back({"depthWrite", flag(writes)});
+        add(Remark::Kind::Taken, "Depth Write", writes ? "true" : "false");
+    }
+    void depth_test(int test) {
         static constexpr std::string_view kTests[] = {"lessEqual", "never",    "less",         "equal", "lessEqual",
                                                       "greater",   "notEqual", "greaterEqual", "always"};
-        const int test = whole("m_ZTestMode", 4, 8);
         if (test != 4 && test != 0) {
             made_.render.push_back({"depthTest", text(kTests[test])});
             add(Remark::Kind::Taken, "Depth Test", fmt::format("'{}'", kTests[test]));
@@ -229,7 +271,7 @@ public:
 private:
     const TargetSettings& target_;
     Settings made_{};
-    bool is_sprite_ = false, is_old_ = false, is_universal_ = false;
+    bool is_sprite_ = false, is_old_ = false, is_universal_ = false, is_high_definition_ = false, is_effect_ = false;
 };
 
 bool is_clipped_by_slot(const ShaderGraph& graph) {

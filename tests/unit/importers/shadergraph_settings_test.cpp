@@ -86,5 +86,55 @@ TEST(ShaderGraphSettings, WhatIsClippedAddsNothing) {
     EXPECT_TRUE(compiled(made).diagnostics.empty());
 }
 
+// The same of another target, whose settings lie in an object of their own.
+Imported import_for(const std::string& target, const std::string& material, const std::string& data) {
+    ShaderGraphText graph = blended(R"("m_Datas":[{"m_Id":"system"}])", material);
+    graph.blocks.push_back({"SurfaceDescription.AlphaClipThreshold", "Vector1", "0.25"});
+    graph.more_objects = fmt::format("\n\n{{\"m_Type\":\"x.SystemData\",\"m_ObjectId\":\"system\",{}}}", data);
+    std::string source = graph.new_layout();
+    source.replace(source.find("UniversalTarget"), 15, target);
+    return import_text(source);
+}
+
+TEST(ShaderGraphSettings, OfTheHighDefinitionPipeline) {
+    const Imported cut = import_for("HDTarget", "HDUnlitSubTarget",
+                                    R"("m_SurfaceType":0,"m_BlendMode":0,"m_AlphaTest":true,"m_DoubleSidedMode":1)");
+    EXPECT_TRUE(has(cut, R"("render": { "surface": "cutout", "cull": "off" })")) << text_of(cut);
+    EXPECT_TRUE(has(cut, R"("alphaClip": 0.25)")) << text_of(cut);
+
+    const Imported added =
+        import_for("HDTarget", "HDLitSubTarget",
+                   R"("m_SurfaceType":1,"m_BlendMode":1,"m_ZTest":8,"m_ZWrite":true,"m_DoubleSidedMode":1)");
+    EXPECT_TRUE(
+        has(added, R"("render": { "surface": "additive", "cull": "off", "depthWrite": true, "depthTest": "always" })"))
+        << text_of(added);
+    EXPECT_TRUE(has(added, R"("baseColor": "= $_Tint.rgb * $_Tint.a")")) << text_of(added);
+    EXPECT_TRUE(says(added, Remark::Kind::Changed, "normals of back faces"));
+
+    const std::string plain = R"("m_SurfaceType":1,"m_BlendMode":0,"m_TransparentCullMode":1,"m_OpaqueCullMode":2)";
+    const Imported faded = import_for("HDTarget", "HDLitSubTarget", plain + R"(,"m_BlendPreserveSpecular":false)");
+    EXPECT_TRUE(has(faded, R"("render": { "surface": "fade", "cull": "front" })")) << text_of(faded);
+    const Imported kept =
+        import_for("HDTarget", "HDLitSubTarget", plain + R"(,"m_BlendPreserveSpecular":true,"m_SortPriority":2)");
+    EXPECT_TRUE(has(kept, R"("surface": "transparent")")) << text_of(kept);
+    EXPECT_TRUE(says(kept, Remark::Kind::Changed, "Sorting Priority"));
+}
+
+// Opaque surfaces of that pipeline write and test the depth, whatever these numbers are.
+TEST(ShaderGraphSettings, OfTransparentSurfacesDoNotCountForOpaqueOnes) {
+    const Imported made =
+        import_for("HDTarget", "HDUnlitSubTarget",
+                   R"("m_SurfaceType":0,"m_BlendMode":1,"m_ZTest":8,"m_ZWrite":true,"m_TransparentCullMode":1)");
+    EXPECT_FALSE(has(made, R"("render")")) << text_of(made);
+}
+
+TEST(ShaderGraphSettings, OfEffects) {
+    const Imported made = import_for("VFXTarget", "None", R"("m_Lit":true,"m_AlphaTest":true)");
+    EXPECT_TRUE(has(made, R"("workflow": "metallic-smoothness")")) << text_of(made);
+    EXPECT_TRUE(has(made, R"("surface": "cutout")")) << text_of(made);
+    EXPECT_TRUE(says(made, Remark::Kind::Changed, "not on particles"));
+    EXPECT_TRUE(has(import_for("VFXTarget", "None", R"("m_Lit":false)"), R"("workflow": "unlit")"));
+}
+
 }  // namespace
 }  // namespace patina::importers
