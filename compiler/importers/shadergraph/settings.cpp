@@ -129,6 +129,10 @@ private:
         if (!made_.is_lit) return;
         made_.is_specular = whole(holder("m_WorkflowMode") ? "m_WorkflowMode" : "m_Model", 1) == 0;
         add(Remark::Kind::Taken, "Workflow Mode", fmt::format("'{}'", made_.workflow()));
+        static constexpr std::string_view kNormals[] = {"NormalTS", "NormalOS", "NormalWS"};
+        made_.normal_block = kNormals[whole("m_NormalDropOffSpace", 0, 2)];
+        if (made_.normal_block != kNormals[0])
+            add(Remark::Kind::Taken, "Fragment Normal Space", fmt::format("the block '{}'", made_.normal_block));
         made_.has_coat = whole("m_ClearCoat", 0) != 0;
         if (made_.has_coat) add(Remark::Kind::Changed, "Clear Coat", "the surface has no coat");
     }
@@ -212,14 +216,17 @@ private:
 
     void faces_and_depth() {
         if (has_system_data()) return faces_and_depth_of_system();
-        std::string_view cull = is_sprite_ ? "off" : "back";
-        if (holder("m_RenderFace")) {
+        std::string_view cull = "back";
+        if (is_sprite_) {  // drawn on both sides, whatever the target says
+            cull = "off";
+        } else if (holder("m_RenderFace")) {
             static constexpr std::string_view kWords[] = {"off", "front", "back"};
             cull = kWords[whole("m_RenderFace", 2, 2)];
         } else if (whole("m_TwoSided", 0) != 0 || holder_is_on("m_DoubleSided")) {
             cull = "off";
         }
-        add(Remark::Kind::Taken, "Render Face", fmt::format("\"cull\": \"{}\"", cull));
+        add(Remark::Kind::Taken, "Render Face",
+            fmt::format("\"cull\": \"{}\"{}", cull, is_sprite_ ? ": sprites are two-sided" : ""));
         if (cull != "back") made_.render.push_back({"cull", text(cull)});
         const int write = whole("m_ZWriteControl", 0, 2);
         if (write == 1 || write == 2) depth_write(write == 1);
@@ -274,6 +281,18 @@ private:
     bool is_sprite_ = false, is_old_ = false, is_universal_ = false, is_high_definition_ = false, is_effect_ = false;
 };
 
+// Sprites and pictures have had other blocks for their colour, which count if there is no usual one.
+std::string_view color_block(const ShaderGraph& graph, std::string_view material) {
+    const auto has = [&](std::string_view name) {
+        return std::ranges::find(graph.blocks, name, &Block::name) != graph.blocks.end();
+    };
+    for (const std::string_view kind : {"Sprite", "Fullscreen"})
+        for (const std::string_view block : {"SpriteColor", "FullscreenColor"})
+            if (block.starts_with(kind) && material.find(kind) != material.npos && has(block) && !has("BaseColor"))
+                return block;
+    return "BaseColor";
+}
+
 bool is_clipped_by_slot(const ShaderGraph& graph) {
     if (!graph.is_old) return false;
     for (const Block& block : graph.blocks) {
@@ -294,6 +313,8 @@ std::string_view Settings::workflow() const {
 }
 
 bool Settings::uses(std::string_view block) const {
+    if (block == "BaseColor" || block == "SpriteColor" || block == "FullscreenColor") return block == color_block;
+    if (block.starts_with("Normal") && block.size() == normal_block.size()) return block == normal_block;
     if (block == "Metallic") return is_lit && !is_specular;
     if (block == "Specular") return is_lit && is_specular;
     if (block == "Alpha") return is_blended || is_clipped || is_overridable;
@@ -320,6 +341,7 @@ Settings read_settings(const ShaderGraph& graph) {
     reader.is_clipped_by_slot = is_clipped_by_slot(graph);
     take_misreads();  // the slot's block says them
     Settings made = reader.read();
+    made.color_block = color_block(graph, chosen->material);
     for (const TargetSettings& each : graph.targets)
         made.remarks.push_back({.kind = Remark::Kind::Taken,
                                 .part = fmt::format("target '{}'", each.kind),

@@ -23,6 +23,7 @@ struct Settings {
     bool is_faded = false;          // multiplied: alpha fades the colour to white
     bool has_coat = false;
     bool has_many_blocks = false;  // the target has blocks for many kinds of surfaces
+    std::string_view color_block = "BaseColor", normal_block = "NormalTS";  // the ones of several that count
     std::vector<Member> render{};
     std::vector<SettingRemark> remarks{};
 

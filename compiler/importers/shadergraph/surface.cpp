@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 
 #include "compiler/importers/shadergraph/graph_maker.h"
 #include "compiler/importers/shadergraph/settings.h"
@@ -91,6 +92,13 @@ void GraphMaker::make_surface() {
     file_.workflow = settings.workflow();
     file_.lighting = settings.lighting;
     std::vector<Member> vertex;
+    std::set<std::string_view> inputs;  // that have a value
+    const auto is_second = [&](const BlockRow& row, const std::string& part, const Block& block) {
+        const bool is_new = inputs.insert(row.input).second;
+        if (!is_new)
+            remark(Remark::Kind::Changed, part, "a second block for the same input: the first one counts", block.place);
+        return !is_new;
+    };
     Term alpha, color, clip = number_term(0.5);
     // Such a surface reads no alpha of its own, but a material may make another kind of it.
     const bool is_in_color = (settings.is_weighted || settings.is_faded) && !settings.is_overridable;
@@ -110,7 +118,7 @@ void GraphMaker::make_surface() {
                 remark(Remark::Kind::Taken, part, "the mesh's own", block.place);
             } else if (!row) {
                 remark(Remark::Kind::Changed, part, "the vertex block of a graph has no such value", block.place);
-            } else {
+            } else if (!is_second(*row, part, block)) {
                 const Term term = block_value(block, row->type);
                 written(term, fmt::format("'vertex.{}'", row->input));
                 vertex.push_back({std::string(row->input), term.value()});
@@ -127,6 +135,7 @@ void GraphMaker::make_surface() {
                    block.place);
             continue;
         }
+        if (is_second(*row, part, block)) continue;
         std::string key(row->input);
         if (settings.is_specular && key == "smoothness") key = "glossiness";
         if (!node(block.node).slot(block.slot)) {

@@ -126,7 +126,7 @@ TEST(BrokenShaderGraph, WrongValuesAreSaid) {
         {R"("m_SurfaceType":1)", R"("m_SurfaceType":17)",
          R"(setting 'Surface Type': .*is 17, not a number from 0 to 1: 0 is taken)"},
         {R"("m_AlphaMode":0)", R"("m_AlphaMode":9)",
-         R"(setting 'Surface Type': .*is 9, not a number from 0 to 3: 0 is taken)"},
+         R"(setting 'Blending Mode': .*is 9, not a number from 0 to 3: 0 is taken)"},
         {R"("m_RenderFace":2)", R"("m_RenderFace":-1)",
          R"(setting 'Render Face': .*is -1, not a number from 0 to 2: 2 is taken)"},
         {R"("m_ZTestMode":4)", R"("m_ZTestMode":[])", R"('m_ZTestMode' \(\d+:\d+\) is a list, not a whole number)"},

@@ -136,5 +136,63 @@ TEST(ShaderGraphSettings, OfEffects) {
     EXPECT_TRUE(has(import_for("VFXTarget", "None", R"("m_Lit":false)"), R"("workflow": "unlit")"));
 }
 
+// Blocks stay in the file when the settings do not want them any more.
+ShaderGraphText with_normals(const std::string& space) {
+    ShaderGraphText graph = blended(R"("m_SurfaceType":0)", "UniversalLitSubTarget");
+    graph.material_settings = space;
+    const std::string slant = R"({"x":0.0,"y":0.6,"z":0.8})";
+    graph.nodes.push_back({.id = "v", .kind = "PositionNode", .slots = {out(0, "Vector3")}, .more = R"("m_Space":2)"});
+    for (const char* each : {"NormalTS", "NormalWS"}) {
+        graph.blocks.push_back({std::string("SurfaceDescription.") + each, "Vector3", slant});
+        graph.edges.push_back({"v", 0, each});
+    }
+    return graph;
+}
+
+TEST(ShaderGraphSettings, TheNormalIsThatOfTheChosenSpace) {
+    const Imported world = import_graph(with_normals(R"("m_NormalDropOffSpace":2)"));
+    EXPECT_TRUE(has(world, R"("normalWS": "@positionWS")")) << text_of(world);
+    EXPECT_FALSE(has(world, "normalTS")) << text_of(world);
+    EXPECT_TRUE(says(world, Remark::Kind::Taken, "block 'NormalTS': the target has no such block"));
+    const Imported tangent = import_graph(with_normals(R"("m_NormalDropOffSpace":0)"));
+    EXPECT_TRUE(has(tangent, R"("normalTS": )")) << text_of(tangent);
+    EXPECT_FALSE(has(tangent, "normalWS")) << text_of(tangent);
+
+    // An unconnected block that is left over is no normal either.
+    ShaderGraphText stale = with_normals(R"("m_NormalDropOffSpace":1)");
+    EXPECT_FALSE(has(import_graph(stale), "normal"));
+}
+
+TEST(ShaderGraphSettings, OneBlockGivesTheColour) {
+    ShaderGraphText graph = blended(R"("m_SurfaceType":0)");
+    const std::string blue = R"({"x":0.0,"y":0.0,"z":1.0,"w":1.0})";
+    for (const char* each : {"FullscreenColor", "SpriteColor"})
+        graph.blocks.push_back({std::string("SurfaceDescription.") + each, "ColorRGBA", blue});
+    const Imported made = import_graph(graph);
+    EXPECT_EQ(made.error, "");
+    EXPECT_TRUE(has(made, R"("color": "$_Tint.rgb")")) << text_of(made);
+    EXPECT_TRUE(says(made, Remark::Kind::Taken, "block 'FullscreenColor': the target has no such block"));
+
+    graph.material = "UniversalFullscreenSubTarget";
+    graph.blocks.erase(graph.blocks.begin());
+    graph.edges.erase(graph.edges.begin() + 1);
+    EXPECT_TRUE(has(import_graph(graph), R"("color": [0, 0, 1])")) << text_of(import_graph(graph));
+}
+
+TEST(ShaderGraphSettings, ASecondBlockForAnInputIsSaid) {
+    ShaderGraphText graph = blended(R"("m_SurfaceType":0)", "UniversalLitSubTarget");
+    graph.blocks.push_back({"SurfaceDescription.Occlusion", "Vector1", "0.5"});
+    graph.blocks.push_back({"SurfaceDescription.AmbientOcclusion", "Vector1", "0.25"});
+    const Imported made = import_graph(graph);
+    EXPECT_TRUE(has(made, R"("occlusion": 0.5)")) << text_of(made);
+    EXPECT_TRUE(says(made, Remark::Kind::Changed, "block 'AmbientOcclusion': a second block"));
+}
+
+TEST(ShaderGraphSettings, SpritesAreTwoSided) {
+    const Imported made = import_graph(blended(R"("m_RenderFace":2)", "UniversalSpriteUnlitSubTarget"));
+    EXPECT_TRUE(has(made, R"("cull": "off")")) << text_of(made);
+    EXPECT_TRUE(says(made, Remark::Kind::Taken, "sprites are two-sided"));
+}
+
 }  // namespace
 }  // namespace patina::importers
