@@ -77,7 +77,7 @@ public:
     Settings read() {
         const Material* material = material_of(target_.material);
         if (!material) material = material_of(target_.kind);  // a target without materials, as that of effects
-        is_effect_ = target_.kind == "VFXTarget";
+        is_effect_ = target_.kind == "VFXTarget" || target_.kind == "VfxMasterNode";
         is_high_definition_ = target_.kind.starts_with("HD");
         const bool is_known = material != nullptr;
         made_.is_lit = is_known && (is_effect_ ? whole("m_Lit", 0) != 0 : material->is_lit);

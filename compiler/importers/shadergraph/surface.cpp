@@ -92,9 +92,9 @@ void GraphMaker::make_surface() {
     file_.workflow = settings.workflow();
     file_.lighting = settings.lighting;
     std::vector<Member> vertex;
-    std::set<std::string_view> inputs;  // that have a value
+    std::set<std::pair<bool, std::string_view>> inputs;  // of the vertex block or the surface, that have a value
     const auto is_second = [&](const BlockRow& row, const std::string& part, const Block& block) {
-        const bool is_new = inputs.insert(row.input).second;
+        const bool is_new = inputs.emplace(block.is_vertex, row.input).second;
         if (!is_new)
             remark(Remark::Kind::Changed, part, "a second block for the same input: the first one counts", block.place);
         return !is_new;

@@ -186,6 +186,16 @@ TEST(ShaderGraphSettings, ASecondBlockForAnInputIsSaid) {
     const Imported made = import_graph(graph);
     EXPECT_TRUE(has(made, R"("occlusion": 0.5)")) << text_of(made);
     EXPECT_TRUE(says(made, Remark::Kind::Changed, "block 'AmbientOcclusion': a second block"));
+
+    // A normal of the vertices is another one than that of the surface.
+    graph = with_normals(R"("m_NormalDropOffSpace":1)");
+    for (const char* each : {"VertexDescription.Normal", "SurfaceDescription.NormalOS"}) {
+        graph.blocks.push_back({each, "Vector3", R"({"x":0.0,"y":0.0,"z":1.0})"});
+        graph.edges.push_back({"v", 0, graph.blocks.back().name.substr(graph.blocks.back().name.find('.') + 1)});
+    }
+    const Imported both = import_graph(graph);
+    EXPECT_TRUE(has(both, R"("vertex": { "normalOS": "@positionWS" })")) << text_of(both);
+    EXPECT_TRUE(has(both, R"("baseColor": "$_Tint.rgb", "normalOS": "@positionWS")")) << text_of(both);
 }
 
 TEST(ShaderGraphSettings, SpritesAreTwoSided) {
