@@ -17,7 +17,10 @@ TEST(BrokenShaderGraph, BrokenFilesAreReportedAtTheirPlace) {
                                   std::regex("x\\.shadergraph:[0-9]+:[0-9]+: ")));
     EXPECT_NE(import_text("").error.find("the file is empty"), std::string::npos);
     EXPECT_NE(import_text("nonsense").error.find("x.shadergraph:1:1: "), std::string::npos);
-    EXPECT_NE(import_text("{}").error.find("is no shader graph"), std::string::npos);
+    EXPECT_NE(import_text("\n{}").error.find("x.shadergraph:2:1: it is no shader graph"), std::string::npos);
+    const std::string old = R"({"m_SerializableNodes":[]})";
+    EXPECT_NE(import_text(old).error.find(":1:24: it has neither a master node"), std::string::npos);
+    EXPECT_NE(import_text(old + "\n{}").error.find(":2:1: objects follow the graph"), std::string::npos);
     EXPECT_NE(import_text(good + "\n\n<<<<<<< HEAD\n").error.find("begins with '{'"), std::string::npos);
     std::string nan = good;
     nan.replace(nan.find("0.25"), 4, "NaN");

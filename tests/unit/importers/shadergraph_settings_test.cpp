@@ -134,6 +134,12 @@ TEST(ShaderGraphSettings, OfEffects) {
     EXPECT_TRUE(has(made, R"("surface": "cutout")")) << text_of(made);
     EXPECT_TRUE(says(made, Remark::Kind::Changed, "not on particles"));
     EXPECT_TRUE(has(import_for("VFXTarget", "None", R"("m_Lit":false)"), R"("workflow": "unlit")"));
+
+    // Of 2020.1 and before: a master node.
+    const Imported old = import_text(
+        R"({"m_SerializedProperties":[],"m_SerializableEdges":[],"m_SerializableNodes":[{"typeInfo":{"fullName":"UnityEditor.ShaderGraph.VfxMasterNode"},"JSONnodeData":"{\"m_GuidSerialized\":\"m\",\"m_Name\":\"Effect\",\"m_Lit\":false,\"m_AlphaTest\":true,\"m_SerializableSlots\":[{\"typeInfo\":{\"fullName\":\"UnityEditor.ShaderGraph.Vector1MaterialSlot\"},\"JSONnodeData\":\"{\\\"m_Id\\\":4,\\\"m_DisplayName\\\":\\\"Alpha Threshold\\\",\\\"m_SlotType\\\":0,\\\"m_Value\\\":0.25}\"}]}"}]})");
+    EXPECT_TRUE(has(old, R"("alphaClip": 0.25)")) << text_of(old) << old.error;
+    EXPECT_TRUE(has(old, R"("surface": "cutout")")) << text_of(old);
 }
 
 // Blocks stay in the file when the settings do not want them any more.
