@@ -32,6 +32,7 @@ struct Declaration {
     std::vector<Member> more{};
     std::string help{};
     std::string difference{};  // what the graph does not say
+    std::string note{};        // what makes no difference to the surface
 };
 
 // Letters and digits alone, in small letters.
@@ -42,11 +43,40 @@ std::string plain(std::string_view name) {
     return made;
 }
 
-Declaration number_declaration(const Property& property) {
+constexpr int kSlider = 1, kInteger = 2;
+
+bool is_whole_number(const Property& property) {
+    const int kind = whole_in(property.json, "m_FloatType", 0, 0, 3);
+    return kind == kInteger || (kind == kSlider && whole_in(property.json, "m_SliderType", 0, 0, 2) == kInteger);
+}
+
+void add(std::string& differences, std::string_view another) {
+    if (!another.empty()) differences += (differences.empty() ? "" : "; ") + std::string(another);
+}
+
+// A range is as wide as the default needs.
+void add_range(const Property& property, double value, Declaration& made) {
+    double low = number_of(property.json, "m_RangeValues.x"), high = number_of(property.json, "m_RangeValues.y", 1);
+    if (made.type == "int") {
+        constexpr double kMost = 1e9;
+        low = std::clamp(std::round(low), -kMost, kMost);
+        high = std::clamp(std::round(high), -kMost, kMost);
+    }
+    if (low >= high)
+        return add(made.difference, fmt::format("its range begins at {} and ends at {}: it has none", low, high));
+    if (value < low || value > high)
+        add(made.difference,
+            fmt::format("its default {} is outside of its range, {} to {}, which reaches it here", value, low, high));
+    made.more.push_back({"range", list({number(static_cast<float>(std::min(low, value))),
+                                        number(static_cast<float>(std::max(high, value)))})});
+}
+
+// The input of a sub-graph takes whatever number is connected, as in the engine.
+Declaration number_declaration(const Property& property, bool is_input) {
     Declaration made{.type = "float"};
     const double value = number_of(property.json, "m_Value");
     const int kind = whole_in(property.json, "m_FloatType", 0, 0, 3);
-    if (kind == 2) {
+    if (!is_input && is_whole_number(property)) {
         made.type = "int";
         const double whole = std::round(std::clamp(value, -1e9, 1e9));
         made.value = number(whole);
@@ -54,18 +84,13 @@ Declaration number_declaration(const Property& property) {
         if (value != std::clamp(value, -1e9, 1e9))
             made.difference = fmt::format(
                 "its default is {}, and a whole number ends at a thousand million: {} is taken", value, whole);
+        if (kind == kSlider) add_range(property, whole, made);
         return made;
     }
     made.value = number(static_cast<float>(value));
-    if (kind == 1) {
-        const double low = number_of(property.json, "m_RangeValues.x"),
-                     high = number_of(property.json, "m_RangeValues.y", 1);
-        if (low < high)
-            made.more.push_back({"range", list({number(static_cast<float>(std::min(low, value))),
-                                                number(static_cast<float>(std::max(high, value)))})});
-        else
-            made.difference = fmt::format("its range begins at {} and ends at {}: it has none", low, high);
-        if (whole_of(property.json, "m_SliderType") == 1) made.difference = "its slider is even, without a power";
+    if (kind == kSlider) {
+        add_range(property, value, made);
+        if (whole_of(property.json, "m_SliderType") == 1) add(made.difference, "its slider is even, without a power");
     }
     if (kind == 3) made.difference = "it is a number, without the words of its list";
     return made;
@@ -109,9 +134,9 @@ Declaration keyword_declaration(const Property& property) {
     return made;
 }
 
-Declaration declaration_of(const Property& property) {
+Declaration declaration_of(const Property& property, bool is_input) {
     const std::string_view kind = property.kind;
-    if (kind == "Vector1") return number_declaration(property);
+    if (kind == "Vector1") return number_declaration(property, is_input);
     if (kind == "Color") return color_declaration(property);
     if (kind == "Keyword") return keyword_declaration(property);
     if (kind == "Boolean") return {.type = "bool", .value = flag(flag_of(property.json, "m_Value"))};
@@ -147,7 +172,41 @@ bool is_texture(std::string_view kind) {
     return kind.starts_with("Texture") || kind == "Cubemap";
 }
 
+// How the engine's shader declares a property.
+enum class Scope { Undeclared, Global, Material, Instance };
+Scope scope_of(const Property& property) {
+    if (!flag_of(property.json, "overrideHLSLDeclaration"))
+        return flag_of(property.json, "m_GPUInstanced") ? Scope::Instance : Scope::Material;
+    return static_cast<Scope>(whole_in(property.json, "hlslDeclarationOverride", 2, 0, 3));
+}
+
+// A value for each instance, if a property of the type can have that.
+void add_scope(const Property& property, Declaration& made) {
+    const bool is_bound = std::ranges::find(made.more, "as", &Member::key) != made.more.end();
+    const bool is_number = made.type == "int" || made.type == "bool" || made.type == "enum" || made.type == "color" ||
+                           made.type.starts_with("float");
+    const bool is_matrix = made.type.find('x') != made.type.npos;
+    if (scope_of(property) == Scope::Instance && !is_bound && is_number && !is_matrix)
+        made.more.push_back({"as", text("instance")});
+    else
+        add(made.difference, scope_difference(property));
+    if (property.is_hidden) made.note = ", which inspectors show here";
+}
+
 }  // namespace
+
+std::string_view scope_difference(const Property& property) {
+    switch (scope_of(property)) {
+        case Scope::Undeclared: return "the project's own code declares it; here it is a property of the material";
+        case Scope::Global: return "it has one value for all materials, which scripts set; here each has its own";
+        case Scope::Instance: return "it has one value for all instances";
+        case Scope::Material: break;
+    }
+    // Those are never exposed.
+    const Type type = type_of_property(property.kind);
+    if (type == Type::Sampler || type == Type::Gradient || patina::importers::terms::is_matrix(type)) return {};
+    return property.is_exposed ? "" : "it is not exposed: scripts alone set it; here it is a property of the material";
+}
 
 std::vector<KeywordEntry> keyword_entries(const Property& keyword) {
     std::vector<KeywordEntry> made;
@@ -203,7 +262,7 @@ void GraphMaker::read_blackboard() {
         if (is_vector(type) && property.kind != "Color")
             port.numbers = type == Type::Float ? std::vector<double>{number_of(property.json, "m_Value")}
                                                : vector_of(property.json, "m_Value", width(type));
-        Declaration made = declaration_of(property);
+        Declaration made = declaration_of(property, is_input);
         const std::string what =
             is_input ? fmt::format("the input '{}'", name) : fmt::format("the property '{}'", name);
         if (is_texture(property.kind)) {
@@ -244,6 +303,7 @@ void GraphMaker::read_blackboard() {
         }
         for (const std::string& wrong : {property.misread, take_misreads()})
             if (!wrong.empty()) made.difference += (made.difference.empty() ? "" : "; ") + wrong;
+        if (!is_input) add_scope(property, made);
         if (is_input) {
             std::vector<Member> members = {{"name", text(name)}, {"type", text(made.type)}, {"default", made.value}};
             for (Member& each : made.more)
@@ -259,7 +319,7 @@ void GraphMaker::read_blackboard() {
             file_.properties.push_back(std::move(declared));
         }
         remark(made.difference.empty() ? Remark::Kind::Taken : Remark::Kind::Changed, part,
-               made.difference.empty() ? what : what + ": " + made.difference, property.place);
+               what + made.note + (made.difference.empty() ? "" : ": " + made.difference), property.place);
     }
 }
 
@@ -283,7 +343,7 @@ Term GraphMaker::property_term(std::size_t index) {
     }
     Term made = link(name, type);
     made.is_color = found->kind == "Color";
-    if (found->kind == "Vector1" && whole_of(found->json, "m_FloatType") == 2)
+    if (found->kind == "Vector1" && !graph_.is_subgraph && is_whole_number(*found))
         made.base = fmt::format("float({})", name);
     made.nodes = {index};
     return made;

@@ -42,6 +42,11 @@ void make_gradient(GraphMaker& maker, std::size_t node) {
     if (made->colors.empty()) made->colors = {{.time = 0, .value = {0, 0, 0}}, {.time = 1, .value = {1, 1, 1}}};
     if (made->alphas.empty()) made->alphas = {{.time = 0, .value = {1}}};
     made->mode = whole_in(json, "m_SerializableMode", 0, 0, 2);
+    constexpr std::size_t kMostKeys = 8;
+    const std::size_t most = std::max(made->colors.size(), made->alphas.size());
+    if (most > kMostKeys)
+        maker.approximate(node, fmt::format("it has {} keys, and a gradient at most {}: the last ones are left out",
+                                            most, kMostKeys));
     Term term{.type = Type::Gradient};
     term.gradient = std::move(made);
     term.nodes = {node};

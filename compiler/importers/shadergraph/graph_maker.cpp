@@ -37,6 +37,7 @@ std::string GraphMaker::make() {
     for (const ShaderGraph::Problem& problem : graph_.problems)
         remark(problem.is_lost ? Remark::Kind::LeftOut : Remark::Kind::Changed, problem.part, problem.text,
                problem.place);
+    read_precision();
     find_order();
     read_blackboard();
     for (const std::size_t node : order_) {
@@ -101,8 +102,20 @@ void GraphMaker::find_order() {
                 in_fragment_.insert(found->second.first);
 }
 
-bool GraphMaker::is_half(std::size_t index) const {
-    return whole_of(node(index).json, "m_Precision") == 2;
+std::string_view GraphMaker::own_precision(std::size_t index) const {
+    constexpr int kSingle = 1, kHalf = 2;
+    const int wanted = whole_of(node(index).json, "m_Precision");
+    if (wanted == kHalf && !is_half_) return "half";
+    return wanted == kSingle && is_half_ ? "float" : "";
+}
+
+// Graphs before 2020.3 have another key for it.
+void GraphMaker::read_precision() {
+    is_half_ = member(graph_.json, "m_GraphPrecision") ? whole_in(graph_.json, "m_GraphPrecision", 1, 0, 2) == 2
+                                                       : whole_in(graph_.json, "m_ConcretePrecision", 0, 0, 1) == 1;
+    if (!is_half_) return;
+    file_.more.push_back({"precision", text("half")});
+    remark(Remark::Kind::Taken, "setting 'Graph Precision'", "\"precision\": \"half\"", {});
 }
 
 std::size_t GraphMaker::uses(std::size_t index, int slot) const {
@@ -214,7 +227,7 @@ void GraphMaker::set(std::size_t index, int slot, Term term, bool is_handed_on) 
     if (!is_handed_on || !term.owner) term.owner = index;
     term.nodes.insert(index);
     // Only a node of its own can be computed in half.
-    const bool wants_name = is_half(index) ? !is_handed_on : uses(index, slot) > 1 && !is_short(term);
+    const bool wants_name = !own_precision(index).empty() ? !is_handed_on : uses(index, slot) > 1 && !is_short(term);
     if (wants_name && is_value(term.type)) term = named(term);
     terms_[{index, slot}] = std::move(term);
 }
@@ -248,7 +261,7 @@ std::string GraphMaker::add_node(std::size_t index, GraphNode made, std::string_
     const std::string name = wanted.empty() ? camel_case(from.name) : std::string(wanted);
     made.id = ids_.unique(name, camel_case(kind));
     owners_[made.id] = index;
-    if (is_half(index)) made.more.push_back({"precision", text("half")});
+    if (const std::string_view own = own_precision(index); !own.empty()) made.more.push_back({"precision", text(own)});
     taken(index, fmt::format("the node '{}'", made.id));
     std::string id = made.id;
     file_.nodes.push_back(std::move(made));

@@ -103,6 +103,7 @@ private:
         std::size_t node = 0;              // of a texture that is no property: which one holds it
     };
 
+    void read_precision();
     void find_order();
     void evaluate(std::size_t node);
     std::string kept_inputs(std::size_t node);
@@ -112,6 +113,7 @@ private:
     void declare_texture(GraphProperty& made, TextureUse& use, const Property& source, std::string& difference);
     void make_surface();
     Term block_value(const Block& block, Type type);
+    void weigh(const Term& color, const Term& alpha, bool is_faded);
     void add_pinned(std::string id, const Block& block);
     void say_block(std::string part, std::string text, Place place);
     void make_outputs();
@@ -120,12 +122,13 @@ private:
     std::string refuse_invalid();
     bool has_constant_for(const Diagnostic& wrong);  // in the place of what is wrong; false: there is no such place
     void report_nodes();
-    bool is_half(std::size_t node) const;
+    std::string_view own_precision(std::size_t node) const;  // if it is not that of the graph
     std::string part_of(std::size_t node) const;
 
     Project& project_;
     const ShaderGraph& graph_;
     std::string name_;
+    bool is_half_ = false;  // the precision of the graph
     GraphFile file_{};
     SubgraphPorts ports_{};
     std::vector<Value> inputs_{};  // of a sub-graph
@@ -158,6 +161,8 @@ struct KeywordEntry {
     std::string shown{};       // in an inspector
     int id = 0;                // of the slot that it chooses
 };
+// What a graph does not say of where the property's value comes from, in words.
+std::string_view scope_difference(const Property& property);
 std::vector<KeywordEntry> keyword_entries(const Property& keyword);  // empty: it is a switch
 
 // Evaluates a node by the table; false: it is not in the table.

@@ -32,6 +32,12 @@ constexpr Material kMaterials[] = {
     {"VFX", false, "it is drawn on its mesh, and not on particles"},
 };
 
+const Material* material_of(std::string_view name) {
+    const auto found = std::ranges::find_if(
+        kMaterials, [&](const Material& each) { return name.find(each.in_name) != std::string_view::npos; });
+    return found == std::end(kMaterials) ? nullptr : &*found;
+}
+
 // Settings that change nothing that a graph says.
 struct Known {
     std::string_view key, label, text;
@@ -56,6 +62,12 @@ constexpr Lost kLost[] = {
     {"m_SupportsLODCrossFade", "LOD Cross Fade", 0, "levels of detail do not fade"},
     {"m_AdditionalMotionVectorMode", "Additional Motion Vectors", 0, "there are no motion vectors"},
     {"m_AlembicMotionVectors", "Alembic Motion Vectors", 0, "there are no motion vectors"},
+    {"m_SortPriority", "Sorting Priority", 0, "it is drawn in the order of its kind of surface"},
+    {"m_Tessellation", "Tessellation", 0, "the triangles are those of the mesh"},
+    {"m_TransparentDepthPrepass", "Transparent Depth Prepass", 0, "it is drawn once"},
+    {"m_TransparentDepthPostpass", "Transparent Depth Postpass", 0, "it is drawn once"},
+    {"m_BackThenFrontRendering", "Back Then Front Rendering", 0, "it is drawn once"},
+    {"m_Distortion", "Distortion", 0, "what is behind it is not distorted"},
 };
 
 class Reader {
@@ -63,20 +75,24 @@ public:
     explicit Reader(const TargetSettings& target) : target_(target) {}
 
     Settings read() {
-        const auto material = std::ranges::find_if(
-            kMaterials, [&](const Material& each) { return target_.material.find(each.in_name) != std::string::npos; });
-        const bool is_known = material != std::end(kMaterials);
-        made_.is_lit = is_known && material->is_lit;
+        const Material* material = material_of(target_.material);
+        if (!material) material = material_of(target_.kind);  // a target without materials, as that of effects
+        is_effect_ = target_.kind == "VFXTarget" || target_.kind == "VfxMasterNode";
+        is_high_definition_ = target_.kind.starts_with("HD");
+        const bool is_known = material != nullptr;
+        made_.is_lit = is_known && (is_effect_ ? whole("m_Lit", 0) != 0 : material->is_lit);
         is_sprite_ = target_.material.find("Sprite") != std::string::npos;
         const bool is_universal =
             target_.kind.find("Universal") != std::string::npos || target_.kind == "PBRMasterNode";
         if (made_.is_lit && is_universal) made_.lighting = "unity-brdf2";
+        is_old_ = target_.kind.ends_with("MasterNode");
+        is_universal_ = is_universal;
         const std::string difference(is_known ? material->difference
                                               : "this importer does not know it: it is drawn without light");
         workflow();
         add(difference.empty() ? Remark::Kind::Taken : Remark::Kind::Changed, "Material",
             fmt::format("the workflow '{}'{}", made_.workflow(), difference.empty() ? "" : ": " + difference));
-        made_.has_many_blocks = target_.kind.starts_with("HD");
+        made_.has_many_blocks = is_high_definition_;
         surface();
         faces_and_depth();
         if (whole("m_AllowMaterialOverride", 0) != 0)
@@ -113,6 +129,10 @@ private:
         if (!made_.is_lit) return;
         made_.is_specular = whole(holder("m_WorkflowMode") ? "m_WorkflowMode" : "m_Model", 1) == 0;
         add(Remark::Kind::Taken, "Workflow Mode", fmt::format("'{}'", made_.workflow()));
+        static constexpr std::string_view kNormals[] = {"NormalTS", "NormalOS", "NormalWS"};
+        made_.normal_block = kNormals[whole("m_NormalDropOffSpace", 0, 2)];
+        if (made_.normal_block != kNormals[0])
+            add(Remark::Kind::Taken, "Fragment Normal Space", fmt::format("the block '{}'", made_.normal_block));
         made_.has_coat = whole("m_ClearCoat", 0) != 0;
         if (made_.has_coat) add(Remark::Kind::Changed, "Clear Coat", "the surface has no coat");
     }
@@ -120,24 +140,19 @@ private:
     static bool is_set(const Json& value) { return value.number != 0 || value.boolean || !value.string.empty(); }
 
     bool has_clip() const {
-        if (holder("m_AlphaClip")) return whole("m_AlphaClip", 0) != 0;
+        for (const std::string_view key : {"m_AlphaClip", "m_AlphaTest"})
+            if (holder(key)) return whole(key, 0) != 0;
         return is_clipped_by_slot;
     }
 
     void surface() {
-        const int mode = whole("m_AlphaMode", 0, 3);
         made_.is_blended = is_sprite_ || whole("m_SurfaceType", 0) == 1;
         made_.is_clipped = has_clip();
         made_.is_clipped_blend = made_.is_blended && made_.is_clipped;
         std::string_view kind = made_.is_clipped ? "cutout" : "opaque";
-        if (made_.is_blended) {
-            const bool keeps_reflections = made_.is_lit && whole("m_BlendModePreserveSpecular", 0) != 0;
-            static constexpr std::string_view kKinds[] = {"fade", "transparent", "additive", "multiply"};
-            kind = kKinds[mode];
-            if (mode == 0 && keeps_reflections) kind = "transparent";
-        }
-        add(Remark::Kind::Taken, "Surface Type", fmt::format("'{}'", kind));
-        if (made_.is_blended) add(Remark::Kind::Taken, "Blending Mode", fmt::format("'{}'", kind));
+        if (made_.is_blended) kind = blending();
+        add(is_effect_ ? Remark::Kind::Changed : Remark::Kind::Taken, "Surface Type",
+            fmt::format("'{}'{}", kind, is_effect_ ? ": the effect chooses how it blends" : ""));
         if (made_.is_clipped)
             add(Remark::Kind::Taken, "Alpha Clipping",
                 made_.is_blended ? "an alpha of 0 below the threshold" : "'cutout'");
@@ -145,24 +160,85 @@ private:
         made_.is_tinted = is_sprite_ && whole("m_DisableTint", 0) == 0;
     }
 
+    // The kind of a blended surface. What alpha does to the colour is done where the colour is written.
+    std::string_view blending() {
+        enum Mode { kAlpha, kPremultiply, kAdditive, kMultiply };
+        static constexpr std::string_view kKinds[] = {"fade", "transparent", "additive", "multiply"};
+        static constexpr Mode kModesOfSystem[] = {kAlpha, kAdditive, kAlpha, kAlpha, kPremultiply};
+        const int mode = has_system_data() ? kModesOfSystem[whole("m_BlendMode", 0, 4)] : whole("m_AlphaMode", 0, 3);
+        const std::string_view kPreserve =
+            is_high_definition_ ? "m_BlendPreserveSpecular" : "m_BlendModePreserveSpecular";
+        const bool can_keep = made_.is_lit && holder(kPreserve);
+        const bool keeps_highlights = can_keep && whole(kPreserve, 0) != 0;
+        const std::string_view kind = kKinds[mode == kAlpha && keeps_highlights ? kPremultiply : mode];
+        made_.is_weighted = mode == kAdditive;
+        made_.is_faded = mode == kMultiply && is_universal_ && !is_old_;
+        std::string what, difference;
+        if (made_.is_weighted) what = ", and alpha weights the colour";
+        if (made_.is_faded) what = ", and alpha fades the colour to white";
+        if (mode == kPremultiply && !is_old_)
+            difference = ": the colour is multiplied by alpha, which Unity expects of what the graph computes";
+        if (mode == kAdditive && made_.is_lit && !keeps_highlights)
+            difference = " alone, and not highlights and emission";
+        add(difference.empty() ? Remark::Kind::Taken : Remark::Kind::Changed, "Blending Mode",
+            fmt::format("'{}'{}{}", kind, what, difference));
+        constexpr std::string_view kLabel = "Preserve Specular Lighting";
+        if (can_keep && mode == kAlpha)
+            add(Remark::Kind::Taken, kLabel,
+                keeps_highlights ? "alpha does not weaken highlights" : "alpha weakens highlights, too");
+        if (keeps_highlights && mode == kAdditive)
+            add(made_.is_specular ? Remark::Kind::Taken : Remark::Kind::Changed, kLabel,
+                made_.is_specular ? "alpha does not weaken highlights" : "alpha weakens the highlights of metals");
+        if (keeps_highlights && (mode == kPremultiply || mode == kMultiply))
+            add(Remark::Kind::Taken, kLabel, "it has no effect with this blending");
+        return kind;
+    }
+
+    // Of the high definition pipeline, from its version 10: which names its settings otherwise.
+    bool has_system_data() const { return is_high_definition_ && holder("m_BlendMode"); }
+
+    // Its opaque surfaces test and write the depth in any case.
+    void faces_and_depth_of_system() {
+        static constexpr std::string_view kWords[] = {"off", "front", "back"};
+        const int sides = whole("m_DoubleSidedMode", 0, 3);
+        const std::string_view cull =
+            kWords[sides != 0 ? 0 : whole(made_.is_blended ? "m_TransparentCullMode" : "m_OpaqueCullMode", 2, 2)];
+        // 1: both sides have the same normal; 2 and 3: that of back faces is turned.
+        const bool keeps_normal = sides == 1 && made_.is_lit;
+        add(keeps_normal ? Remark::Kind::Changed : Remark::Kind::Taken, "Render Face",
+            fmt::format("\"cull\": \"{}\"{}", cull,
+                        keeps_normal ? ": the normals of back faces are turned to the viewer" : ""));
+        if (cull != "back") made_.render.push_back({"cull", text(cull)});
+        if (!made_.is_blended) return;
+        if (whole("m_ZWrite", 0) != 0) depth_write(true);
+        depth_test(whole("m_ZTest", 4, 8));
+    }
+
     void faces_and_depth() {
-        std::string_view cull = is_sprite_ ? "off" : "back";
-        if (holder("m_RenderFace")) {
+        if (has_system_data()) return faces_and_depth_of_system();
+        std::string_view cull = "back";
+        if (is_sprite_) {  // drawn on both sides, whatever the target says
+            cull = "off";
+        } else if (holder("m_RenderFace")) {
             static constexpr std::string_view kWords[] = {"off", "front", "back"};
             cull = kWords[whole("m_RenderFace", 2, 2)];
         } else if (whole("m_TwoSided", 0) != 0 || holder_is_on("m_DoubleSided")) {
             cull = "off";
         }
-        add(Remark::Kind::Taken, "Render Face", fmt::format("\"cull\": \"{}\"", cull));
+        add(Remark::Kind::Taken, "Render Face",
+            fmt::format("\"cull\": \"{}\"{}", cull, is_sprite_ ? ": sprites are two-sided" : ""));
         if (cull != "back") made_.render.push_back({"cull", text(cull)});
         const int write = whole("m_ZWriteControl", 0, 2);
-        if (write == 1 || write == 2) {
-            made_.render.push_back({"depthWrite", flag(write == 1)});
-            add(Remark::Kind::Taken, "Depth Write", write == 1 ? "true" : "false");
-        }
+        if (write == 1 || write == 2) depth_write(write == 1);
+        depth_test(whole("m_ZTestMode", 4, 8));
+    }
+    void depth_write(bool writes) {
+        made_.render.push_back({"depthWrite", flag(writes)});
+        add(Remark::Kind::Taken, "Depth Write", writes ? "true" : "false");
+    }
+    void depth_test(int test) {
         static constexpr std::string_view kTests[] = {"lessEqual", "never",    "less",         "equal", "lessEqual",
                                                       "greater",   "notEqual", "greaterEqual", "always"};
-        const int test = whole("m_ZTestMode", 4, 8);
         if (test != 4 && test != 0) {
             made_.render.push_back({"depthTest", text(kTests[test])});
             add(Remark::Kind::Taken, "Depth Test", fmt::format("'{}'", kTests[test]));
@@ -178,6 +254,8 @@ private:
         if (is_universal && made_.is_lit)
             add(Remark::Kind::Changed, kLabel, "materials cannot change the workflow, nor reject shadows");
         if (made_.is_clipped_blend) add(Remark::Kind::Changed, kLabel, "materials cannot turn off alpha clipping");
+        if (made_.is_weighted || made_.is_faded)
+            add(Remark::Kind::Changed, kLabel, "alpha changes the colour, whichever blending a material chooses");
     }
     bool holder_is_on(std::string_view key) const { return whole(key, 0) != 0; }
 
@@ -200,8 +278,20 @@ public:
 private:
     const TargetSettings& target_;
     Settings made_{};
-    bool is_sprite_ = false;
+    bool is_sprite_ = false, is_old_ = false, is_universal_ = false, is_high_definition_ = false, is_effect_ = false;
 };
+
+// Sprites and pictures have had other blocks for their colour, which count if there is no usual one.
+std::string_view color_block(const ShaderGraph& graph, std::string_view material) {
+    const auto has = [&](std::string_view name) {
+        return std::ranges::find(graph.blocks, name, &Block::name) != graph.blocks.end();
+    };
+    for (const std::string_view kind : {"Sprite", "Fullscreen"})
+        for (const std::string_view block : {"SpriteColor", "FullscreenColor"})
+            if (block.starts_with(kind) && material.find(kind) != material.npos && has(block) && !has("BaseColor"))
+                return block;
+    return "BaseColor";
+}
 
 bool is_clipped_by_slot(const ShaderGraph& graph) {
     if (!graph.is_old) return false;
@@ -223,6 +313,8 @@ std::string_view Settings::workflow() const {
 }
 
 bool Settings::uses(std::string_view block) const {
+    if (block == "BaseColor" || block == "SpriteColor" || block == "FullscreenColor") return block == color_block;
+    if (block.starts_with("Normal") && block.size() == normal_block.size()) return block == normal_block;
     if (block == "Metallic") return is_lit && !is_specular;
     if (block == "Specular") return is_lit && is_specular;
     if (block == "Alpha") return is_blended || is_clipped || is_overridable;
@@ -249,6 +341,7 @@ Settings read_settings(const ShaderGraph& graph) {
     reader.is_clipped_by_slot = is_clipped_by_slot(graph);
     take_misreads();  // the slot's block says them
     Settings made = reader.read();
+    made.color_block = color_block(graph, chosen->material);
     for (const TargetSettings& each : graph.targets)
         made.remarks.push_back({.kind = Remark::Kind::Taken,
                                 .part = fmt::format("target '{}'", each.kind),

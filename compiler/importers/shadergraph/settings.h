@@ -19,8 +19,11 @@ struct Settings {
     bool is_clipped_blend = false;  // both, which no kind of surface is
     bool is_overridable = false;    // by materials, which need the inputs of all kinds of surfaces
     bool is_tinted = false;         // multiplied by the colour of the vertices, as sprites are
+    bool is_weighted = false;       // additive: the colour is multiplied by alpha
+    bool is_faded = false;          // multiplied: alpha fades the colour to white
     bool has_coat = false;
     bool has_many_blocks = false;  // the target has blocks for many kinds of surfaces
+    std::string_view color_block = "BaseColor", normal_block = "NormalTS";  // the ones of several that count
     std::vector<Member> render{};
     std::vector<SettingRemark> remarks{};
 

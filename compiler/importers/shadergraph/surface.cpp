@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 
 #include "compiler/importers/shadergraph/graph_maker.h"
 #include "compiler/importers/shadergraph/settings.h"
@@ -76,13 +77,32 @@ void GraphMaker::add_pinned(std::string id, const Block& block) {
     file_.nodes.push_back({.id = std::move(id), .expression = term.text(), .more = {{"stage", text("vertex")}}});
 }
 
+// Multiplies the color of the surface by alpha, or fades it to white where alpha is low.
+void GraphMaker::weigh(const Term& color, const Term& alpha, bool is_faded) {
+    const std::string made =
+        is_faded ? fmt::format("lerp(float3(1), {}, {})", color.text(), alpha.text())
+                 : fmt::format("{} * {}", at_least(color.text(), kProduct), at_least(alpha.text(), kUnary));
+    for (Member& each : file_.surface)
+        if (each.key == "color" || each.key == "baseColor") each.value = expression(made, Type::Float3).value();
+}
+
 void GraphMaker::make_surface() {
     const Settings settings = read_settings(graph_);
     for (const SettingRemark& each : settings.remarks) remark(each.kind, each.part, each.text, each.place);
     file_.workflow = settings.workflow();
     file_.lighting = settings.lighting;
     std::vector<Member> vertex;
-    Term alpha, clip = number_term(0.5);
+    std::set<std::pair<bool, std::string_view>> inputs;  // of the vertex block or the surface, that have a value
+    const auto is_second = [&](const BlockRow& row, const std::string& part, const Block& block) {
+        const bool is_new = inputs.emplace(block.is_vertex, row.input).second;
+        if (!is_new)
+            remark(Remark::Kind::Changed, part, "a second block for the same input: the first one counts", block.place);
+        return !is_new;
+    };
+    Term alpha, color, clip = number_term(0.5);
+    // Such a surface reads no alpha of its own, but a material may make another kind of it.
+    const bool is_in_color = (settings.is_weighted || settings.is_faded) && !settings.is_overridable;
+    const std::string_view alpha_input = is_in_color ? "the colour, which it weights" : "'surface.alpha'";
     for (const Block& block : graph_.blocks) {
         const std::string part = fmt::format("block '{}'", block.name);
         const bool is_set = is_linked(block.node, block.slot);
@@ -98,7 +118,7 @@ void GraphMaker::make_surface() {
                 remark(Remark::Kind::Taken, part, "the mesh's own", block.place);
             } else if (!row) {
                 remark(Remark::Kind::Changed, part, "the vertex block of a graph has no such value", block.place);
-            } else {
+            } else if (!is_second(*row, part, block)) {
                 const Term term = block_value(block, row->type);
                 written(term, fmt::format("'vertex.{}'", row->input));
                 vertex.push_back({std::string(row->input), term.value()});
@@ -115,6 +135,7 @@ void GraphMaker::make_surface() {
                    block.place);
             continue;
         }
+        if (is_second(*row, part, block)) continue;
         std::string key(row->input);
         if (settings.is_specular && key == "smoothness") key = "glossiness";
         if (!node(block.node).slot(block.slot)) {
@@ -128,8 +149,9 @@ void GraphMaker::make_surface() {
             alpha.owner = term.owner;
             term = swizzled(named(term), "xyz");
         }
-        written(term, fmt::format("'surface.{}'", key));
-        say_block(part, fmt::format("'surface.{}'", key), block.place);
+        const std::string where = key == "alpha" ? std::string(alpha_input) : fmt::format("'surface.{}'", key);
+        written(term, where);
+        say_block(part, where, block.place);
         if (key == "alpha") {
             alpha = term;
             continue;
@@ -148,6 +170,7 @@ void GraphMaker::make_surface() {
             term.numbers.clear();
             term.swizzle.clear();
         }
+        if (key == "color" || key == "baseColor") color = term;
         file_.surface.push_back({key, term.value()});
     }
     if (settings.is_tinted) {
@@ -167,8 +190,10 @@ void GraphMaker::make_surface() {
         alpha = kept;
     }
     if (alpha.type != Type::None && !(alpha.is_constant() && alpha.numbers[0] == 1)) {
-        written(alpha, "'surface.alpha'");
-        file_.surface.push_back({"alpha", alpha.value()});
+        if (settings.is_overridable && alpha.owner) alpha = named(alpha);
+        if (settings.is_weighted || settings.is_faded) weigh(color, alpha, settings.is_faded);
+        written(alpha, alpha_input);
+        if (!is_in_color) file_.surface.push_back({"alpha", alpha.value()});
     }
     if (!vertex.empty()) file_.more.push_back({"vertex", object(vertex)});
     if (!settings.render.empty()) file_.more.push_back({"render", object(settings.render)});

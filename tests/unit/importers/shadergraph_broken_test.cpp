@@ -17,7 +17,10 @@ TEST(BrokenShaderGraph, BrokenFilesAreReportedAtTheirPlace) {
                                   std::regex("x\\.shadergraph:[0-9]+:[0-9]+: ")));
     EXPECT_NE(import_text("").error.find("the file is empty"), std::string::npos);
     EXPECT_NE(import_text("nonsense").error.find("x.shadergraph:1:1: "), std::string::npos);
-    EXPECT_NE(import_text("{}").error.find("is no shader graph"), std::string::npos);
+    EXPECT_NE(import_text("\n{}").error.find("x.shadergraph:2:1: it is no shader graph"), std::string::npos);
+    const std::string old = R"({"m_SerializableNodes":[]})";
+    EXPECT_NE(import_text(old).error.find(":1:24: it has neither a master node"), std::string::npos);
+    EXPECT_NE(import_text(old + "\n{}").error.find(":2:1: objects follow the graph"), std::string::npos);
     EXPECT_NE(import_text(good + "\n\n<<<<<<< HEAD\n").error.find("begins with '{'"), std::string::npos);
     std::string nan = good;
     nan.replace(nan.find("0.25"), 4, "NaN");
@@ -126,7 +129,7 @@ TEST(BrokenShaderGraph, WrongValuesAreSaid) {
         {R"("m_SurfaceType":1)", R"("m_SurfaceType":17)",
          R"(setting 'Surface Type': .*is 17, not a number from 0 to 1: 0 is taken)"},
         {R"("m_AlphaMode":0)", R"("m_AlphaMode":9)",
-         R"(setting 'Surface Type': .*is 9, not a number from 0 to 3: 0 is taken)"},
+         R"(setting 'Blending Mode': .*is 9, not a number from 0 to 3: 0 is taken)"},
         {R"("m_RenderFace":2)", R"("m_RenderFace":-1)",
          R"(setting 'Render Face': .*is -1, not a number from 0 to 2: 2 is taken)"},
         {R"("m_ZTestMode":4)", R"("m_ZTestMode":[])", R"('m_ZTestMode' \(\d+:\d+\) is a list, not a whole number)"},

@@ -508,7 +508,7 @@ TEST(ShaderGraphImport, MaterialsChangeTheSettings) {
     "depthTest": "always",
     "materialOverride": true
   })",
-         ""},
+         "alpha changes the colour, whichever blending a material chooses"},
         {R"("m_AlphaClip":true)", "BuiltInLitSubTarget", R"({ "surface": "cutout", "materialOverride": true })", ""},
         {R"("m_SurfaceType":1)", "UniversalLitSubTarget", R"({ "surface": "fade", "materialOverride": true })",
          lost_of_lit.c_str()},

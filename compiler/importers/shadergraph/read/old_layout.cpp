@@ -45,7 +45,9 @@ public:
         graph_.json = documents_.roots.front();
         graph_.is_old = true;
         if (documents_.roots.size() > 1) {
-            graph_.error = graph_.path + ": objects follow the graph, which is one object in this layout";
+            const Place at = documents_.place(*documents_.roots[1]);
+            graph_.error = fmt::format("{}:{}:{}: objects follow the graph, which is one object in this layout",
+                                       graph_.path, at.line, at.column);
             return;
         }
         read_nodes();
@@ -137,7 +139,9 @@ private:
         for (std::size_t i = 0; i < graph_.nodes.size() && output == graph_.nodes.size(); ++i)
             if (can_be(graph_.nodes[i].kind)) output = i;
         if (output == graph_.nodes.size()) {
-            graph_.error = graph_.path + ": it has neither a master node nor an output";
+            const Place at = documents_.place(*graph_.json->find("m_SerializableNodes"));
+            graph_.error =
+                fmt::format("{}:{}:{}: it has neither a master node nor an output", graph_.path, at.line, at.column);
             return;
         }
         const Node& node = graph_.nodes[output];
@@ -178,6 +182,7 @@ private:
                 block.is_vertex = block.name.starts_with("Vertex");
                 if (block.is_vertex) block.name = block.name.substr(6);
                 if (block.name == "Color") block.name = "BaseColor";
+                if (block.name == "AlphaThreshold") block.name = "AlphaClipThreshold";
             }
             graph_.blocks.push_back(std::move(block));
         }

@@ -164,8 +164,10 @@ ShaderGraph read_shader_graph(Documents& documents, const Misreads& misreads) {
     } else if (first->find("m_Type") || documents.roots.size() > 1) {
         read_new_layout(documents, made);
     } else {
-        made.error =
-            made.path + ": it is no shader graph: its object has neither \"m_Type\" nor \"m_SerializableNodes\"";
+        const Place at = documents.place(*first);
+        made.error = fmt::format(
+            "{}:{}:{}: it is no shader graph: its object has neither \"m_Type\" nor \"m_SerializableNodes\"", made.path,
+            at.line, at.column);
     }
     if (std::string wrong = take_misreads(); !wrong.empty())
         made.problems.push_back({.part = "the file", .text = std::move(wrong)});
