@@ -85,7 +85,8 @@ private:
     }
 
     void flag_value(const std::string& name, const Json& property, const Json* otherwise) {
-        const bool is_keyword = !word(property, "as").empty() || is_on(name);
+        const std::string_view bound = word(property, "as");
+        const bool is_keyword = bound == "variant" || bound == "specialization" || is_on(name);
         if (!is_keyword && !maker_.source().numbers.contains(name)) return;
         const bool value = is_keyword ? is_on(name) : maker_.number(name, 0) != 0;
         add(name, flag(value), otherwise);

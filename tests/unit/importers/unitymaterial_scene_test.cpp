@@ -127,12 +127,22 @@ TEST(UnityMaterialOfAGraph, KeywordsAreVariants) {
     EXPECT_NE(scene.find("\"_SKY\": \"WET\""), std::string::npos) << scene;
     std::string keywords;
     for (const Remark& each : made.remarks)
-        if (each.part.starts_with("keyword")) keywords += each.part + ": " + each.text + "\n";
+        if (each.file.empty() && each.part.starts_with("keyword")) keywords += each.part + ": " + each.text + "\n";
     EXPECT_EQ(keywords,
               "keyword '_MUD': the value of '_MUD'\nkeyword '_SKY_WET': the value of '_SKY'\n"
               "keywords _SKY_SNOW: not read by this shader\n");
     const std::string off = file_of(import_in(folder, material()), "x.scene.json");
     EXPECT_EQ(off.find("_MUD"), std::string::npos) << off;
+}
+
+// A switch with a value for each instance is a number, not a keyword.
+TEST(UnityMaterialOfAGraph, ValuesForEachInstanceAreNumbers) {
+    const MaterialFolder folder;
+    ShaderGraphText source = graph();
+    source.properties.back().more = R"("m_GPUInstanced":true)";
+    folder.save("Rock.shadergraph", source.new_layout(), kGraph);
+    const Imported made = import_in(folder, material());
+    EXPECT_NE(file_of(made, "x.scene.json").find("\"_Old\": true"), std::string::npos);
 }
 
 TEST(UnityMaterialOfAGraph, AGraphThatIsThereIsUsed) {
