@@ -203,7 +203,8 @@ void check_blocks(const Json& json, const Reflection& made, Diagnostics& diagnos
         const Property& property = made.properties[i];
         if (property.block.empty()) continue;
         const Json& object = properties->elements[i];
-        const auto block = std::ranges::find(made.blocks, property.block, &Block::name);
+        const auto block = std::find_if(made.blocks.begin(), made.blocks.end(),
+                                        [&](const Block& each) { return each.name == property.block; });
         if (block == made.blocks.end())
             diagnostics.report(Code::UnknownWord, object.find("block")->span, graph::shown(property.block),
                                "one of the blocks");

@@ -51,7 +51,7 @@ void add_nodes(Pages& pages, const Compiler& compiler, const std::string& folder
             index += "\n## " + category + "\n\n| node | |\n|---|---|\n";
         }
         index += fmt::format("| [{}]({}.md) | {} |\n", node.name, node.name, escaped(first_sentence(node.doc)));
-        Page page = node_page(node, compiler.nodes());
+        Page page = node_page(node, compiler);
         add_picture(page, folder + "/nodes", "plots/" + node.name + ".svg", "its value");
         add_picture(page, folder + "/nodes", "pictures/" + node.name + ".png", "drawn");
         pages["nodes/" + node.name + ".md"] = to_markdown(page, kIndex);

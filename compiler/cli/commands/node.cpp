@@ -46,7 +46,7 @@ Exit show_node(const Console& console, const Arguments& arguments) {
         return Exit::Ok;
     }
     const bool is_file = arguments.name.ends_with(".hlsl");
-    print(to_terminal(console, is_file ? node_page(*node, arguments.name) : node_page(*node, compiler.nodes())));
+    print(to_terminal(console, is_file ? node_page(*node, arguments.name) : node_page(*node, compiler)));
     return Exit::Ok;
 }
 

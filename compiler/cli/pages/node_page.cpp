@@ -77,16 +77,19 @@ Page node_page(const NodeInfo& node, const std::string& name) {
     return page;
 }
 
-Page node_page(const NodeInfo& node, std::span<const NodeInfo> library) {
+Page node_page(const NodeInfo& node, const Compiler& compiler) {
     Page page = node_page(node, node.name);
     std::vector<std::string> names = node.also;
     names.push_back(node.name);
-    for (const NodeInfo& other : library) {
-        if (std::ranges::none_of(names, [&](const std::string& each) { return other.name == each + "Unity"; }))
-            continue;
+    for (const EngineInfo& engine : compiler.engines()) {
+        const auto found = std::ranges::find_if(compiler.nodes(), [&](const NodeInfo& other) {
+            return std::ranges::any_of(names,
+                                       [&](const std::string& each) { return other.name == each + engine.title; });
+        });
+        if (found == compiler.nodes().end()) continue;
         const auto before = std::ranges::find(page.sections, "Inputs", &Section::title);
-        page.sections.insert(before, {.title = "Unity's formula", .text = other.name, .link = other.name + ".md"});
-        break;
+        page.sections.insert(before,
+                             {.title = engine.title + "'s formula", .text = found->name, .link = found->name + ".md"});
     }
     return page;
 }

@@ -13,8 +13,8 @@ namespace patina::cli {
 
 // `name`: the node's name, or the path of its file.
 Page node_page(const NodeInfo& node, const std::string& name);
-// The same, with a link to the node that computes it by Unity's formula, if there is one.
-Page node_page(const NodeInfo& node, std::span<const NodeInfo> library);
+// The same of a node of the library, with a link to the node that computes it as an engine does, if there is one.
+Page node_page(const NodeInfo& node, const Compiler& compiler);
 // The semantics that its graph reads, directly or through the defaults of its nodes: "surface.f0".
 std::vector<std::string> semantics_read(const Compiler& compiler, const ModelInfo& model);
 // Compiles a material that uses the model, to measure its cost.
