@@ -28,6 +28,7 @@ struct Arguments {
 std::string as_text(const EvalOutput& output, bool all_digits) {
     std::string text;
     for (double value : output.values) {
+        if (std::isnan(value)) value = std::abs(value);  // its sign says nothing
         text += (text.empty() ? "" : ", ") + (all_digits ? fmt::format("{}", value) : fmt::format("{:.9g}", value));
     }
     return text;

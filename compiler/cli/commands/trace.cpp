@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <memory>
 
 #include "compiler/cli/commands/commands.h"
@@ -91,6 +92,7 @@ std::string text_of(const TracedValue& value) {
     std::string text;
     for (double number : value.values) {
         if (!text.empty()) text += ", ";
+        if (std::isnan(number)) number = std::abs(number);  // its sign says nothing
         text += value.type.starts_with("bool") ? (number != 0 ? "true" : "false") : fmt::format("{:.6g}", number);
     }
     return text;
