@@ -1,4 +1,4 @@
-// Settings of a shader graph's target: what they do to the surface, and what the report says of them.
+// The settings of a shader graph's target change the surface, and the report names each.
 #include "tests/unit/importers/shadergraph_import.h"
 
 namespace patina::importers {
