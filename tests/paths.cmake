@@ -1,6 +1,7 @@
 # Compares rendering paths with each other, and with values that are computed without them. One executable for each
 # file.
-add_library(patina_paths STATIC paths/drawing.cpp paths/checkerboard.cpp paths/matt_plane.cpp)
+add_library(patina_paths STATIC paths/drawing/drawing.cpp paths/drawing/checkerboard.cpp
+            paths/drawing/matt_plane.cpp)
 target_include_directories(patina_paths PUBLIC ${CMAKE_CURRENT_SOURCE_DIR})
 target_link_libraries(patina_paths PUBLIC patina patina_runtime GTest::gtest PRIVATE patina_options)
 file(GLOB paths_tests CONFIGURE_DEPENDS paths/*_test.cpp)

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "paths/drawing.h"
+#include "paths/drawing/drawing.h"
 #include "patina/validate.h"
 #include "runtime/values/engine_values.h"
 

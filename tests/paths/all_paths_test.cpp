@@ -5,7 +5,7 @@
 #include <set>
 #include <sstream>
 
-#include "paths/drawing.h"
+#include "paths/drawing/drawing.h"
 
 namespace patina::paths {
 namespace {

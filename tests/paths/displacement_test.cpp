@@ -7,7 +7,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <numbers>
 
-#include "paths/drawing.h"
+#include "paths/drawing/drawing.h"
 
 namespace patina::paths {
 namespace {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <fstream>
 
-#include "paths/drawing.h"
+#include "paths/drawing/drawing.h"
 
 namespace patina::paths {
 namespace {
@@ -34,7 +34,7 @@ bool device_cuts_to_ten_bits() {
     world.objects.clear();
     world.materials.clear();
     add_object(world, written("white.graph.json", R"({ "patina": 1, "workflow": "unlit" })"), "plane", 0, glm::mat4(1));
-    const Image ramp = draw(world, {.path = "tests/paths/ten_bits.pass.hlsl", .stated_formats = true});
+    const Image ramp = draw(world, {.path = "tests/paths/data/ten_bits.pass.hlsl", .stated_formats = true});
     const int count = ramp.width * ramp.height;
     int of_nearest = 0, of_cut = 0;
     for (int i = 0; i < count; ++i) {
@@ -46,9 +46,9 @@ bool device_cuts_to_ten_bits() {
     return of_cut > of_nearest;
 }
 
-// tests/paths/quantised.pass.hlsl for the extended layout: what that packs is remembered too, in half floats.
+// tests/paths/data/quantised.pass.hlsl for the extended layout: what that packs is remembered too, in half floats.
 std::string quantised_with_extras() {
-    std::ifstream file("tests/paths/quantised.pass.hlsl");
+    std::ifstream file("tests/paths/data/quantised.pass.hlsl");
     std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
     const auto replace = [&](const std::string& what, const std::string& with) {
         int count = 0;
@@ -83,7 +83,7 @@ class Remembered {
 public:
     using Switches = std::vector<std::pair<std::string, std::string>>;
     explicit Remembered(const World& world, const Switches& switches = {},
-                        const std::string& path = "tests/paths/quantised.pass.hlsl") {
+                        const std::string& path = "tests/paths/data/quantised.pass.hlsl") {
         for (const char* direction : {"", "upwards", "downwards"}) {
             RenderOptions options{.path = path, .switches = switches, .exact_targets = true};
             options.switches.emplace_back("cutsToTenBits", device_cuts_to_ten_bits() ? "true" : "false");

@@ -4,7 +4,7 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "paths/checkerboard.h"
+#include "paths/drawing/checkerboard.h"
 
 namespace patina::paths {
 namespace {

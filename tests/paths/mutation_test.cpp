@@ -3,7 +3,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "paths/drawing.h"
+#include "paths/drawing/drawing.h"
 
 namespace patina::paths {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "paths/drawing.h"
+#include "paths/drawing/drawing.h"
 
 namespace patina::paths {
 namespace {

@@ -6,7 +6,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <optional>
 
-#include "paths/drawing.h"
+#include "paths/drawing/drawing.h"
 
 namespace patina::paths {
 namespace {

@@ -5,7 +5,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <string_view>
 
-#include "paths/drawing.h"
+#include "paths/drawing/drawing.h"
 #include "runtime/scene/world_file.h"
 
 namespace patina::paths {
@@ -205,10 +205,10 @@ World ramp_scene() {
     World world = scene();
     world.objects.erase(world.objects.begin() + 1, world.objects.end());  // the floor stays
     world.view.lights[0].shadow.casts = true;
-    const std::string graph = "tests/paths/ramp.graph.json";
+    const std::string graph = "tests/paths/data/ramp.graph.json";
     add_object(world, graph, "sphere", 0, ball_at(-1.2f, 0.8f, 0.6f, 0.8f));
     add_object(world, graph, "torus", 0, ball_at(1, 0.9f, 0.4f, 0.8f),
-               {{"_Cloth", "#3f7fd0"}, {"_Sheen", "1.4"}, {"_Ramp", "tests/paths/ramp_cold.png"}});
+               {{"_Cloth", "#3f7fd0"}, {"_Sheen", "1.4"}, {"_Ramp", "tests/paths/data/ramp_cold.png"}});
     return world;
 }
 
@@ -242,7 +242,7 @@ TEST(OwnLighting, IsTheSameInTheShownScene) {
 }
 
 TEST(OwnLighting, IsDrawnDeferredByItsOwnPasses) {
-    const Result result = compiled("tests/paths/ramp.graph.json", "deferred-extended");
+    const Result result = compiled("tests/paths/data/ramp.graph.json", "deferred-extended");
     ASSERT_TRUE(result.ok);
     EXPECT_EQ(result.reflection.path, "deferred-extended");
     const Pass* pass = find_pass(result, "extended-directional");
@@ -256,7 +256,7 @@ TEST(OwnLighting, IsDrawnDeferredByItsOwnPasses) {
     const RenderOptions options{.path = "deferred-extended", .exact_targets = true};
     EXPECT_GT(difference(draw(plain, options), draw(ramp_scene(), options)).largest, 5 * kStep);
     // Unity's own layout has no room for it.
-    EXPECT_EQ(compiled("tests/paths/ramp.graph.json", "deferred").reflection.path, "forward");
+    EXPECT_EQ(compiled("tests/paths/data/ramp.graph.json", "deferred").reflection.path, "forward");
 }
 
 }  // namespace

@@ -15,7 +15,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <numbers>
 
-#include "paths/drawing.h"
+#include "paths/drawing/drawing.h"
 #include "runtime/lights/shadow_view.h"
 
 namespace patina::paths {

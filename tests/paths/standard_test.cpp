@@ -7,7 +7,7 @@
 #include <optional>
 #include <set>
 
-#include "paths/drawing.h"
+#include "paths/drawing/drawing.h"
 #include "patina/variants.h"
 #include "runtime/lighting/environment.h"
 

@@ -7,7 +7,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <sstream>
 
-#include "paths/checkerboard.h"
+#include "paths/drawing/checkerboard.h"
 #include "patina/variants.h"
 
 namespace patina::paths {

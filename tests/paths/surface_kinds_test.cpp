@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "paths/checkerboard.h"
+#include "paths/drawing/checkerboard.h"
 
 namespace patina::paths {
 namespace {

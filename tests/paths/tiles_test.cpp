@@ -3,7 +3,7 @@
 // The CPU's pictures are equal to the last bit. On a GPU, the viewport moves with the tile: vertices are rounded to
 // 1/256 of a sample after that, and interpolated values count from the corner of the tile. So a sample at an edge may
 // go to the other side, and other values differ in their last bits, which steep functions of them increase.
-#include "drawing.h"
+#include "paths/drawing/drawing.h"
 #include "runtime/picture/compare.h"
 #include "runtime/render/render_request.h"
 

@@ -4,7 +4,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <numbers>
 
-#include "paths/matt_plane.h"
+#include "paths/drawing/matt_plane.h"
 
 namespace patina::paths {
 namespace {

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "paths/drawing.h"
+#include "paths/drawing/drawing.h"
 
 namespace patina::paths {
 namespace {

@@ -1,5 +1,5 @@
 // Every path through GLSL, through HLSL and on the CPU: three ways to the same small picture.
-#include "paths/drawing.h"
+#include "paths/drawing/drawing.h"
 #include "runtime/picture/compare.h"
 
 namespace patina::paths {

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <fstream>
 
-#include "paths/drawing.h"
+#include "paths/drawing/drawing.h"
 #include "patina/validate.h"
 #include "runtime/values/engine_values.h"
 #include "unity/compiled.h"

@@ -1,0 +1,267 @@
+// Custom functions of Unity's shader graphs: what their code becomes.
+#include <gtest/gtest.h>
+
+#include "tests/unit/importers/shadergraph/shadergraph_import.h"
+
+namespace patina::importers {
+namespace {
+
+TEST(ShaderGraphCode, CodeBecomesANodeFile) {
+    const Imported made = import_graph(one_node(
+        custom(
+            R"(#if SHADERGRAPH_PREVIEW\nOut = 1;\n#else\n$precision3 twice = A * 2.0f; // doubled\nOut = pow(twice, B);\n#endif)"),
+        2));
+    EXPECT_FALSE(made.has_refused) << remarks(made, Remark::Kind::LeftOut);
+    const std::string& code = text_of(made, "Glow.node.hlsl");
+    EXPECT_NE(
+        code.find(
+            "void Glow(float3 A, float B, out float3 Out) {\n    float3 twice = A * 2.0;\n    Out = pow(twice, B);\n}"),
+        std::string::npos)
+        << code;
+    expect_compiles(made, "code");
+}
+
+TEST(ShaderGraphCode, CodeOfTheEnginesLightReadsTheMainLight) {
+    const Imported made = import_graph(one_node(
+        custom(R"(Light l = GetMainLight();\nOut = l.color * l.distanceAttenuation * dot(A, l.direction) * B;)"), 2));
+    EXPECT_FALSE(made.has_refused) << remarks(made, Remark::Kind::LeftOut);
+    EXPECT_NE(remarks(made, Remark::Kind::Changed).find("@light"), std::string::npos);
+    expect_compiles(made, "light");
+}
+
+TEST(ShaderGraphCode, CodeThatIsNotValidIsRefusedWithTheReason) {
+    const Imported made = import_graph(one_node(custom(R"(Out = SomethingOfTheEngine(A);)"), 2));
+    EXPECT_TRUE(made.has_refused);
+    EXPECT_NE(remarks(made, Remark::Kind::LeftOut).find("SomethingOfTheEngine"), std::string::npos)
+        << remarks(made, Remark::Kind::LeftOut);
+    expect_compiles(made, "magenta");
+}
+
+// Only HLSL has loops without a known end.
+TEST(ShaderGraphCode, CodeThatTheNodeLanguageCannotSayBecomesForeign) {
+    save_shader_graph(
+        "Glow.hlsl",
+        "float Below_float(float x) { while (x > 1.0f) x -= 1; return x; }\n"
+        "void Glow_float(float3 A, float B, out float3 Out)\n{\n"
+        "    float low = 0, high = 1;\n    do { low += 0.25; high *= low; } while (low < Below_float(B));\n"
+        "    Out = A * clamp(low, high, 4.0h).xxx;\n}\n",
+        kGuid);
+    const Imported made = import_graph(one_node(custom("", "Glow", 0), 2));
+    EXPECT_FALSE(made.has_refused) << remarks(made, Remark::Kind::LeftOut);
+    EXPECT_NE(remarks(made, Remark::Kind::Changed).find("only HLSL takes its code"), std::string::npos)
+        << remarks(made, Remark::Kind::Changed);
+    const std::string& code = text_of(made, "Glow.node.hlsl");
+    EXPECT_NE(code.find("[foreign]\nfloat Below(float x) {"), std::string::npos) << code;
+    EXPECT_NE(code.find("[node(\"Custom/Glow\")]\n[foreign]\nvoid Glow(float3 A, float B, out float3 Out) {"),
+              std::string::npos)
+        << code;
+
+    CompileOptions options;
+    options.files.read = [&](const std::string& path) -> std::optional<std::string> {
+        for (const TextFile& file : made.graphs)
+            if (path == file.name || path == "./" + file.name) return file.text;
+        return std::nullopt;
+    };
+    options.targets = compiler().targets("hlsl");
+    const Result hlsl = compiler().compile_text("x.graph.json", text_of(made), options);
+    ASSERT_TRUE(hlsl.ok) << (hlsl.diagnostics.empty() ? "" : to_text(hlsl.diagnostics[0]));
+    EXPECT_NE(hlsl.shaders[1].text.find("while (low < Glow_Below(B));"), std::string::npos) << hlsl.shaders[1].text;
+    options.targets = compiler().targets("glsl");
+    const Result glsl = compiler().compile_text("x.graph.json", text_of(made), options);
+    ASSERT_FALSE(glsl.ok);
+    EXPECT_EQ(glsl.diagnostics[0].code, "foreign-text");
+}
+
+// Code with a mistake is no HLSL either, so it does not become the text of a [foreign] function.
+TEST(ShaderGraphCode, CodeThatIsNoHlslIsRefusedAtItsLine) {
+    const std::pair<const char*, const char*> mistakes[] = {
+        {R"(float3 C = A;\nOut = C * ;)", "line 2 of its code: a value is missing before ';', in 'Out = C * ;'"},
+        {R"(Out = A * B\nfloat x = 1;)", "line 1 of its code: a ';' is missing before 'float', in 'Out = A * B'"},
+        {R"(Out = A * (B + 1;)", "line 1 of its code: "},
+        {R"(Out = A;\nwhile B > 1 { Out = A; })", "line 2 of its code: a '(' is missing before 'B'"},
+        {R"(Out = A;\nfor (int i = 0; i < 3) Out = A;)", "line 2 of its code: a ';' is missing before ')'"},
+        {R"(Out = pow(A, );)", "line 1 of its code: a value is missing before ')'"},
+        {R"(Out = A.;)", "line 1 of its code: a name is missing before ';'"},
+        {R"(Out = A; else Out = A;)", "line 1 of its code: a value is missing before 'else'"},
+        {R"(float = 1;\nOut = A * ? 1 : 2;)", "line 2 of its code: a value is missing before '?'"}};
+    for (const auto& [body, reason] : mistakes) {
+        const Imported made = import_graph(one_node(custom(body), 2));
+        EXPECT_TRUE(made.has_refused) << body;
+        EXPECT_NE(remarks(made, Remark::Kind::LeftOut).find(reason), std::string::npos)
+            << body << "\n"
+            << remarks(made, Remark::Kind::LeftOut);
+        expect_compiles(made, body);
+    }
+}
+
+// All of it is HLSL, and the node language lacks a part of it.
+TEST(ShaderGraphCode, WellFormedHlslBecomesForeign) {
+    for (
+        const char* body :
+        {R"(static const float3 kAll[2] = { float3(1, 0, 0), { 0, 1, 0 } };\nOut = kAll[1] * (float3)A;)",
+         R"(float3 C = (float3)0, D;\n[loop] while (C.x < .5e+1) { C += 1; if (C.y > 2) break; }\nOut = C;)",
+         R"(int i = 0;\ndo { i++; } while (i < 3 && !(B > 1));\nOut = -A * i;)",
+         R"(float x = B > 1 ? 1 : B < 0 ? 2 : (3, 4);\nwhile (x > 9) { --x; continue; }\nOut = A * x;)",
+         R"(uint u = (uint)B;\nswitch (u) { case 0: Out = A; break; default: Out = A * 2; }\nwhile (u > 9u) u >>= 1;)"}) {
+        const Imported made = import_graph(one_node(custom(body), 2));
+        EXPECT_FALSE(made.has_refused) << body << "\n" << remarks(made, Remark::Kind::LeftOut);
+        EXPECT_NE(text_of(made, "Glow.node.hlsl").find("[foreign]"), std::string::npos) << body;
+    }
+}
+
+// What the engine declares is not in the text.
+TEST(ShaderGraphCode, CodeThatReadsTheEngineIsNotForeign) {
+    const Imported made =
+        import_graph(one_node(custom(R"(float x = B;\nwhile (x < unity_LightmapST.x) x += 1;\nOut = A * x;)"), 2));
+    EXPECT_TRUE(made.has_refused);
+    EXPECT_NE(remarks(made, Remark::Kind::LeftOut)
+                  .find("the engine, or another part of its file, declares 'unity_LightmapST'"),
+              std::string::npos)
+        << remarks(made, Remark::Kind::LeftOut);
+}
+
+TEST(ShaderGraphCode, AFunctionOfAFileBringsWhatItCalls) {
+    save_shader_graph(
+        "Glow.hlsl",
+        "#ifndef GLOW\n#define GLOW\nfloat Half_float(float x) { return x * 0.5; }\nvoid Unused_float(out float x) { x "
+        "= tex2D(a, b); }\n"
+        "void Glow_float(float3 A, float B, out float3 Out)\n{\n    Out = A * Half_float(B);\n}\n#endif\n",
+        kGuid);
+    const Imported made = import_graph(one_node(custom("", "Glow", 0), 2));
+    EXPECT_FALSE(made.has_refused) << remarks(made, Remark::Kind::LeftOut);
+    EXPECT_EQ(text_of(made, "Glow.node.hlsl").find("Unused"), std::string::npos);
+    expect_compiles(made, "file");
+}
+
+// The parameters of a function have names of their own; their order is that of the slots.
+TEST(ShaderGraphCode, ParametersAreThoseOfTheFunction) {
+    save_shader_graph(
+        "Glow.hlsl",
+        "void Glow_float(float3 color, float strength, out float3 result) { result = color * strength; }\n", kGuid);
+    const Imported made = import_graph(one_node(custom("", "Glow", 0), 2));
+    EXPECT_FALSE(made.has_refused) << remarks(made, Remark::Kind::LeftOut);
+    EXPECT_NE(text_of(made).find(R"("strength": 2)"), std::string::npos) << text_of(made);
+    EXPECT_NE(text_of(made).find("glow.result"), std::string::npos) << text_of(made);
+    expect_compiles(made, "parameters");
+}
+
+// --- what a file has beside the function
+
+const char* const kLights =
+    "float Up(float x) { return x + 1; }\n"
+    "void Lit_float(float3 A, float B, out float3 Out) { Out = A * B * GetMainLight().color; }\n"
+    "void Glow_float(float3 A, float B, out float3 Out) { float Lit = Up(B); Out = A * Lit; }\n"
+    "float Late(float x) { return x * _Time.y; }\n"
+    "void Lazy_float(float3 A, float B, out float3 Out) { Out = A * Late(B); }\n";
+
+TEST(ShaderGraphCode, OnlyWhatAFunctionReachesReadsTheEngine) {
+    save_shader_graph("Glow.hlsl", kLights, kGuid);
+    const Imported made = import_graph(one_node(custom("", "Glow", 0), 2));
+    EXPECT_FALSE(made.has_refused) << remarks(made, Remark::Kind::LeftOut);
+    EXPECT_EQ(remarks(made, Remark::Kind::Changed), "");
+    EXPECT_EQ(text_of(made, "Glow.node.hlsl").find("engineLight"), std::string::npos);
+    expect_compiles(made, "no light");
+    const Imported lit = import_graph(one_node(custom("", "Lit", 0), 2));
+    EXPECT_NE(text_of(lit, "Lit.node.hlsl").find("[hidden] Light engineLight = light) {"), std::string::npos)
+        << text_of(lit, "Lit.node.hlsl");
+    expect_compiles(lit, "light");
+    const std::string lost = remarks(import_graph(one_node(custom("", "Lazy", 0), 2)), Remark::Kind::LeftOut);
+    EXPECT_NE(lost.find("it calls 'Late', which reads values of the engine"), std::string::npos) << lost;
+}
+
+TEST(ShaderGraphCode, IncludesBesideTheFileAreRead) {
+    save_shader_graph("Circle.hlsl",
+                      "#include \"Glow.hlsl\"\n#include \"Circle.hlsl\"\nfloat Half(float x) { return x * HALF; }\n");
+    save_shader_graph("Glow.hlsl",
+                      "#include \"Packages/com.unity.render-pipelines.universal/ShaderLibrary/Lighting.hlsl\"\n"
+                      "#define HALF 0.5\n  # include \"Circle.hlsl\" // what it needs\n"
+                      "void Glow_float(float3 A, float B, out float3 Out) { Out = A * Half(B); }\n",
+                      kGuid);
+    const Imported made = import_graph(one_node(custom("", "Glow", 0), 2));
+    EXPECT_FALSE(made.has_refused) << remarks(made, Remark::Kind::LeftOut);
+    EXPECT_NE(text_of(made, "Glow.node.hlsl").find("return x * 0.5;"), std::string::npos)
+        << text_of(made, "Glow.node.hlsl");
+    expect_compiles(made, "an include");
+    // Each file is taken once, and not without end.
+    for (int i = 0; i < 12; ++i)
+        save_shader_graph(fmt::format("Deep{}.hlsl", i), fmt::format("#include \"Deep{}.hlsl\"\n", i + 1));
+    save_shader_graph("Deep12.hlsl", "float Half(float x) { return x; }\n");
+    save_shader_graph(
+        "Glow.hlsl",
+        "#include \"Deep0.hlsl\"\nvoid Glow_float(float3 A, float B, out float3 Out) { Out = A * Half(B); }\n", kGuid);
+    EXPECT_TRUE(import_graph(one_node(custom("", "Glow", 0), 2)).has_refused);
+}
+
+TEST(ShaderGraphCode, OverloadsAreTakenByTheirArgumentsOrRefused) {
+    const std::string call = "void Glow_float(float3 A, float B, out float3 Out) { Out = A * Help(B); }\n";
+    save_shader_graph("Glow.hlsl",
+                      "float Help(float x, float y) { return x * y; }\nhalf Help(half x) { return x; }\n"
+                      "float Help(float x) { return x * 3; }\n" +
+                          call,
+                      kGuid);
+    const Imported made = import_graph(one_node(custom("", "Glow", 0), 2));
+    EXPECT_FALSE(made.has_refused) << remarks(made, Remark::Kind::LeftOut);
+    EXPECT_NE(text_of(made, "Glow.node.hlsl").find("return x * 3;"), std::string::npos);
+    EXPECT_EQ(text_of(made, "Glow.node.hlsl").find("return x * y;"), std::string::npos);
+    expect_compiles(made, "one of three");
+    save_shader_graph("Glow.hlsl", "float Help(float2 x) { return x.x; }\nfloat Help(float x) { return x; }\n" + call,
+                      kGuid);
+    const std::string lost = remarks(import_graph(one_node(custom("", "Glow", 0), 2)), Remark::Kind::LeftOut);
+    EXPECT_NE(lost.find("its file defines the function 'Help' 2 times"), std::string::npos) << lost;
+}
+
+// --- words of HLSL and of the engine
+
+NodeText of_matrix(const std::string& body) {
+    NodeText node = custom(body);
+    node.slots.push_back({.id = 3, .kind = "Matrix3", .name = "M"});
+    return node;
+}
+
+// Not all compilers of HLSL know several elements at once.
+TEST(ShaderGraphCode, ElementsOfMatricesAreRead) {
+    const Imported made =
+        import_graph(one_node(of_matrix("M._m10 = 4;\\nOut = A * M._m01_m02_m00 + M._12_23.xyx * M._m10 * B;"), 2));
+    EXPECT_EQ(remarks(made, Remark::Kind::Changed) + remarks(made, Remark::Kind::LeftOut), "");
+    const std::string& code = text_of(made, "Glow.node.hlsl");
+    EXPECT_NE(
+        code.find("M[1][0] = 4;\n    Out = A * float3(M[0][1], M[0][2], M[0][0]) + float2(M[0][1], M[1][2]).xyx * "
+                  "M[1][0] * B;"),
+        std::string::npos)
+        << code;
+    expect_compiles(made, "elements");
+    for (const char* body : {"Out = A * B;\\nM._m00_m11 = A.xy;", "Out = A * B;\\nOut.xy = mul(M, M)._m00_m11;"}) {
+        const std::string lost = remarks(import_graph(one_node(of_matrix(body), 2)), Remark::Kind::LeftOut);
+        EXPECT_NE(lost.find("line 2 of its code: the elements '_m00_m11' are"), std::string::npos) << body << lost;
+    }
+}
+
+TEST(ShaderGraphCode, MessagesHaveTheWordsOfTheAuthor) {
+    const Imported made = import_graph(one_node(custom("Out = _SinTime.w * A + _Time.y * B;"), 2));
+    EXPECT_FALSE(made.has_refused) << remarks(made, Remark::Kind::LeftOut);
+    const std::string& code = text_of(made, "Glow.node.hlsl");
+    EXPECT_NE(code.find("out float3 Out, [hidden] float engineTime = time) {"), std::string::npos) << code;
+    expect_compiles(made, "times");
+    const std::string lost =
+        remarks(import_graph(one_node(custom("Out = _WorldSpaceCameraPos * A + UNITY_MATRIX_V[2].xyz * _Time.y;"), 2)),
+                Remark::Kind::LeftOut);
+    EXPECT_EQ(lost.find("engine"), lost.find("engine, or another part")) << lost;
+    EXPECT_NE(lost.find("in 'Out = _WorldSpaceCameraPos * A + UNITY_MATRIX_V[2].xyz * (_Time).y;'"), std::string::npos)
+        << lost;
+    EXPECT_NE(lost.find("declares 'UNITY_MATRIX_V'"), std::string::npos) << lost;
+}
+
+TEST(ShaderGraphCode, AFunctionMayHaveANameOfAnyLetters) {
+    const Imported made = import_graph(one_node(custom("Out = A * B;", "名前"), 2));
+    EXPECT_FALSE(made.has_refused) << remarks(made, Remark::Kind::LeftOut);
+    expect_compiles(made, "a name");
+    const std::string lost = remarks(import_graph(one_node(custom("", "名前", 0), 2)), Remark::Kind::LeftOut);
+    EXPECT_NE(lost.find("its function is called '名前'"), std::string::npos) << lost;
+    NodeText node = custom("出力 = A * B;");
+    node.slots[2].name = "出力";
+    const std::string output = remarks(import_graph(one_node(node, 2)), Remark::Kind::LeftOut);
+    EXPECT_NE(output.find("its output '出力' has a name without any letter of English"), std::string::npos) << output;
+}
+
+}  // namespace
+}  // namespace patina::importers
