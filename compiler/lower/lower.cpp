@@ -4,6 +4,7 @@
 #include <array>
 
 #include "compiler/base/spelling.h"
+#include "compiler/format/clipped_blend.h"
 #include "compiler/format/words.h"
 #include "compiler/ir/texture_kinds.h"
 #include "compiler/lower/instances.h"
@@ -80,7 +81,9 @@ void declare_statics(Lowering& lowering) {
     const auto is_true = [&](const StaticDecl& asked, std::string_view word) {
         switch (asked.about) {
             case StaticDecl::About::Surface:
-                return word == kChosenKind ? render.is_overridable : word == to_string(render.surface);
+                if (word == kChosenKind) return render.is_overridable;
+                if (word == graph::kClippedKind) return graph::is_clipped_blend(*lowering.material.graph->graph);
+                return word == to_string(render.surface);
             case StaticDecl::About::Cull:
                 // A material may show both sides. While it shows the front alone, the answer makes no difference.
                 return word == to_string(render.is_overridable ? Cull::Off : render.cull);

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "compiler/base/text.h"
+#include "compiler/format/clipped_blend.h"
 #include "compiler/format/words.h"
 #include "compiler/ir/texture_kinds.h"
 #include "compiler/paths/declaration_check.h"
@@ -142,7 +143,7 @@ private:
         one_of(key, words_of(static_words()), "a query of [static]");
         for (std::size_t i = 1; i < attribute.args.size(); ++i) {
             const Expr& given = *attribute.args[i];
-            if (key.text == "surface" && given.text != kChosenKind)
+            if (key.text == "surface" && given.text != kChosenKind && given.text != graph::kClippedKind)
                 one_of(given, texts<SurfaceKind>(), "a surface kind");
             if (key.text == "cull") one_of(given, texts<Cull>(), "a cull mode");
             if (key.text == "slot") slot(given);

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "compiler/format/clipped_blend.h"
 #include "compiler/resolve/material.h"
 
 namespace patina::graph {
@@ -30,8 +31,9 @@ bool reads_surface(const Graph& lighting, std::string_view member) {
            });
 }
 
-void warn_of_alpha(Session& session, const RenderState& render, const PortValue& port) {
-    if (render.allows_override) return;
+void warn_of_alpha(Session& session, const Graph& graph, const PortValue& port) {
+    const RenderState& render = graph.render;
+    if (render.allows_override || is_clipped_blend(graph)) return;
     std::string_view why, advice;
     switch (render.surface) {
         case SurfaceKind::Opaque:
@@ -55,9 +57,8 @@ void warn_of_alpha(Session& session, const RenderState& render, const PortValue&
 }
 
 void warn_of_cut_off(Session& session, const RenderState& render, const PortValue& port) {
-    const bool is_meant = render.allows_override || (render.surface == SurfaceKind::Opaque && render.surface_span);
-    if (render.surface == SurfaceKind::Cutout || is_meant) return;
-    session.diagnostics.report(Code::NoEffect, port.name_span, port.name, "only a cutout surface uses it");
+    if (render.surface != SurfaceKind::Opaque || render.surface_span || render.allows_override) return;
+    session.diagnostics.report(Code::NoEffect, port.name_span, port.name, "the surface is opaque by default");
 }
 
 // `outer`: the material of an extra pass, whose lighting the pass may have inherited.
@@ -82,7 +83,7 @@ void warn_of(Session& session, const Graph& graph, const Graph* lighting, const 
                                  [&](const PortValue& other) { return other.value == port.value; }))
             continue;
         if (lighting && reads_surface(*lighting, port.name)) continue;
-        if (port.name == "alpha") warn_of_alpha(session, graph.render, port);
+        if (port.name == "alpha") warn_of_alpha(session, graph, port);
         if (port.name == "alphaClip") warn_of_cut_off(session, graph.render, port);
     }
     const std::optional<StencilState>& stencil = graph.render.stencil;

@@ -16,7 +16,7 @@ BakedSurface bakeConvertedFragment(float3 tangent = tangentWS, float3 bitangent 
     float3 baseColor = MetallicFromSpecular(diffuse, lit.f0, 1 - lit.roughness).baseColor;
     float metallic = MetallicFromSpecular(diffuse, lit.f0, 1 - lit.roughness).metallic;
     float error = MetallicFromSpecular(diffuse, lit.f0, 1 - lit.roughness).error;
-    baked.color = float4(baseColor, lit.alpha);
+    baked.color = float4(baseColor, bakedAlpha(lit));
     baked.reflection = float4(lit.occlusion, lit.roughness, metallic, error);
     return baked;
 }

@@ -16,7 +16,7 @@ BakedSurface bakeSpecularFragment(float3 tangent = tangentWS, float3 bitangent =
                                   float3 up = geometryNormalWS) {
     LightingSurface lit = lightingSurface();
     BakedSurface baked = bakedSurface(lit, normalInFrame(lit.normalWS, tangent, bitangent, up));
-    baked.color = float4(diffuseBeforeReflection(lit), lit.alpha);
+    baked.color = float4(diffuseBeforeReflection(lit), bakedAlpha(lit));
     baked.reflection = float4(lit.f0, 1 - lit.roughness);
     return baked;
 }

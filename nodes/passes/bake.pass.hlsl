@@ -31,11 +31,20 @@ float3 normalInFrame(float3 normal, float3 tangent, float3 bitangent, float3 up)
     return dot(solved, solved) > 1e-12 ? normalize(solved) : float3(0, 0, 1);
 }
 
+/// Nothing is seen where a surface that blends is clipped.
+[inline]
+float bakedAlpha(LightingSurface lit) {
+    if (alphaClip) {
+        if (blends) { return lit.alpha < lit.alphaClip ? 0 : lit.alpha; }
+    }
+    return lit.alpha;
+}
+
 /// The surface of a material of metallic and roughness.
 [inline]
 BakedSurface bakedSurface(LightingSurface lit, float3 normal) {
     BakedSurface baked;
-    baked.color = float4(lit.baseColor, lit.alpha);
+    baked.color = float4(lit.baseColor, bakedAlpha(lit));
     baked.reflection = float4(lit.occlusion, lit.roughness, lit.metallic, 0);
     baked.normal = float4(normal, 1);
     baked.emission = float4(lit.emission, lit.occlusion);

@@ -7,10 +7,11 @@
 [blend("transparent", "one", "oneMinusSrcAlpha")] [blend("additive", "one", "one", "zero", "one")]
 [blend("multiply", "dstColor", "zero", "zero", "one")]
 float4 directionalBaseFragment(float3 position = positionWS) {
-    LightingSurface lit = asLit(lightingSurface());
+    LightingSurface lit = lightingSurface();
     if (alphaClip) {
         discardIf(lit.alpha < lit.alphaClip);
     }
+    lit = asLit(lit);
     return blendedInFog(litByAll(lit, position), lit.alpha, position);
 }
 
@@ -19,10 +20,11 @@ float4 directionalBaseFragment(float3 position = positionWS) {
 [blend("opaque", "one", "one", "zero", "one")] [blend("cutout", "one", "one", "zero", "one")]
 [blend("fade", "srcAlpha", "one", "zero", "one")] [blend("transparent", "one", "one", "zero", "one")]
 float4 directionalAddFragment(float3 position = positionWS) {
-    LightingSurface lit = asLit(lightingSurface());
+    LightingSurface lit = lightingSurface();
     if (alphaClip) {
         discardIf(lit.alpha < lit.alphaClip);
     }
+    lit = asLit(lit);
     float3 color = addedByLight(lit, position);
     return float4(fadedByFog(color, position), fades ? lit.alpha : 0);
 }

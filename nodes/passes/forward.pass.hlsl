@@ -62,9 +62,10 @@ float shadowWithMask(int index, float3 position, float4 mask = shadowsOfLightmap
 [blend("transparent", "one", "oneMinusSrcAlpha")] [blend("additive", "one", "one", "zero", "one")]
 [blend("multiply", "dstColor", "zero", "zero", "one")]
 float4 forwardFragment(float3 position = positionWS) {
-    LightingSurface lit = asLit(lightingSurface());
+    LightingSurface lit = lightingSurface();
     if (alphaClip) {
         discardIf(lit.alpha < lit.alphaClip);
     }
+    lit = asLit(lit);
     return blendedInFog(litByAll(lit, position), lit.alpha, position);
 }

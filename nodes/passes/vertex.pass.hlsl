@@ -142,10 +142,11 @@ float4 vertexFragment(float3 position = positionWS, float3 byDiffuse = lightByDi
                        float3 byBase = lightByBase, float3 other = otherLight,
                        float3 indirectDiffuse = indirectLightByDiffuse,
                        float3 indirectBase = indirectLightByBase, float3 indirectOther = otherIndirect) {
-    LightingSurface lit = asLit(lightingSurface());
+    LightingSurface lit = lightingSurface();
     if (alphaClip) {
         discardIf(lit.alpha < lit.alphaClip);
     }
+    lit = asLit(lit);
     LightSum total;
     total.direct = directOfVertices(lit, byDiffuse, byBase, other);
     total.indirect = indirectOther;

@@ -1,10 +1,17 @@
 // The functions that `patina compile --functions` writes, for an engine that has its own shaders and its own loop over
 // lights. [export] gives the name of each function, after the prefix.
 
-/// The surface at this point, as lighting reads it. A cutout surface is not drawn where its alpha is below alphaClip.
+/// The surface at this point, as lighting reads it. A surface that is clipped is not drawn where its alpha is below
+/// alphaClip.
 [export("lightingSurface")]
 LightingSurface exportedSurface() {
-    return asLit(lightingSurface());
+    LightingSurface surface = lightingSurface();
+    bool hides = surface.alpha < surface.alphaClip;
+    surface = asLit(surface);
+    if (alphaClip) {
+        if (premultiplied) { surface.alphaClip = hides ? 2 : 0; }
+    }
+    return surface;
 }
 
 /// The light that one light adds to LightSum.direct.

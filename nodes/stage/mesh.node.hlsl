@@ -37,7 +37,7 @@ float instanceId(int index = instanceIndex) {
 /// The material is visible from both sides ("cull": "off" or "front").
 [static("cull", "off", "front")] bool twoSided;
 /// The material is not drawn where alpha is below alphaClip.
-[static("surface", "cutout")] bool alphaClip;
+[static("surface", "cutout", "clipped")] bool alphaClip;
 /// The material is transparent, but its reflections keep full strength.
 [static("surface", "transparent")] bool premultiplied;
 /// The material fades as a whole, including its reflections.
@@ -51,7 +51,7 @@ float instanceId(int index = instanceIndex) {
 /// Each material chooses which of these it is ("materialOverride"): they are known only to the engine's preprocessor.
 [static("surface", "chosen")] bool choosesKind;
 /// The material may be one that is not drawn where alpha is below alphaClip.
-[static("surface", "cutout", "chosen")] bool mayClip;
+[static("surface", "cutout", "clipped", "chosen")] bool mayClip;
 
 /// Object to world space.
 /// space: object to world

@@ -13,7 +13,7 @@ struct LightingSurface {
     float occlusion;              ///< ambient occlusion: 1 open, 0 closed
     [hdr] float3 emission;        ///< radiance that the surface emits
     float alpha;                  ///< coverage
-    float alphaClip;              ///< a cutout surface is not drawn where alpha is below it
+    float alphaClip;              ///< where alpha is below it, a cutout surface is not drawn, nor a blended one that states it
 };
 
 /// The surface that is being lit.

@@ -28,7 +28,7 @@ constexpr Way kWays[] = {{"forward", "glsl"},
                          {"deferred", "glsl"}};
 
 // Seen from 4 m, it fills the picture; a lamp besides the sun lights it, so that `forward-add` has something to add.
-World plane(const std::string& surface, bool in_fog) {
+World plane(const std::string& surface, bool in_fog, const std::string& clip = "0.1") {
     World world;
     world.view.width = world.view.height = 4;
     world.view.background = glm::vec4(kBehind);
@@ -38,8 +38,9 @@ World plane(const std::string& surface, bool in_fog) {
                          {.direction = {0, 0, 1}, .color = glm::vec3(0.25f)}};
     world.pixel_light_count = 4;
     if (in_fog) world.view.fog = {.mode = FogMode::Exponential, .color = glm::vec3(kFog), .density = float(kDensity)};
-    const std::string graph = written("blended_" + surface + ".graph.json", R"({ "patina": 1,
-  "workflow": "metallic-roughness", "lighting": "lambert", "surface": { "baseColor": 0.5, "alpha": 0.25, "alphaClip": 0.1 },
+    const std::string graph = written("blended_" + surface + clip + ".graph.json", R"({ "patina": 1,
+  "workflow": "metallic-roughness", "lighting": "lambert", "surface": { "baseColor": 0.5, "alpha": 0.25, "alphaClip": )" +
+                                                                                       clip + R"( },
   "render": { "surface": ")" + surface + "\" } }");
     add_object(world, graph, "plane", 8, glm::scale(glm::mat4(1), glm::vec3(4)));
     return world;
@@ -93,6 +94,21 @@ TEST(Blending, LeavesWhatItsFormulaSays) {
                     draw(plane(each.surface, in_fog), {.path = way.path, .via = way.via, .exact_targets = true});
                 for (int c = 0; c < 4; ++c) EXPECT_NEAR(double(image.at(2, 2)[std::size_t(c)]), expected[c], 2e-4);
             }
+        }
+    }
+}
+
+// Below alphaClip nothing is drawn: neither the colour, nor highlights, nor the depth. The coverage of a transparent
+// surface is above it here, because its reflections cover, too.
+TEST(Blending, WhatIsClippedLeavesTheBackground) {
+    static_assert(1 - (1 - kAlpha) * (1 - kDielectric) > 0.26);
+    for (const Case& each : kCases) {
+        if (std::string_view(each.surface) == "opaque") continue;
+        for (const Way& way : kWays) {
+            SCOPED_TRACE(std::string(each.surface) + " along " + way.path + " via " + way.via);
+            const Image image =
+                draw(plane(each.surface, false, "0.26"), {.path = way.path, .via = way.via, .exact_targets = true});
+            for (int c = 0; c < 4; ++c) EXPECT_NEAR(double(image.at(2, 2)[std::size_t(c)]), kBehind[c], 1e-6);
         }
     }
 }

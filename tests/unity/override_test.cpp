@@ -97,8 +97,8 @@ TEST(UnityState, NeedsItsNames) {
     }
 }
 
-// A material that chooses its kind looks like a graph of that kind. Where the surface adds or multiplies, further
-// lights change nothing.
+// A material that chooses its kind looks like a graph of that kind, also if it blends and is clipped. Where the surface
+// adds or multiplies, further lights change nothing.
 TEST(UnityPictures, OfAChosenSurfaceAreThoseOfForward) {
     struct Choice {
         std::string kind;
@@ -109,11 +109,14 @@ TEST(UnityPictures, OfAChosenSurfaceAreThoseOfForward) {
                               {"fade", {"_SURFACE_TYPE_TRANSPARENT", "_BLEND_ALPHA"}},
                               {"transparent", {"_SURFACE_TYPE_TRANSPARENT", "_BLEND_PREMULTIPLY"}},
                               {"additive", {"_SURFACE_TYPE_TRANSPARENT", "_BLEND_ADDITIVE"}},
-                              {"multiply", {"_SURFACE_TYPE_TRANSPARENT", "_BLEND_MULTIPLY"}}};
-    const std::string chosen = "tests/unity/graphs/override.graph.json", words = R"("fade", "materialOverride": true)";
+                              {"multiply", {"_SURFACE_TYPE_TRANSPARENT", "_BLEND_MULTIPLY"}},
+                              {"fade", {"_SURFACE_TYPE_TRANSPARENT", "_BLEND_ALPHA", "_ALPHATEST_ON"}},
+                              {"transparent", {"_SURFACE_TYPE_TRANSPARENT", "_BLEND_PREMULTIPLY", "_ALPHATEST_ON"}}};
+    const std::string chosen = "tests/unity/graphs/override.graph.json", words = R"("fade", "materialOverride": true)",
+                      clip = R"("alphaClip": 0.5,)";
     std::ifstream file(chosen);
     const std::string text{std::istreambuf_iterator<char>(file), {}};
-    ASSERT_NE(text.find(words), text.npos);
+    ASSERT_TRUE(has(text, words) && has(text, clip));
     runtime::Scene scene = scene_of("sphere", {kSun, kLamp});
     scene.background = glm::vec4(0.4f, 0.5f, 0.2f, 1);
     std::vector<Image> seen;
@@ -121,7 +124,10 @@ TEST(UnityPictures, OfAChosenSurfaceAreThoseOfForward) {
         SCOPED_TRACE(choice.kind);
         std::string own = text;
         own.replace(own.find(words), words.size(), '"' + choice.kind + '"');
-        const std::string path = testing::TempDir() + "patina_" + choice.kind + ".graph.json";
+        const bool is_clipped = std::count(choice.keywords.begin(), choice.keywords.end(), "_ALPHATEST_ON") > 0;
+        if (!is_clipped) own.erase(own.find(clip), clip.size());
+        const std::string path =
+            testing::TempDir() + "patina_" + choice.kind + (is_clipped ? "_clipped" : "") + ".graph.json";
         std::ofstream(path) << own;
         const bool is_lit_once = choice.kind == "additive" || choice.kind == "multiply";
         runtime::Scene lit = scene;

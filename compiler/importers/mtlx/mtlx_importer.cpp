@@ -106,7 +106,14 @@ void report_unread(Import& import, const Element& around, const std::string& lab
         const bool is_other = each.category == "nodedef" || each.category == "output" || each.category == "input" ||
                               each.category == "implementation";
         const bool is_interface = mtlx::is_input(each) && around.category == "nodegraph" && !around.has("nodedef");
-        if (each.category == "nodegraph") {
+        if (each.category == "token") {
+            import.remarks.push_back(
+                {.kind = Remark::Kind::Taken,
+                 .part = fmt::format("{}token '{}'", label, each.name()),
+                 .text = each.is_in_names ? "its text is in names of files" : "no name of a file has it",
+                 .line = each.line,
+                 .column = each.column});
+        } else if (each.category == "nodegraph") {
             report_unread(import, each, std::string(each.name()) + "/");
         } else if (is_interface && !import.reached.contains(&each)) {
             import.remarks.push_back({.kind = Remark::Kind::Taken,

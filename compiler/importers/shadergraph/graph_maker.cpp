@@ -29,7 +29,8 @@ GraphMaker::GraphMaker(Project& project, const ShaderGraph& graph, std::string n
     for (const NamedSampler& each : kNamedSamplers) ids_.take(std::string(each.name));
     for (const Block& block : graph.blocks)
         if (const std::size_t hash = block.name.find('#'); block.is_vertex && hash != block.name.npos)
-            ids_.take(camel_case(std::string_view(block.name).substr(0, hash)));
+            if (std::string& id = interpolators_[block.name.substr(0, hash)]; id.empty())
+                id = ids_.unique(camel_case(std::string_view(block.name).substr(0, hash)), "interpolator");
 }
 
 std::string GraphMaker::make() {

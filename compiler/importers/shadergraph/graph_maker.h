@@ -84,6 +84,8 @@ public:
     std::string property_name(const Property& property) const;
     // For a node that samples the texture "_MainTex": "mainTex"; after the name that is shown, if Unity made the other.
     std::string name_for_texture(std::string_view property) const;
+    // The id of the node that holds a custom interpolator of the vertex block.
+    const std::string& interpolator(std::string_view name) const { return interpolators_.find(name)->second; }
     // In a sub-graph: the input that says whether that one is connected.
     std::string connected_input(const Property& property);
     // The name of a file with a function; the same for the same text.
@@ -152,6 +154,7 @@ private:
     std::map<std::string, std::string> properties_{};     // id of the property -> name
     std::map<std::string, TextureUse> textures_{};        // by name of the property
     std::map<std::string, std::string> texture_names_{};  // GUID -> property
+    std::map<std::string, std::string, std::less<>> interpolators_{};  // name of a custom interpolator -> id
 };
 
 // An entry of a keyword that is a list. Unity's symbol is the keyword's reference name, "_", and the entry's.

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "compiler/base/text.h"
 #include "compiler/importers/refusals.h"
 #include "compiler/importers/shadergraph/graph_maker.h"
 
@@ -42,6 +43,8 @@ SubgraphPorts Project::read_graph(const std::string& path, const std::string& na
     std::ifstream file(path, std::ios::binary);
     if (!file) return {.error = fmt::format("cannot read '{}'", path)};
     std::string text{std::istreambuf_iterator<char>(file), {}};
+    std::size_t bad = 0;
+    const bool is_text = is_utf8(text, bad);
     Documents documents = read_documents(path, std::move(text));
     const Misreads misreads(documents);
     const ShaderGraph graph = read_shader_graph(documents, misreads);
@@ -53,7 +56,7 @@ SubgraphPorts Project::read_graph(const std::string& path, const std::string& na
     std::string error = maker.make();
     open_.pop_back();
     std::string json = write_graph(maker.file());
-    if (!error.empty() && !json.empty()) return {.error = std::move(error)};
+    if (!error.empty() && (is_text || !json.empty())) return {.error = std::move(error)};
     if (json.empty()) return {.error = fmt::format("{}: a name in it is not UTF-8", path)};
     SubgraphPorts ports = maker.ports();
     files.push_back({.name = own, .text = std::move(json)});

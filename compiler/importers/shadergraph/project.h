@@ -34,6 +34,7 @@ struct SubgraphPorts {
         int slot = 0;
         std::string name{};
         Type type = Type::None;
+        std::string passes{};  // the input whose texture it passes on
     };
     std::vector<Input> inputs{};
     std::vector<Output> outputs{};

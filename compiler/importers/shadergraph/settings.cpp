@@ -154,8 +154,7 @@ private:
         add(is_effect_ ? Remark::Kind::Changed : Remark::Kind::Taken, "Surface Type",
             fmt::format("'{}'{}", kind, is_effect_ ? ": the effect chooses how it blends" : ""));
         if (made_.is_clipped)
-            add(Remark::Kind::Taken, "Alpha Clipping",
-                made_.is_blended ? "an alpha of 0 below the threshold" : "'cutout'");
+            add(Remark::Kind::Taken, "Alpha Clipping", made_.is_blended ? "'surface.alphaClip'" : "'cutout'");
         if (kind != "opaque") made_.render.push_back({"surface", text(kind)});
         made_.is_tinted = is_sprite_ && whole("m_DisableTint", 0) == 0;
     }

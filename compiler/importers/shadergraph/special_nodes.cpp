@@ -198,8 +198,8 @@ void custom_interpolator(GraphMaker& maker, std::size_t node) {
         const Slot* slot = maker.node(block.node).slot(block.slot);
         const Type type = slot ? maker.type_of(block.node, *slot) : Type::Float4;
         // The block becomes a node of this name, which is computed for each vertex.
-        maker.set(node, 0, link(camel_case(name), type));
-        maker.taken(node, fmt::format("the node '{}'", camel_case(name)));
+        maker.set(node, 0, link(maker.interpolator(name), type));
+        maker.taken(node, fmt::format("the node '{}'", maker.interpolator(name)));
         return;
     }
     maker.refuse(node, fmt::format("the vertex context has no custom interpolator '{}'", name));

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 #include "compiler/importers/shadergraph/graph_maker.h"
 
@@ -49,6 +50,7 @@ void make_subgraph_node(GraphMaker& maker, std::size_t index) {
     if (!ports.remark.empty()) maker.approximate(index, ports.remark);
     GraphNode made{.id = {}, .node = ports.file};
     Term holds;
+    std::map<std::string_view, Term> textures;  // by the input that takes them
     for (const SubgraphPorts::Input& input : ports.inputs) {
         if (input.is_dropdown) {
             const std::string_view entry = chosen_entry(at, input);
@@ -89,21 +91,27 @@ void make_subgraph_node(GraphMaker& maker, std::size_t index) {
             maker.approximate(index, fmt::format("the sub-graph blends the gradient '{}' {}", input.name,
                                                  input.is_perceptual ? "in OkLab" : "as a picker shows its colours"));
         if (is_value(input.type)) term[0] = converted(term[0], input.type, true);
+        if (is_texture(input.type)) textures[input.name] = term[0];
         maker.shorten(index, term, 0);
         holds.add_nodes(term[0]);
         if (!is_default(input, term[0])) made.inputs.push_back({input.name, term[0].value()});
     }
     const std::string id = maker.add_node(index, std::move(made));
     maker.written(holds, fmt::format("the node '{}'", id));
-    for (const SubgraphPorts::Output& output : ports.outputs)
-        if (maker.is_used(index, output.slot) && is_value(output.type))
-            maker.set(index, output.slot, link(id + "." + output.name, output.type));
+    for (const SubgraphPorts::Output& output : ports.outputs) {
+        if (!maker.is_used(index, output.slot)) continue;
+        if (is_value(output.type)) maker.set(index, output.slot, link(id + "." + output.name, output.type));
+        if (const auto passed = textures.find(output.passes); passed != textures.end())
+            maker.set(index, output.slot, passed->second);
+    }
     for (const Slot& slot : at.slots)
         if (!slot.is_input && maker.is_used(index, slot.id) &&
             std::ranges::none_of(ports.outputs, [&](const SubgraphPorts::Output& each) {
-                return each.slot == slot.id && is_value(each.type);
+                return each.slot == slot.id && (is_value(each.type) || textures.contains(each.passes));
             }))
-            maker.approximate(index, fmt::format("the sub-graph has no output '{}': it is a constant", slot.name));
+            maker.approximate(index, fmt::format("the sub-graph has no output '{}' here: it is a constant, or a white "
+                                                 "texture",
+                                                 slot.name));
 }
 
 }  // namespace patina::importers::shadergraph

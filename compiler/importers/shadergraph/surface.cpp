@@ -100,14 +100,19 @@ void GraphMaker::make_surface() {
         return !is_new;
     };
     Term alpha, color, clip = number_term(0.5);
-    // Such a surface reads no alpha of its own, but a material may make another kind of it.
-    const bool is_in_color = (settings.is_weighted || settings.is_faded) && !settings.is_overridable;
+    // Such a surface reads no alpha of its own, unless it is clipped; but a material may make another kind of it.
+    const bool is_in_color =
+        (settings.is_weighted || settings.is_faded) && !settings.is_overridable && !settings.is_clipped_blend;
     const std::string_view alpha_input = is_in_color ? "the colour, which it weights" : "'surface.alpha'";
     for (const Block& block : graph_.blocks) {
         const std::string part = fmt::format("block '{}'", block.name);
         const bool is_set = is_linked(block.node, block.slot);
         if (const std::size_t hash = block.name.find('#'); block.is_vertex && hash != block.name.npos) {
-            const std::string id = camel_case(std::string_view(block.name).substr(0, hash));
+            const std::string& id = interpolator(std::string_view(block.name).substr(0, hash));
+            if (owners_.contains(id)) {
+                remark(Remark::Kind::Changed, part, "a second block of this name: the first one counts", block.place);
+                continue;
+            }
             add_pinned(id, block);
             say_block(part, fmt::format("the node '{}', computed for each vertex", id), block.place);
             continue;
@@ -158,10 +163,10 @@ void GraphMaker::make_surface() {
         }
         if (key == "alphaClip") {
             clip = term;
-            if (settings.is_clipped_blend && !settings.is_overridable) continue;
         }
         if (key.starts_with("normal") && !is_set) continue;
-        if (!is_set && term.is_constant() && row->otherwise >= 0 &&
+        const bool is_stated = key == "alphaClip" && settings.is_clipped_blend;  // else nothing is clipped
+        if (!is_set && term.is_constant() && row->otherwise >= 0 && !is_stated &&
             std::ranges::all_of(term.numbers, [&](double each) { return each == row->otherwise; }))
             continue;
         if ((key == "color" || key == "baseColor") && settings.is_tinted) {
@@ -180,8 +185,8 @@ void GraphMaker::make_surface() {
         tint.nodes = alpha.nodes;
         alpha = tint;
     }
-    if (alpha.type != Type::None && settings.is_clipped_blend) {
-        // Blended pixels below the threshold leave the picture as it is.
+    if (alpha.type != Type::None && settings.is_clipped_blend && settings.is_overridable) {
+        // A material may turn off the clipping of the graph: blended pixels below the threshold are not seen.
         const Term whole = alpha.owner ? named(alpha) : alpha;
         Term kept = expression(fmt::format("{} < {} ? 0 : {}", at_least(whole.text(), kSum),
                                            at_least(clip.text(), kSum), at_least(whole.text(), kOr)),
@@ -190,7 +195,8 @@ void GraphMaker::make_surface() {
         alpha = kept;
     }
     if (alpha.type != Type::None && !(alpha.is_constant() && alpha.numbers[0] == 1)) {
-        if (settings.is_overridable && alpha.owner) alpha = named(alpha);
+        const bool is_in_both = (settings.is_weighted || settings.is_faded) && !is_in_color;
+        if (is_in_both && alpha.owner) alpha = named(alpha);
         if (settings.is_weighted || settings.is_faded) weigh(color, alpha, settings.is_faded);
         written(alpha, alpha_input);
         if (!is_in_color) file_.surface.push_back({"alpha", alpha.value()});
@@ -210,7 +216,13 @@ void GraphMaker::make_outputs() {
         const std::string name = names.unique(camel_case(block.name), "out");
         ports_.outputs.push_back({.slot = block.slot, .name = name, .type = type});
         if (!is_value(type)) {
-            remark(Remark::Kind::LeftOut, part, fmt::format("an output of a sub-graph cannot be {}", word(type)),
+            const std::string value = is_texture(type) ? input(block.node, block.slot).text() : std::string();
+            for (const SubgraphPorts::Input& each : ports_.inputs)
+                if (value == "$" + each.name) ports_.outputs.back().passes = each.name;
+            const bool is_passed = !ports_.outputs.back().passes.empty();
+            remark(is_passed ? Remark::Kind::Taken : Remark::Kind::LeftOut, part,
+                   is_passed ? fmt::format("the texture of the input '{}'", ports_.outputs.back().passes)
+                             : fmt::format("an output of a sub-graph cannot be {}", word(type)),
                    block.place);
             continue;
         }

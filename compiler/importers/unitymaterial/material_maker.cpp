@@ -284,24 +284,9 @@ void MaterialMaker::emission(const std::string& uv, bool is_hdr) {
 
 void MaterialMaker::coverage(const RenderState& state, const std::string& alpha, const std::string& limit_name) {
     if (!state.is_clipped) taken(limit_name, "it has no effect: nothing is cut out");
-    if (!state.reads_alpha()) return;
-    const std::string whole = alpha.empty() ? "1" : alpha;
-    if (!state.is_clipped) {
-        if (!alpha.empty()) set("alpha", alpha);
-        return;
-    }
-    const std::string limit = number_property(limit_name, 0.5, 0, 1);
-    if (state.is_blended()) {
-        std::string name = whole;
-        if (!is_simple(name)) {
-            node({.id = "coverage", .expression = whole});
-            name = "coverage";
-        }
-        set("alpha", fmt::format("{} < {} ? 0 : {}", name, limit, name));
-        return;
-    }
-    if (!alpha.empty()) set("alpha", alpha);
-    set("alphaClip", limit);
+    const bool has_use = state.is_clipped || state.kind == "fade" || state.kind == "transparent";
+    if (has_use && !alpha.empty()) set("alpha", alpha);
+    if (state.is_clipped) set("alphaClip", number_property(limit_name, 0.5, 0, 1));
 }
 
 // --- the report

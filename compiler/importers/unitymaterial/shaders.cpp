@@ -89,9 +89,11 @@ Shader shader_of(const MaterialFile& material, Assets& assets) {
     }
     Shader made = guessed(material);
     made.is_guessed = true;
-    made.difference = made.family == Family::Unknown
-                          ? what + ", and no property has a name that is known"
-                          : fmt::format("{}: the properties are read as those of '{}'", what, made.name);
+    made.difference =
+        made.family == Family::Unknown
+            ? what + ", and no property has a name that is known"
+            : fmt::format("{}: the properties are read as those of '{}'; how it is lit and blends is not known", what,
+                          made.name);
     return made;
 }
 

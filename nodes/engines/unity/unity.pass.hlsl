@@ -281,10 +281,11 @@ float4 unityVertex(float3 position = positionOS) {
 [blend("transparent", "one", "oneMinusSrcAlpha")] [blend("additive", "one", "one", "zero", "one")]
 [blend("multiply", "dstColor", "zero", "zero", "one")]
 float4 unityForwardBase(float3 position = positionWS) {
-    LightingSurface surface = asLit(lightingSurface());
+    LightingSurface surface = lightingSurface();
     if (mayClip) {
         discardIf(alphaClip && surface.alpha < surface.alphaClip);
     }
+    surface = asLit(surface);
     float3 fromLight = direct(surface, lightAt(0, position));
     float3 fromAround = indirect(surface);
     LightSum sum;
@@ -301,11 +302,12 @@ float4 unityForwardBase(float3 position = positionWS) {
 [blend("opaque", "one", "one", "zero", "one")] [blend("cutout", "one", "one", "zero", "one")]
 [blend("fade", "srcAlpha", "one", "zero", "one")] [blend("transparent", "one", "one", "zero", "one")]
 float4 unityForwardAdd(float3 position = positionWS) {
-    LightingSurface surface = asLit(lightingSurface());
+    LightingSurface surface = lightingSurface();
     if (choosesKind) { discardIf(adds || multiplies); }
     if (mayClip) {
         discardIf(alphaClip && surface.alpha < surface.alphaClip);
     }
+    surface = asLit(surface);
     float3 color = addedByLight(surface, position);
     return InFog(float4(ProjectColor(color), fades ? surface.alpha : 0), float4(0));
 }
@@ -352,10 +354,11 @@ SplitLight unitySplitLight(float3 position = positionWS) {
 [blend("multiply", "dstColor", "zero", "zero", "one")]
 float4 unityVertexBase(float3 position = positionWS, float3 byDiffuse = lightByDiffuse, float3 byBase = lightByBase,
                        float3 other = otherLight, float left = attenuation, float4 ambient = ambientOrLightmapUV) {
-    LightingSurface surface = asLit(lightingSurface());
+    LightingSurface surface = lightingSurface();
     if (mayClip) {
         discardIf(alphaClip && surface.alpha < surface.alphaClip);
     }
+    surface = asLit(surface);
     float3 fromLight = float3(0);
     if (isLit) { fromLight = directOfVertices(surface, byDiffuse, byBase, other) * MixedShadow(position, left, ambient); }
     float3 fromAround = indirect(surface);
@@ -374,11 +377,12 @@ float4 unityVertexBase(float3 position = positionWS, float3 byDiffuse = lightByD
 [blend("fade", "srcAlpha", "one", "zero", "one")] [blend("transparent", "one", "one", "zero", "one")]
 float4 unityVertexAdd(float3 byDiffuse = lightByDiffuse, float3 byBase = lightByBase, float3 other = otherLight,
                       float left = attenuation) {
-    LightingSurface surface = asLit(lightingSurface());
+    LightingSurface surface = lightingSurface();
     if (choosesKind) { discardIf(adds || multiplies); }
     if (mayClip) {
         discardIf(alphaClip && surface.alpha < surface.alphaClip);
     }
+    surface = asLit(surface);
     LightSum one;
     one.direct = directOfVertices(surface, byDiffuse, byBase, other) * left;
     return InFog(float4(ProjectColor(added(surface, one)), fades ? surface.alpha : 0), float4(0));
@@ -420,10 +424,11 @@ float3 litByTier(LightingSurface surface, float3 view, float3 direction, float3 
 [blend("multiply", "dstColor", "zero", "zero", "one")]
 float4 unityTiersBase(float3 position = positionWS, float3 view = viewDirWS, float left = attenuation,
                       float4 ambient = ambientOrLightmapUV) {
-    LightingSurface surface = asLit(lightingSurface());
+    LightingSurface surface = lightingSurface();
     if (mayClip) {
         discardIf(alphaClip && surface.alpha < surface.alphaClip);
     }
+    surface = asLit(surface);
     float3 normal = surface.normalWS;
     float3 radiance = ProjectLightColor() * MixedShadow(position, left, ambient);
     float3 diffuseLight = ProjectAmbientLight(normal, position, left, ambient) * surface.occlusion;
@@ -441,11 +446,12 @@ float4 unityTiersBase(float3 position = positionWS, float3 view = viewDirWS, flo
 [blend("opaque", "one", "one", "zero", "one")] [blend("cutout", "one", "one", "zero", "one")]
 [blend("fade", "srcAlpha", "one", "zero", "one")] [blend("transparent", "one", "one", "zero", "one")]
 float4 unityTiersAdd(float3 position = positionWS, float3 view = viewDirWS, float left = attenuation) {
-    LightingSurface surface = asLit(lightingSurface());
+    LightingSurface surface = lightingSurface();
     if (choosesKind) { discardIf(adds || multiplies); }
     if (mayClip) {
         discardIf(alphaClip && surface.alpha < surface.alphaClip);
     }
+    surface = asLit(surface);
     float3 direction = normalize(UnityWorldSpaceLightDir(position));
     float3 radiance = ProjectLightColor() * left;
     float3 litColor = litByTier(surface, view, direction, radiance, float3(0), float3(0));

@@ -20,7 +20,7 @@ const int MAX_VERTEX_LIGHTS = 2;
 float3 shLinear(float3 n) {
     return n;
 }
-[static("surface", "cutout")] bool alphaClip;
+[static("surface", "cutout", "clipped")] bool alphaClip;
 [semantic("pixel")] float3 viewDirWS() {
     return float3(0, 1, 0);
 }

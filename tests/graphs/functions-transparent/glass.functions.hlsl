@@ -74,7 +74,8 @@ GlassSurface Glasssurface(float3 geometryNormalWS)
     return surface;
 }
 
-// The surface at this point, as lighting reads it. A cutout surface is not drawn where its alpha is below alphaClip.
+// The surface at this point, as lighting reads it. A surface that is clipped is not drawn where its alpha is below
+// alphaClip.
 //   geometryNormalWS: Mesh normal in world space, unit; on the back of a two-sided material it points to the viewer.
 GlassLightingSurface GlasslightingSurface(float3 geometryNormalWS)
 {

@@ -135,7 +135,8 @@ vec3 Sail_FresnelSchlick(vec3 f0, float cosine)
     return f0 + (1.0 - f0) * (m2 * m2 * m);
 }
 
-// The surface at this point, as lighting reads it. A cutout surface is not drawn where its alpha is below alphaClip.
+// The surface at this point, as lighting reads it. A surface that is clipped is not drawn where its alpha is below
+// alphaClip.
 //   uv0: First texture coordinates; v grows downwards, as texels are stored.
 //   geometryNormalWS: Mesh normal in world space, unit; on the back of a two-sided material it points to the viewer.
 //   tangentWS: Mesh tangent in world space, unit

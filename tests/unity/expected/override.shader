@@ -377,6 +377,7 @@ Shader "Patina/override"
                 float3 geometryNormalWS = frontFacing ? normal : -normal;
                 UNITY_LIGHT_ATTENUATION(attenuation, i, i.positionWS)
                 LightingSurface surface = lightingSurface(i.uv0, geometryNormalWS);
+                if (is_AlphaClip && surface.alpha < 0.5) discard;
             #if defined(_SURFACE_TYPE_TRANSPARENT) && defined(_BLEND_PREMULTIPLY)
                 PremultiplyAlphaResult premultiplyAlphaResult = PremultiplyAlpha(surface.diffuseColor, surface.alpha,
                     0.96);
@@ -385,7 +386,6 @@ Shader "Patina/override"
                 unityForwardBaseSurface.alpha = premultiplyAlphaResult.outAlpha;
                 surface = unityForwardBaseSurface;
             #endif
-                if (is_AlphaClip && surface.alpha < 0.5) discard;
                 Light light;
                 light.direction = _WorldSpaceLightPos0.xyz;
                 light.color = LinearColor(_LightColor0.rgb);
@@ -449,6 +449,8 @@ Shader "Patina/override"
                 float3 geometryNormalWS = frontFacing ? normal : -normal;
                 UNITY_LIGHT_ATTENUATION(attenuation, i, i.positionWS)
                 LightingSurface surface = lightingSurface(i.uv0, geometryNormalWS);
+                if (is_Surface && is_Blend == 2 || is_Surface && is_Blend == 3) discard;
+                if (is_AlphaClip && surface.alpha < 0.5) discard;
             #if defined(_SURFACE_TYPE_TRANSPARENT) && defined(_BLEND_PREMULTIPLY)
                 PremultiplyAlphaResult premultiplyAlphaResult = PremultiplyAlpha(surface.diffuseColor, surface.alpha,
                     0.96);
@@ -457,8 +459,6 @@ Shader "Patina/override"
                 unityForwardAddSurface.alpha = premultiplyAlphaResult.outAlpha;
                 surface = unityForwardAddSurface;
             #endif
-                if (is_Surface && is_Blend == 2 || is_Surface && is_Blend == 3) discard;
-                if (is_AlphaClip && surface.alpha < 0.5) discard;
                 Light light;
                 light.direction = normalize(UnityWorldSpaceLightDir(i.positionWS));
                 light.color = LinearColor(_LightColor0.rgb);

@@ -193,6 +193,28 @@ private:
     std::size_t elements_ = 0;
 };
 
+// A name of a file has a token's text for "[token]": that of the nearest element around.
+void put_tokens(Element& element, std::vector<Element*>& around) {
+    if (element.type() == "filename")
+        for (auto& [key, text] : element.attributes) {
+            if (key != "value") continue;
+            for (auto scope = around.rbegin(); scope != around.rend(); ++scope)
+                for (Element& token : (*scope)->children) {
+                    if (token.category != "token" || token.name().empty()) continue;
+                    const std::string written = fmt::format("[{}]", token.name());
+                    const std::string meant(token.attribute("value"));
+                    for (std::size_t at = text.find(written); at != text.npos;
+                         at = text.find(written, at + meant.size())) {
+                        text.replace(at, written.size(), meant);
+                        token.is_in_names = true;
+                    }
+                }
+        }
+    around.push_back(&element);
+    for (Element& each : element.children) put_tokens(each, around);
+    around.pop_back();
+}
+
 }  // namespace
 
 std::string_view Element::attribute(std::string_view name) const {
@@ -213,7 +235,10 @@ const Element* Element::child(std::string_view wanted, std::string_view name) co
 }
 
 std::string read_document(const std::string& path, const std::vector<std::string>& folders, Document& document) {
-    return Reader(folders, document).read(path, true);
+    std::string error = Reader(folders, document).read(path, true);
+    std::vector<Element*> around;
+    if (error.empty()) put_tokens(document.root, around);
+    return error;
 }
 
 }  // namespace patina::importers::mtlx

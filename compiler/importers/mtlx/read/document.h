@@ -22,6 +22,7 @@ struct Element {
     int line = 0, column = 0;        // of the main document; 0: of an included one
     // Its own, or those of the nearest element around it that has some.
     std::string colorspace{}, fileprefix{}, folder{};
+    bool is_in_names = false;  // a token that names of files have
 
     // Empty, if there is none.
     std::string_view attribute(std::string_view name) const;

@@ -101,5 +101,23 @@ TEST(MtlxTexture, PropertiesKeepTheirOrder) {
     EXPECT_LT(text.find("\"_Metal\""), text.find("\"_Picture\"")) << text;
 }
 
+// "wood_[age].png" has the text of the nearest token of that name.
+TEST(MtlxTexture, NamesOfFilesHaveTokens) {
+    save("wood_old_2k.png", "no picture");
+    const Imported made = import_text(material(
+        R"(<gltf_pbr name="shader" type="surfaceshader"><input name="base_color" type="color3" nodegraph="wood" output="out"/></gltf_pbr>)",
+        R"(<token name="age" type="string" value="new"/><token name="size" type="string" value="2k"/>
+<token name="idle" type="string" value="x"/>
+<nodegraph name="wood"><token name="age" type="string" value="old"/>
+<image name="texels" type="color3"><input name="file" type="filename" value="wood_[age]_[size].png"/></image>
+<output name="out" type="color3" nodename="texels"/></nodegraph>)"));
+    EXPECT_TRUE(has(made, "wood_old_2k.png")) << text_of(made);
+    EXPECT_EQ(remarks(made, Remark::Kind::Changed), "");
+    const std::string taken = remarks(made, Remark::Kind::Taken);
+    EXPECT_NE(taken.find("wood/token 'age': its text is in names of files\n"), taken.npos) << taken;
+    EXPECT_NE(taken.find("token 'size': its text is in names of files\n"), taken.npos) << taken;
+    EXPECT_NE(taken.find("token 'idle': no name of a file has it\n"), taken.npos) << taken;
+}
+
 }  // namespace
 }  // namespace patina::importers

@@ -443,21 +443,6 @@ TEST(ShaderGraphImport, ASubgraphThatUsesItselfIsRefused) {
     EXPECT_NE(remarks(made, Remark::Kind::LeftOut).find("uses itself"), std::string::npos);
 }
 
-TEST(ShaderGraphImport, CustomInterpolatorsAreNodesOfTheVertexStage) {
-    ShaderGraphText graph{
-        .nodes = {{.id = "a", .kind = "PositionNode", .slots = {out(0, "Vector3")}, .more = R"("m_Space":0)"},
-                  {.id = "read",
-                   .kind = "CustomInterpolatorNode",
-                   .slots = {out(0, "Vector3")},
-                   .more = R"("customBlockNodeName":"Blend")"}},
-        .edges = {{"a", 0, "Blend#3"}, {"read", 0, "BaseColor"}},
-        .blocks = {{"VertexDescription.Blend#3", "Vector3"}, {"SurfaceDescription.BaseColor", "ColorRGB"}}};
-    const Imported made = import_graph(graph);
-    EXPECT_NE(text_of(made).find(R"({ "id": "blend", "expr": "@positionOS", "stage": "vertex" })"), std::string::npos)
-        << text_of(made);
-    expect_compiles(made, "interpolator");
-}
-
 // --- settings
 
 TEST(ShaderGraphImport, SettingsBecomeTheRenderState) {
@@ -606,31 +591,6 @@ TEST(ShaderGraphImport, AnEntryThatADropdownDoesNotHaveIsSaid) {
         << remarks(made, Remark::Kind::Changed);
     EXPECT_EQ(remarks(import_graph(user(kGuid)), Remark::Kind::Changed), "");
     expect_compiles(made, "no such entry");
-}
-
-// A vertex block and a colour that read the same kind of node.
-ShaderGraphText interpolated(const std::string& block) {
-    return {.nodes = {{.id = "p",
-                       .kind = "PositionNode",
-                       .slots = {out(0, "Vector3")},
-                       .more = R"("m_Space":0,"m_PositionSource":1)"},
-                      {.id = "i",
-                       .kind = "CustomInterpolatorNode",
-                       .slots = {out(0, "Vector3")},
-                       .more = R"("customBlockNodeName":"Blend","serializedType":3)"}},
-            .edges = {{"p", 0, block}, {"i", 0, "BaseColor"}},
-            .blocks = {{"VertexDescription." + block, "Vector3"}, {"SurfaceDescription.BaseColor", "ColorRGB"}}};
-}
-TEST(ShaderGraphImport, AQualifierOfAnInterpolatorIsSaid) {
-    EXPECT_NE(remarks(import_graph(interpolated("Blend#3#nointerpolation")), Remark::Kind::Changed)
-                  .find("its value is interpolated in the usual way, not as 'nointerpolation'"),
-              std::string::npos);
-    // In the vertex block the position is the one before displacement.
-    ShaderGraphText graph = interpolated("Blend#3");
-    EXPECT_EQ(remarks(import_graph(graph), Remark::Kind::Changed), "");
-    graph.edges.back() = {"p", 0, "BaseColor"};
-    EXPECT_NE(remarks(import_graph(graph), Remark::Kind::Changed).find("the position after the vertex block"),
-              std::string::npos);
 }
 
 }  // namespace

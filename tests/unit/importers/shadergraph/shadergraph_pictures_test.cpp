@@ -84,5 +84,38 @@ TEST(ShaderGraphPictures, AtAPortHaveSettings) {
         << remarks(made, Remark::Kind::Changed);
 }
 
+// A sub-graph that has a texture and gives it on: who reads the output samples what is connected to the input.
+TEST(ShaderGraphPictures, PassThroughSubgraphs) {
+    const ShaderGraphText passing{
+        .properties = {{.id = "in",
+                        .kind = "Texture2D",
+                        .name = "In",
+                        .value = R"({"m_SerializedTexture":"","m_Guid":""})",
+                        .more = R"("m_Guid":{"m_GuidSerialized":"in"})"}},
+        .nodes = {{.id = "p", .kind = "PropertyNode", .slots = {out(0, "Texture2D")}, .property = "in"},
+                  {.id = "own", .kind = "Texture2DAssetNode", .slots = {out(0, "Texture2D")}}},
+        .edges = {{"p", 0, "output", 1}, {"own", 0, "output", 2}},
+        .outputs = {{.id = 1, .kind = "Texture2D", .name = "Same"},
+                    {.id = 2, .kind = "Texture2D", .name = "Own"},
+                    {.id = 3, .kind = "Vector1", .name = "Number"}}};
+    save_shader_graph("Passing.shadersubgraph", passing.new_layout(), kGuid);
+    ShaderGraphText graph = sampled();
+    graph.nodes.push_back(
+        {.id = "sub",
+         .kind = "SubGraphNode",
+         .slots = {{.id = 5, .kind = "Texture2DInput", .name = "In"}, out(1, "Texture2D"), out(2, "Texture2D")},
+         .more = fmt::format(
+             R"x("m_SerializedSubGraph":"{{\"subGraph\":{{\"guid\":\"{}\"}}}}","m_PropertyGuids":["in"],"m_PropertyIds":[5])x",
+             kGuid)});
+    graph.edges = {{"t", 0, "sub", 5}, {"sub", 1, "a", 1}, {"a", 0, "BaseColor"}};
+    const Imported made = import_graph(graph);
+    EXPECT_TRUE(has(made, R"("node": "SampleTexture2D", "in": { "texture": "$_MainTex")")) << text_of(made);
+    EXPECT_EQ(remarks(made, Remark::Kind::LeftOut), "output 'Own': an output of a sub-graph cannot be Texture2D\n");
+    // The other output is a texture of the sub-graph's own.
+    graph.edges[1] = {"sub", 2, "a", 1};
+    EXPECT_NE(remarks(import_graph(graph), Remark::Kind::Changed).find("the sub-graph has no output"),
+              std::string::npos);
+}
+
 }  // namespace
 }  // namespace patina::importers

@@ -78,11 +78,24 @@ TEST(ShaderGraphSettings, PremultipliedIsNotPreserveSpecular) {
     EXPECT_EQ(remarks(kept, Remark::Kind::Changed), "");
 }
 
+TEST(ShaderGraphSettings, ABlendedSurfaceIsCutOut) {
+    ShaderGraphText graph = blended(R"("m_SurfaceType":1,"m_AlphaMode":0,"m_AlphaClip":true)");
+    graph.blocks.push_back({"SurfaceDescription.AlphaClipThreshold", "Vector1", "0.5"});
+    const Imported made = import_graph(graph);
+    EXPECT_TRUE(has(made, R"("alphaClip": 0.5)")) << text_of(made);  // also if it is the input's default
+    EXPECT_TRUE(says(made, Remark::Kind::Taken, "'Alpha Clipping': 'surface.alphaClip'"))
+        << remarks(made, Remark::Kind::Taken);
+    const Result result = compiled(made);
+    EXPECT_TRUE(result.diagnostics.empty());
+    EXPECT_NE(result.shaders.back().text.find("discard"), std::string::npos) << result.shaders.back().text;
+}
+
 TEST(ShaderGraphSettings, WhatIsClippedAddsNothing) {
     ShaderGraphText graph = blended(R"("m_SurfaceType":1,"m_AlphaMode":2,"m_AlphaClip":true)");
     graph.blocks.push_back({"SurfaceDescription.AlphaClipThreshold", "Vector1", "0.25"});
     const Imported made = import_graph(graph);
-    EXPECT_TRUE(has(made, R"j("color": "= $_Tint.rgb * ($_Tint.a < 0.25 ? 0 : $_Tint.a)")j")) << text_of(made);
+    EXPECT_TRUE(has(made, R"j("color": "= $_Tint.rgb * $_Tint.a")j")) << text_of(made);
+    EXPECT_TRUE(has(made, R"("alphaClip": 0.25)")) << text_of(made);
     EXPECT_TRUE(compiled(made).diagnostics.empty());
 }
 

@@ -359,7 +359,8 @@ TEST(UnityMaterial, AlphaIsCutOff) {
     expect_compiles(import_in(folder, material), "cutout");
     material.numbers = {{"_Cutoff", "0.3"}, {"_SrcBlend", "5"}, {"_DstBlend", "10"}, {"_ZWrite", "0"}};
     const std::string both = graph_of(import_in(folder, material));
-    EXPECT_NE(both.find(R"("alpha": "= coverage < $_Cutoff ? 0 : coverage")"), std::string::npos) << both;
+    EXPECT_NE(both.find(R"("alphaClip": "$_Cutoff")"), std::string::npos) << both;
+    EXPECT_NE(both.find(R"("surface": "fade")"), std::string::npos) << both;
     expect_compiles(import_in(folder, material), "both");
 }
 
