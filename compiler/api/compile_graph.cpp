@@ -24,7 +24,7 @@ Result compile_for_engine(const CompilerImpl& compiler, const Source& source, co
         Compilation compilation{.session = session, .source = *base, .path = source.path, .result = result};
         compile(compilation);
     }
-    result.diagnostics = to_public(session.diagnostics, session.sources);
+    result.diagnostics = to_public(session.diagnostics, session.sources, compiler.library->sources, source.path);
     result.dependencies = std::move(session.dependencies);
     result.ok = !session.diagnostics.has_errors();
     if (!result.ok) {

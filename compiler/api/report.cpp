@@ -158,6 +158,11 @@ void write_json(Writer& writer, const Diagnostic& d) {
 }  // namespace
 
 std::vector<Diagnostic> to_public(const Diagnostics& diagnostics, const SourceMap& sources) {
+    return to_public(diagnostics, sources, sources, {});
+}
+
+std::vector<Diagnostic> to_public(const Diagnostics& diagnostics, const SourceMap& sources, const SourceMap& library,
+                                  std::string_view graph) {
     std::vector<Diagnostic> out;
     // A material's passes share its nodes, so an error in a node is found for each pass, but reported once.
     std::set<std::tuple<Code, std::uint32_t, std::uint32_t, std::string_view>> said;
@@ -176,6 +181,11 @@ std::vector<Diagnostic> to_public(const Diagnostics& diagnostics, const SourceMa
             n.severity = Severity::Note;
             n.message = note.message;
             place(n, note.span, sources);
+        }
+        if (!graph.empty() && record.span && !library.file(record.span.begin).empty()) {
+            Diagnostic& n = d.notes.emplace_back();
+            n.severity = Severity::Note;
+            n.message = fmt::format("the graph is '{}'", graph);
         }
     }
     // In the order of the text; files in the order of their first diagnostic.

@@ -7,5 +7,8 @@
 namespace patina {
 
 std::vector<Diagnostic> to_public(const Diagnostics& diagnostics, const SourceMap& sources);
+// The same of one graph: what is in a file of the library names the graph in a note.
+std::vector<Diagnostic> to_public(const Diagnostics& diagnostics, const SourceMap& sources, const SourceMap& library,
+                                  std::string_view graph);
 
 }  // namespace patina

@@ -43,6 +43,12 @@ void find_meaning(Session& session, const Graph& graph, const Node& node, const 
             const bool is_shown = !session.diagnostics.is_full();
             DiagnosticRecord& record = session.diagnostics.report(Code::UnknownNode, node.type_span, node.type);
             if (!is_shown) return;  // advice takes longer than all else that is done for a node
+            if (function) {
+                record.note(function->name_span,
+                            fmt::format("'{}' is a function of the library, but no node: that has [node(\"family\")]",
+                                        node.type));
+                return;
+            }
             const std::string advice = nodelang::node_advice(node.type, known, library);
             if (!advice.empty())
                 record.note(advice);
