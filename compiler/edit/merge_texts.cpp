@@ -8,6 +8,7 @@
 #include "compiler/edit/blame.h"
 #include "compiler/edit/merge_names.h"
 #include "compiler/edit/merge_trees.h"
+#include "compiler/edit/name_clashes.h"
 #include "compiler/format/canonical_form.h"
 #include "compiler/format/read_graph.h"
 #include "patina/text_diff.h"
@@ -73,7 +74,10 @@ public:
         : names_(names), path_(path), check_(check), report_(report) {
         by_ours_ = find_changes(*names_.base, *names_.ours);
         by_theirs_ = find_changes(*names_.base, *names_.theirs);
-        for (const LostName& lost : names_.lost) clashing_.insert({lost.list, lost.to});
+        for (const LostName& lost : names_.lost) {
+            clashing_.insert({lost.list, lost.to});
+            add_readers(names_, {by_ours_, by_theirs_}, lost, clashing_);
+        }
         find_reuses(Side::Ours, names_.reused_by_ours);
         find_reuses(Side::Theirs, names_.reused_by_theirs);
     }
@@ -85,7 +89,14 @@ public:
         for (const NameConflict& conflict : names_.conflicts) report_.both_renamed(conflict);
         for (const LostName& lost : names_.lost) report_.renamed_and_removed(lost);
         for (const ConflictReport::Reuse& reuse : reuses_) report_.reused(reuse);
-        for (const TreeConflict& conflict : merged.conflicts) report_.conflict(conflict);
+        for (const TreeConflict& conflict : merged.conflicts) {
+            report_.conflict(conflict);
+            add_readers(names_, {by_ours_, by_theirs_}, conflict, clashing_);
+        }
+        if (clashing_.size() > wish.decided.size()) {
+            wish.decided = clashing_;
+            merged = merged_trees(wish);
+        }
         return settle(std::move(merged.text), wish, by_theirs_, true);
     }
 
