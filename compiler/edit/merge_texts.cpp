@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "compiler/edit/blame.h"
+#include "compiler/edit/merge_comments.h"
 #include "compiler/edit/merge_names.h"
 #include "compiler/edit/merge_trees.h"
 #include "compiler/edit/name_clashes.h"
@@ -298,36 +299,9 @@ MergeState add_old_errors(const std::vector<Diagnostic>& errors, const Sides& or
 
 // --- comments
 
-template <class Visit>
-void for_each_comment(const Json& json, const Visit& visit) {
-    if (json.comments) {
-        for (const std::string& comment : json.comments->before) visit(comment, json);
-        visit(json.comments->trailing, json);
-        for (const std::string& comment : json.comments->end) visit(comment, json);
-    }
-    for (const Json& element : json.elements) for_each_comment(element, visit);
-    for (const JsonMember& member : json.members) for_each_comment(member.value, visit);
-}
-
-// The comments of OURS stay. Says so if THEIRS wrote some that the merge does not have.
+// Says so if THEIRS wrote comments that the merge does not have.
 void add_lost_comments(const Sides& original, const std::string& merged, MergeResult& result) {
-    std::set<std::string> known;
-    const auto add = [&](const GraphText& text) {
-        if (text.json)
-            for_each_comment(*text.json, [&](const std::string& comment, const Json&) { known.insert(comment); });
-    };
-    add(*original.base);
-    std::vector<std::pair<std::string, Span>> lost;  // each with the place of the value that has it
-    const auto find_lost = [&] {
-        lost.clear();
-        for_each_comment(*original.theirs->json, [&](const std::string& comment, const Json& owner) {
-            if (!comment.empty() && !known.count(comment)) lost.emplace_back(comment, owner.span);
-        });
-    };
-    find_lost();
-    if (lost.empty()) return;
-    add(*read_graph_text("", merged));
-    find_lost();
+    const std::vector<std::pair<std::string, Span>> lost = lost_comments(*original.base, *original.theirs, merged);
     if (lost.empty()) return;
     const Span place{lost.front().second.begin, lost.front().second.begin + 1};
     Diagnostic note =
@@ -347,6 +321,13 @@ std::unique_ptr<GraphText> copy_of(const GraphText& text) {
 
 }  // namespace
 
+MergeResult take_text(const Sides& original, const std::string& text, const MergeCheck& check) {
+    MergeResult result{.state = MergeState::Clean, .text = text};
+    const std::vector<Diagnostic> errors = check(text);
+    if (!errors.empty()) result.state = add_old_errors(errors, original, result);
+    return result;
+}
+
 MergeResult merge_texts(const Sides& original, const MergeOptions& options, const MergeCheck& check) {
     // The originals stay as they are, because messages show them.
     const SameNames names = unify_names(copy_of(*original.base), copy_of(*original.ours), copy_of(*original.theirs));
@@ -354,15 +335,18 @@ MergeResult merge_texts(const Sides& original, const MergeOptions& options, cons
     Merging merging(names, options.path, check, report);
     const std::string our_text(original.ours->all());
     const bool is_canonical = formatted(our_text) == our_text;
-    const auto laid_out = [&](std::string text) { return is_canonical ? formatted(text) : text; };
+    const auto finished = [&](std::string text) {
+        text = with_comments(names, std::move(text));
+        return is_canonical ? formatted(text) : text;
+    };
 
-    const std::string merged = laid_out(merging.merge_for_ours());
+    const std::string merged = finished(merging.merge_for_ours());
     MergeResult result{.state = MergeState::Clean, .text = merged};
     const std::vector<Diagnostic> old_errors = merging.old_errors();
     result.diagnostics = report.diagnostics();
     if (!result.diagnostics.empty()) {
         result.state = MergeState::Conflicts;
-        result.text = with_markers(result.text, laid_out(merging.merge_for_theirs()), options);
+        result.text = with_markers(result.text, finished(merging.merge_for_theirs()), options);
     } else if (!old_errors.empty()) {
         result.state = add_old_errors(old_errors, original, result);
     }
