@@ -75,12 +75,10 @@ public:
         : names_(names), path_(path), check_(check), report_(report) {
         by_ours_ = find_changes(*names_.base, *names_.ours);
         by_theirs_ = find_changes(*names_.base, *names_.theirs);
-        for (const LostName& lost : names_.lost) {
-            clashing_.insert({lost.list, lost.to});
-            add_readers(names_, {by_ours_, by_theirs_}, lost, clashing_);
-        }
+        for (const LostName& lost : names_.lost) clashing_.insert({lost.list, lost.to});
         find_reuses(Side::Ours, names_.reused_by_ours);
         find_reuses(Side::Theirs, names_.reused_by_theirs);
+        add_readers(names_, {by_ours_, by_theirs_}, clashing_);
     }
 
     // The text in which conflicts have the side of OURS, and the errors that no side has alone. Reports all conflicts.
@@ -92,9 +90,10 @@ public:
         for (const ConflictReport::Reuse& reuse : reuses_) report_.reused(reuse);
         for (const TreeConflict& conflict : merged.conflicts) {
             report_.conflict(conflict);
-            add_readers(names_, {by_ours_, by_theirs_}, conflict, clashing_);
+            if (conflict.path.size() == 2) clashing_.insert(conflict.path);
         }
-        if (clashing_.size() > wish.decided.size()) {
+        add_readers(names_, {by_ours_, by_theirs_}, clashing_);
+        if (clashing_ != wish.decided) {
             wish.decided = clashing_;
             merged = merged_trees(wish);
         }
@@ -125,13 +124,15 @@ private:
         const GraphText &side = ours ? *names_.ours : *names_.theirs, &other = ours ? *names_.theirs : *names_.ours;
         bool is_used = false;
         for (const auto& [as, name] : reused.all) {
-            // Of the other names: both sides renamed the thing, or one removed it, or both took a new name.
+            // Of the other names: both sides renamed the thing, or one removed it, or both took a new name, or only
+            // this side renamed it.
             const std::string in_base = list_of(*names_.base->graph, {as, name});
             const std::string in_other = list_of(*other.graph, {as, name});
-            const bool is_taken = reused.taken.count({as, name}) != 0, is_gone = !is_taken && in_other.empty();
-            if (!is_taken && in_base.empty() == in_other.empty()) continue;
+            const bool is_taken = reused.taken.count({as, name}) != 0;
+            if (!is_taken && in_base.empty() && in_other.empty()) continue;
             const std::string& list = in_base.empty() ? in_other : in_base;
-            ConflictReport::Reuse reuse{.list = list, .name = name, .by = by, .is_gone = is_gone};
+            ConflictReport::Reuse reuse{.list = list, .name = name, .by = by};
+            if (!is_taken && !in_base.empty()) reuse.lacks_by = true, reuse.lacks_other = in_other.empty();
             const std::set<Name> names{{as, name}};
             std::vector<TreeChange>& uses = ours ? reuse.theirs : reuse.ours;
             uses = changes_about(ours ? by_theirs_ : by_ours_, names, {other.graph.get()});

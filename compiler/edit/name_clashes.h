@@ -2,7 +2,8 @@
 // then the readers of the name are a part of the conflict: whoever takes a side gets readers that read what they read
 // on that side.
 //
-//   for (const TreeConflict& conflict : merged.conflicts) add_readers(names, changes, conflict, clashing);
+//   clashing.insert({"nodes", "grain"});
+//   add_readers(names, {by_ours, by_theirs}, clashing);
 #pragma once
 
 #include "compiler/edit/merge_names.h"
@@ -14,10 +15,8 @@ struct SideChanges {
     std::span<const TreeChange> ours, theirs;
 };
 
-// The changes that go with a conflict about a whole node, property or input. Of other conflicts: none.
-void add_readers(const SameNames& names, const SideChanges& changes, const TreeConflict& conflict,
-                 std::set<Path>& clashing);
-// The changes that go with something that one side renamed and the other one removed.
-void add_readers(const SameNames& names, const SideChanges& changes, const LostName& lost, std::set<Path>& clashing);
+// Adds the changes that go with those that clash: of nodes, properties and inputs that both sides added or that one
+// side removed. What they bring may bring others.
+void add_readers(const SameNames& names, const SideChanges& changes, std::set<Path>& clashing);
 
 }  // namespace patina::graph
