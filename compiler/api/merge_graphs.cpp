@@ -81,9 +81,12 @@ MergeResult merge_graphs(const Compiler& compiler, const MergeInput& base, const
 
     const bool is_compiled =
         sides.ours->kind != graph::ObjectKind::Scene && sides.ours->kind != graph::ObjectKind::Workflow;
-    result = graph::merge_texts(sides, options, [&](const std::string& text) {
+    const auto check = [&](const std::string& text) {
         return is_compiled ? errors_of(compiler, options, text) : errors_of_form(options, text);
-    });
+    };
+    if (ours.text == base.text) return graph::take_text(sides, theirs.text, check);
+    if (theirs.text == base.text || theirs.text == ours.text) return graph::take_text(sides, ours.text, check);
+    result = graph::merge_texts(sides, options, check);
     if (has_carriage_returns(ours.text)) result.text = with_carriage_returns(result.text);
     return result;
 }

@@ -69,7 +69,12 @@ SameNames unify_names(std::unique_ptr<GraphText> base, std::unique_ptr<GraphText
                 same.held_of_theirs.push_back(rename);
                 continue;
             }
-            if (find_rename(by_ours, rename)) continue;
+            if (const Rename* other = find_rename(by_ours, rename)) {
+                const bool is_held = other->to != rename.to && (has_name(*ours, rename.list, rename.to) ||
+                                                                has_name(*theirs, rename.list, other->to));
+                if (is_held) same.held_of_theirs.push_back(rename);
+                continue;
+            }
             if (has_name(*ours, rename.list, rename.to)) {
                 same.held_of_theirs.push_back(rename);
                 continue;

@@ -141,9 +141,13 @@ void ConflictReport::reused(const Reuse& reuse) {
     const bool ours = reuse.by == Side::Ours;
     const char *by = ours ? "ours" : "theirs", *other = ours ? "theirs" : "ours";
     const std::string name = fmt::format("{}.{}", reuse.list, reuse.name);
-    add(reuse.is_gone ? fmt::format("{} renames '{}', which {} removes or renames", by, name, other)
-                      : fmt::format("'{}' names another thing in {}, and {} uses the name", name, by, other),
-        all);
+    std::string message = fmt::format("'{}' names another thing in {}, and {} uses the name", name, by, other);
+    if (reuse.lacks_other) {
+        message = fmt::format("{} renames '{}', which {} removes or renames", by, name, other);
+    } else if (reuse.lacks_by) {
+        message = fmt::format("{} renames '{}' to the old name of another thing, and {} uses it", by, name, other);
+    }
+    add(std::move(message), all);
 }
 
 void ConflictReport::conflict(const TreeConflict& conflict) {

@@ -29,7 +29,8 @@ public:
     struct Reuse {
         std::string list, name;
         Side by;
-        bool is_gone = false;  // neither side has the name: the thing is renamed, and removed or renamed by the other
+        // Who has the name no more: `by` renamed the thing, and the other side uses it, or renamed or removed it.
+        bool lacks_by = false, lacks_other = false;
         std::vector<TreeChange> ours{}, theirs{};
     };
     void reused(const Reuse& reuse);

@@ -6,8 +6,10 @@
 #include <tuple>
 
 #include "compiler/edit/blame.h"
+#include "compiler/edit/merge_comments.h"
 #include "compiler/edit/merge_names.h"
 #include "compiler/edit/merge_trees.h"
+#include "compiler/edit/name_clashes.h"
 #include "compiler/format/canonical_form.h"
 #include "compiler/format/read_graph.h"
 #include "patina/text_diff.h"
@@ -76,6 +78,7 @@ public:
         for (const LostName& lost : names_.lost) clashing_.insert({lost.list, lost.to});
         find_reuses(Side::Ours, names_.reused_by_ours);
         find_reuses(Side::Theirs, names_.reused_by_theirs);
+        add_readers(names_, {by_ours_, by_theirs_}, clashing_);
     }
 
     // The text in which conflicts have the side of OURS, and the errors that no side has alone. Reports all conflicts.
@@ -85,7 +88,15 @@ public:
         for (const NameConflict& conflict : names_.conflicts) report_.both_renamed(conflict);
         for (const LostName& lost : names_.lost) report_.renamed_and_removed(lost);
         for (const ConflictReport::Reuse& reuse : reuses_) report_.reused(reuse);
-        for (const TreeConflict& conflict : merged.conflicts) report_.conflict(conflict);
+        for (const TreeConflict& conflict : merged.conflicts) {
+            report_.conflict(conflict);
+            if (conflict.path.size() == 2) clashing_.insert(conflict.path);
+        }
+        add_readers(names_, {by_ours_, by_theirs_}, clashing_);
+        if (clashing_ != wish.decided) {
+            wish.decided = clashing_;
+            merged = merged_trees(wish);
+        }
         return settle(std::move(merged.text), wish, by_theirs_, true);
     }
 
@@ -113,13 +124,15 @@ private:
         const GraphText &side = ours ? *names_.ours : *names_.theirs, &other = ours ? *names_.theirs : *names_.ours;
         bool is_used = false;
         for (const auto& [as, name] : reused.all) {
-            // Of the other names: both sides renamed the thing, or one removed it, or both took a new name.
+            // Of the other names: both sides renamed the thing, or one removed it, or both took a new name, or only
+            // this side renamed it.
             const std::string in_base = list_of(*names_.base->graph, {as, name});
             const std::string in_other = list_of(*other.graph, {as, name});
-            const bool is_taken = reused.taken.count({as, name}) != 0, is_gone = !is_taken && in_other.empty();
-            if (!is_taken && in_base.empty() == in_other.empty()) continue;
+            const bool is_taken = reused.taken.count({as, name}) != 0;
+            if (!is_taken && in_base.empty() && in_other.empty()) continue;
             const std::string& list = in_base.empty() ? in_other : in_base;
-            ConflictReport::Reuse reuse{.list = list, .name = name, .by = by, .is_gone = is_gone};
+            ConflictReport::Reuse reuse{.list = list, .name = name, .by = by};
+            if (!is_taken && !in_base.empty()) reuse.lacks_by = true, reuse.lacks_other = in_other.empty();
             const std::set<Name> names{{as, name}};
             std::vector<TreeChange>& uses = ours ? reuse.theirs : reuse.ours;
             uses = changes_about(ours ? by_theirs_ : by_ours_, names, {other.graph.get()});
@@ -287,36 +300,9 @@ MergeState add_old_errors(const std::vector<Diagnostic>& errors, const Sides& or
 
 // --- comments
 
-template <class Visit>
-void for_each_comment(const Json& json, const Visit& visit) {
-    if (json.comments) {
-        for (const std::string& comment : json.comments->before) visit(comment, json);
-        visit(json.comments->trailing, json);
-        for (const std::string& comment : json.comments->end) visit(comment, json);
-    }
-    for (const Json& element : json.elements) for_each_comment(element, visit);
-    for (const JsonMember& member : json.members) for_each_comment(member.value, visit);
-}
-
-// The comments of OURS stay. Says so if THEIRS wrote some that the merge does not have.
+// Says so if THEIRS wrote comments that the merge does not have.
 void add_lost_comments(const Sides& original, const std::string& merged, MergeResult& result) {
-    std::set<std::string> known;
-    const auto add = [&](const GraphText& text) {
-        if (text.json)
-            for_each_comment(*text.json, [&](const std::string& comment, const Json&) { known.insert(comment); });
-    };
-    add(*original.base);
-    std::vector<std::pair<std::string, Span>> lost;  // each with the place of the value that has it
-    const auto find_lost = [&] {
-        lost.clear();
-        for_each_comment(*original.theirs->json, [&](const std::string& comment, const Json& owner) {
-            if (!comment.empty() && !known.count(comment)) lost.emplace_back(comment, owner.span);
-        });
-    };
-    find_lost();
-    if (lost.empty()) return;
-    add(*read_graph_text("", merged));
-    find_lost();
+    const std::vector<std::pair<std::string, Span>> lost = lost_comments(*original.base, *original.theirs, merged);
     if (lost.empty()) return;
     const Span place{lost.front().second.begin, lost.front().second.begin + 1};
     Diagnostic note =
@@ -336,6 +322,13 @@ std::unique_ptr<GraphText> copy_of(const GraphText& text) {
 
 }  // namespace
 
+MergeResult take_text(const Sides& original, const std::string& text, const MergeCheck& check) {
+    MergeResult result{.state = MergeState::Clean, .text = text};
+    const std::vector<Diagnostic> errors = check(text);
+    if (!errors.empty()) result.state = add_old_errors(errors, original, result);
+    return result;
+}
+
 MergeResult merge_texts(const Sides& original, const MergeOptions& options, const MergeCheck& check) {
     // The originals stay as they are, because messages show them.
     const SameNames names = unify_names(copy_of(*original.base), copy_of(*original.ours), copy_of(*original.theirs));
@@ -343,15 +336,18 @@ MergeResult merge_texts(const Sides& original, const MergeOptions& options, cons
     Merging merging(names, options.path, check, report);
     const std::string our_text(original.ours->all());
     const bool is_canonical = formatted(our_text) == our_text;
-    const auto laid_out = [&](std::string text) { return is_canonical ? formatted(text) : text; };
+    const auto finished = [&](std::string text) {
+        text = with_comments(names, std::move(text));
+        return is_canonical ? formatted(text) : text;
+    };
 
-    const std::string merged = laid_out(merging.merge_for_ours());
+    const std::string merged = finished(merging.merge_for_ours());
     MergeResult result{.state = MergeState::Clean, .text = merged};
     const std::vector<Diagnostic> old_errors = merging.old_errors();
     result.diagnostics = report.diagnostics();
     if (!result.diagnostics.empty()) {
         result.state = MergeState::Conflicts;
-        result.text = with_markers(result.text, laid_out(merging.merge_for_theirs()), options);
+        result.text = with_markers(result.text, finished(merging.merge_for_theirs()), options);
     } else if (!old_errors.empty()) {
         result.state = add_old_errors(old_errors, original, result);
     }

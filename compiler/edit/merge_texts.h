@@ -17,4 +17,7 @@ using MergeCheck = std::function<std::vector<Diagnostic>(const std::string& text
 // OURS and THEIRS are ok.
 MergeResult merge_texts(const Sides& original, const MergeOptions& options, const MergeCheck& check);
 
+// The text of one side, because the other side changed nothing.
+MergeResult take_text(const Sides& original, const std::string& text, const MergeCheck& check);
+
 }  // namespace patina::graph

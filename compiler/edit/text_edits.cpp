@@ -291,6 +291,29 @@ void edit_children(const SourceMap& sources, const Json& container, const ChildE
     }
 }
 
+void replace_comments(const SourceMap& sources, const Json& container, const std::vector<ChildComments>& comments,
+                      std::vector<TextEdit>& edits) {
+    const Text text(sources, container);
+    for (const ChildComments& each : comments) {
+        const Child& child = text.children()[each.child];
+        if (each.before && text.line_start(child.begin)) {
+            const std::string indent = text.indent_at(child.begin);
+            std::string made;
+            for (const std::string& comment : *each.before) {
+                if (!comment.empty()) made += (made.empty() ? "" : indent) + comment;
+                if (!made.empty()) made += '\n';
+            }
+            if (!made.empty()) made += indent;
+            edits.push_back({{child.begin, child.core}, std::move(made)});
+        }
+        if (each.trailing && text.next_line(child.end)) {
+            const std::string comma = child.comma ? "," : "";
+            edits.push_back(
+                {{child.value_end, child.end}, each.trailing->empty() ? comma : comma + ' ' + *each.trailing});
+        }
+    }
+}
+
 void reorder_children(const SourceMap& sources, const Json& container, const std::vector<std::size_t>& order,
                       std::vector<TextEdit>& edits) {
     const Text text(sources, container);

@@ -10,6 +10,7 @@
 //   std::string text = apply(sources, base, edits);
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -52,6 +53,16 @@ struct ChildEdits {
 // Removes children with their comments, and adds others. The edits of children that stay can be made in addition.
 void edit_children(const SourceMap& sources, const Json& container, const ChildEdits& changes,
                    std::vector<TextEdit>& edits);
+
+// The comments of a child: those on the lines above it, and the one behind it. Nothing: they stay as they are.
+struct ChildComments {
+    std::size_t child = 0;  // its index
+    std::optional<std::vector<std::string>> before{};
+    std::optional<std::string> trailing{};
+};
+// Gives children other comments, where these have lines of their own and the end of a line.
+void replace_comments(const SourceMap& sources, const Json& container, const std::vector<ChildComments>& comments,
+                      std::vector<TextEdit>& edits);
 
 // Puts the children into another order: `order[i]` is the index of the child that comes to the place i. Comments move
 // with their child.

@@ -32,7 +32,7 @@ inline std::string replaced(std::string text, const std::string& from, const std
 }
 
 class Merges : public testing::Test {
-protected:
+public:
     static MergeResult merge(const std::string& base, const std::string& ours, const std::string& theirs) {
         static const Compiler compiler;
         return merge_graphs(compiler, {"base.json", base}, {"ours.json", ours}, {"theirs.json", theirs},

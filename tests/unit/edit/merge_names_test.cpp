@@ -1,4 +1,5 @@
 // Merges of graphs in which one side gave a name to another thing.
+#include "patina/graph_diff.h"
 #include "tests/unit/edit/merge_fixture.h"
 
 namespace patina {
@@ -96,6 +97,89 @@ TEST_F(Merges, WhatDoesNotTouchASwapIsClean) {
     expect_clean(Pairs{}.text(), swaps.text(), rough.text(), both.text());
     expect_clean(Pairs{}.text(), swaps.text(), both.text(), both.text());
     EXPECT_EQ(merge(Pairs{}.text(), rough.text(), swaps.text()).state, MergeState::Clean);
+}
+
+// --- readers of a name belong to its conflict
+
+constexpr const char* kNames = R"json({ "patina": 1, "workflow": "metallic-roughness",
+  "properties": [
+    { "name": "_Amount", "type": "float", "default": 0.5 }
+  ],
+  "nodes": [
+    // base noise
+    { "id": "noise", "node": "FractalNoise", "in": { "scale": 12 } },
+    { "id": "mask", "expr": "saturate(noise * $_Amount)" },
+    { "id": "wear", "node": "Lerp", "in": { "from": 0.1, "to": 0.9, "t": "mask" } }
+  ],
+  "surface": {
+    "baseColor": "= float3(mask)",
+    "roughness": "wear",
+    "metallic": 0
+  }
+}
+)json";
+
+std::string with_line(const std::string& text, const std::string& before, const std::string& line) {
+    return replaced(text, before, line + before);
+}
+
+// Who takes one side of each conflict gets a graph that means what that side means, and sees each comment once.
+void expect_whole_sides(const std::string& base, const std::string& one, const std::string& other,
+                        const std::string& message) {
+    static const Compiler compiler;
+    for (const bool swaps : {false, true}) {
+        const std::string &ours = swaps ? other : one, &theirs = swaps ? one : other;
+        const MergeResult merged = merge_graphs(compiler, {"base.json", base}, {"ours.json", ours},
+                                                {"theirs.json", theirs}, {.path = "merged.graph.json"});
+        EXPECT_EQ(merged.state, MergeState::Conflicts) << merged.text;
+        std::string said;
+        for (const Diagnostic& each : merged.diagnostics) said += to_text(each) + "\n";
+        EXPECT_NE(said.find(message), said.npos) << message << "\nin\n" << said;
+        for (const bool is_ours : {true, false}) {
+            const std::string taken = Merges::side_of(merged.text, is_ours);
+            const GraphDiff diff = diff_graphs({"side.json", is_ours ? ours : theirs}, {"taken.json", taken});
+            EXPECT_TRUE(diff.ok && diff.changes.empty()) << "side of " << (is_ours ? "ours" : "theirs") << " of\n"
+                                                         << merged.text;
+            const std::size_t comment = taken.find("// base noise");
+            EXPECT_EQ(comment, taken.rfind("// base noise")) << taken;
+        }
+    }
+}
+
+TEST_F(Merges, TheReadersOfANameThatBothSidesTake) {
+    const std::string base = kNames;
+    // One side renames a node, and the other one adds a node of this name.
+    const std::string renames = replaced(base, "noise\"", "grain\""),
+                      renames_reader = replaced(renames, "saturate(noise", "saturate(grain");
+    const std::string grain = "    { \"id\": \"grain\", \"node\": \"GradientNoise\", \"in\": { \"scale\": 3 } },\n";
+    const std::string adds = with_line(base, "    { \"id\": \"wear\"", grain);
+    const std::string reads = replaced(adds, "\"metallic\": 0", "\"metallic\": \"grain\"");
+    expect_whole_sides(base, renames_reader, reads, "both sides add 'nodes.grain'");
+    // It also reads the old name in one more place.
+    expect_whole_sides(base, renames_reader, replaced(reads, "\"to\": 0.9", "\"to\": \"noise\""),
+                       "both sides add 'nodes.grain'");
+    // Both add a node.
+    const std::string other =
+        replaced(replaced(replaced(adds, "GradientNoise", "Voronoi"), "0.1", "\"= grain\""), "// base noise", "// X");
+    expect_whole_sides(base, replaced(other, "// X", "// base noise"), reads, "both sides add 'nodes.grain'");
+    // Both rename the node, and one of them adds a node with the other one's name.
+    const std::string dirt =
+        replaced(with_line(renames_reader, "    { \"id\": \"wear\"", replaced(grain, "grain", "dirt")),
+                 "\"metallic\": 0", "\"metallic\": \"dirt\"");
+    const std::string renames_to_dirt = replaced(renames_reader, "grain", "dirt");
+    expect_whole_sides(base, dirt, renames_to_dirt, "both sides add 'nodes.dirt'");
+}
+
+TEST_F(Merges, TheReadersOfANameThatOneSideRemoves) {
+    const std::string base = kNames;
+    const std::string removes = replaced(
+        replaced(base, "    { \"id\": \"mask\", \"expr\": \"saturate(noise * $_Amount)\" },\n", ""), "mask", "noise");
+    expect_whole_sides(base, replaced(base, "mask", "cover"), removes, "renames 'nodes.mask', which");
+    expect_whole_sides(base, replaced(base, "saturate(", "sqrt("), removes, "removes 'nodes.mask', which");
+    // It is renamed and changed, which is a removal.
+    const std::string renames =
+        replaced(replaced(replaced(base, "noise\"", "grain\""), "(noise", "(grain"), "12", "14");
+    expect_whole_sides(base, renames, replaced(base, "12", "13"), "removes 'nodes.noise', which");
 }
 
 // Other values are no other things: what reads them stays as it is.

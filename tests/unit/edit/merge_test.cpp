@@ -50,32 +50,6 @@ TEST_F(Merges, AKeyInFrontOfOneWithoutASpace) {
     expect_clean(base.text(), ours.text(), theirs.text(), both.text());
 }
 
-// The comments of OURS stay. Who loses comments of THEIRS is told.
-TEST_F(Merges, CommentsOfTheirs) {
-    const Lines base;
-    Lines theirs = base;
-    theirs.nodes = replaced(base.nodes, "// How much rust there is.", "// Rust, see the ticket.");
-    theirs.surface = replaced(base.surface, "0.5", "0.7");
-    Lines both = base;
-    both.surface = theirs.surface;
-    const MergeResult merged = merge(base.text(), base.text(), theirs.text());
-    EXPECT_EQ(merged.state, MergeState::Clean);
-    EXPECT_EQ(merged.text, both.text());
-    ASSERT_EQ(merged.diagnostics.size(), 1u);
-    EXPECT_EQ(merged.diagnostics[0].severity, Severity::Note);
-    EXPECT_EQ(merged.diagnostics[0].file, "theirs.json");
-    EXPECT_EQ(merged.diagnostics[0].line, 10);
-    EXPECT_NE(merged.diagnostics[0].message.find("lacks 1 of theirs: // Rust, see the ticket."), std::string::npos)
-        << merged.diagnostics[0].message;
-    // Comments that both have, and those of a node that THEIRS adds, are in the merge.
-    Lines ours = theirs;
-    ours.surface = base.surface;
-    theirs.nodes += "    , // Dust.\n    { \"id\": \"dust\", \"expr\": \"mask * 2\" }\n";
-    const MergeResult with_node = merge(base.text(), ours.text(), theirs.text());
-    EXPECT_TRUE(with_node.diagnostics.empty()) << to_text(with_node.diagnostics[0]);
-    EXPECT_NE(with_node.text.find("// Dust."), std::string::npos) << with_node.text;
-}
-
 TEST_F(Merges, AFileThatIsNotInCanonicalFormKeepsItsLayout) {
     const std::string base = R"({"patina":1,"workflow":"unlit",
      "surface":{"color":[1, 0, 0],   "alpha":0.5} })";

@@ -14,6 +14,7 @@
 
 #include "patina/graph_merge.h"
 #include "unit/edit/author.h"
+#include "unit/edit/side_readers.h"
 
 namespace patina {
 namespace {
@@ -177,6 +178,7 @@ class RandomMerges : public testing::Test {
 protected:
     struct Tally {
         int clean = 0, conflicts = 0, needless = 0, open = 0, failures = 0;
+        int names = 0;  // of different things, in one side of a conflict
     };
 
     bool compiles(const std::string& text) {
@@ -222,8 +224,8 @@ protected:
         judge_side(base, ours, wanted);
         judge_side(base, theirs, wanted);
         wanted.values = merged_values(base, ours, theirs);
-        const std::string problem =
-            wanted.is_open ? problem_of_open(merged) : problem_of(wanted, base, ours, theirs, merged);
+        std::string problem = wanted.is_open ? problem_of_open(merged) : problem_of(wanted, base, ours, theirs, merged);
+        if (problem.empty()) problem = problem_of_names(merged, ours, theirs, tally);
         ++(merged.state == MergeState::Clean ? tally.clean : tally.conflicts);
         tally.open += wanted.is_open;
         if (wanted.values && merged.state != MergeState::Clean && wanted.may_conflict) ++tally.needless;
@@ -232,19 +234,45 @@ protected:
         ADD_FAILURE() << problem << "\n" << all;
     }
 
-    // One side gives names to other things. A clean merge reads what both authors meant.
-    void run_reuse(unsigned seed, Tally& tally, bool prints) {
+    // Gives one name to two things that the sides have added or renamed. False: there are none.
+    static bool share_a_name(const Values& base, const Values& ours, Values& theirs, Dice& dice) {
+        const auto new_names = [&](const Values& side) {
+            std::vector<std::string> paths;
+            for (const auto& [path, value] : side) {
+                if (is_name(path) && at(base, path) != value) paths.push_back(path);
+            }
+            return paths;
+        };
+        for (const std::string& path : new_names(theirs)) {
+            for (const std::string& other : new_names(ours)) {
+                if (path == other || path[0] != other[0] || dice.chance(20)) continue;
+                theirs[path] = at(ours, other);
+                return true;
+            }
+        }
+        return false;
+    }
+
+    // Names of two things: both sides take one name, or one side gives names to other things. A merge reads what both
+    // authors meant.
+    void run_names(unsigned seed, Tally& tally, bool prints, bool both_take) {
         Dice dice(seed);
-        Values base, reused;
+        Values base, ours, theirs;
+        Wanted wanted;
         for (bool is_made = false; !is_made;) {
             base.clear();
             Author(base, dice, 0).make_base();
-            reused = base;
-            is_made = Author(reused, dice, 1000).reuse_a_name() && compiles(Writer(base, nullptr).write()) &&
-                      compiles(Writer(reused, nullptr).write());
+            if (!compiles(Writer(base, nullptr).write())) continue;
+            ours = both_take ? changed(base, dice, 1000) : base;
+            if (both_take) {
+                theirs = changed(base, dice, 2000);
+                is_made = share_a_name(base, ours, theirs, dice) && compiles(Writer(theirs, nullptr).write());
+            } else {
+                is_made = Author(ours, dice, 1000).reuse_a_name() && compiles(Writer(ours, nullptr).write());
+                if (is_made) theirs = changed(base, dice, 2000);
+            }
         }
-        Values ours = std::move(reused), theirs = changed(base, dice, 2000);
-        Wanted wanted;
+        if (both_take) judge_side(base, ours, wanted);
         judge_side(base, theirs, wanted);
         if (dice.chance(50)) std::swap(ours, theirs);
         const std::string texts[] = {text_of(base, dice), text_of(ours, dice), text_of(theirs, dice)};
@@ -260,9 +288,10 @@ protected:
         } else if (wanted.values) {
             text = Writer(*wanted.values, nullptr).write();
             if (document_of(merged.text).sorted != document_of(text).sorted) problem = "the merge should be";
-        } else if (!wanted.may_conflict) {
+        } else if (!wanted.may_conflict && !both_take) {  // both may have made the same
             problem = "this is a conflict, but the merge is clean";
         }
+        if (problem.empty()) problem = problem_of_names(merged, ours, theirs, tally);
         if (problem.empty() && !prints) return;
         std::string said;
         for (const Diagnostic& each : merged.diagnostics) said += to_text(each) + "\n";
@@ -273,6 +302,16 @@ protected:
         if (problem.empty()) return;
         ++tally.failures;
         ADD_FAILURE() << all;
+    }
+
+    // Who takes one side everywhere gets readers that read what their author meant.
+    static std::string problem_of_names(const MergeResult& merged, const Values& ours, const Values& theirs,
+                                        Tally& tally) {
+        for (const bool is_ours : {true, false}) {
+            const std::string problem = misread_name(ours, theirs, side_of(merged.text, is_ours), tally.names);
+            if (!problem.empty()) return (is_ours ? "with ours, " : "with theirs, ") + problem;
+        }
+        return {};
     }
 
     std::string problem_of_open(const MergeResult& merged) {
@@ -331,13 +370,32 @@ protected:
         if (only) begin = static_cast<unsigned>(std::atoi(only)), end = begin + 1;
         Tally tally;
         for (unsigned seed = begin; seed < end && tally.failures < 3; ++seed) run(seed, tally, only != nullptr);
-        std::printf("%d clean, %d conflicts (%d of them where values alone would merge); %d where a rename is open\n",
-                    tally.clean, tally.conflicts, tally.needless, tally.open);
+        std::printf(
+            "%d clean, %d conflicts (%d of them where values alone would merge); %d where a rename is open; %d names "
+            "of "
+            "two things\n",
+            tally.clean, tally.conflicts, tally.needless, tally.open, tally.names);
         if (only) return;
         // Else the merges prove little.
         EXPECT_GT(tally.clean, tally.conflicts / 2);
         EXPECT_GT(tally.conflicts, tally.clean / 4);
         EXPECT_LT(tally.open, (tally.clean + tally.conflicts) / 3);
+    }
+
+    void run_all_names(bool both_take) {
+        const char* only = std::getenv("MERGE_SEED");
+        const unsigned begin = only ? static_cast<unsigned>(std::atoi(only)) : 0, end = only        ? begin + 1
+                                                                                        : both_take ? 400
+                                                                                                    : 1000;
+        Tally tally;
+        for (unsigned seed = begin; seed < end && tally.failures < 3; ++seed)
+            run_names(seed, tally, only != nullptr, both_take);
+        std::printf("%d clean, %d conflicts; %d where a rename is open; %d names of two things\n", tally.clean,
+                    tally.conflicts, tally.open, tally.names);
+        if (only) return;
+        EXPECT_GT(tally.names, 500);
+        EXPECT_GT(tally.conflicts, tally.clean / 4);
+        EXPECT_GT(tally.clean, both_take ? 0 : tally.conflicts / 4);
     }
 
     Compiler compiler_;
@@ -348,15 +406,11 @@ TEST_F(RandomMerges, Quick) {
 }
 
 TEST_F(RandomMerges, OfNamesThatAreUsedAgain) {
-    const char* only = std::getenv("MERGE_SEED");
-    const unsigned begin = only ? static_cast<unsigned>(std::atoi(only)) : 0, end = only ? begin + 1 : 1000;
-    Tally tally;
-    for (unsigned seed = begin; seed < end && tally.failures < 3; ++seed) run_reuse(seed, tally, only != nullptr);
-    std::printf("%d clean, %d conflicts; %d where a rename is open\n", tally.clean, tally.conflicts, tally.open);
-    if (only) return;
-    EXPECT_GT(tally.clean, tally.conflicts / 4);
-    EXPECT_GT(tally.conflicts, tally.clean / 4);
-    EXPECT_LT(tally.open, (tally.clean + tally.conflicts) / 3);
+    run_all_names(false);
+}
+
+TEST_F(RandomMerges, OfNamesThatBothSidesTake) {
+    run_all_names(true);
 }
 
 TEST_F(RandomMerges, TenThousand) {

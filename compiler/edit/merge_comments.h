@@ -1,0 +1,20 @@
+// The comments of a merge. Those of OURS stay. A comment that only THEIRS changed becomes that of THEIRS.
+//
+//   text = with_comments(names, std::move(text));
+#pragma once
+
+#include <utility>
+
+#include "compiler/edit/merge_names.h"
+
+namespace patina::graph {
+
+// The merged text, in which a value whose comments OURS left as they were in BASE has those of THEIRS; so has a value
+// that was taken from THEIRS, though OURS has another one there.
+std::string with_comments(const SameNames& names, std::string merged);
+
+// The comments that only THEIRS has and the merged text lacks, each with the value that has it.
+std::vector<std::pair<std::string, Span>> lost_comments(const GraphText& base, const GraphText& theirs,
+                                                        const std::string& merged);
+
+}  // namespace patina::graph
