@@ -8,6 +8,7 @@
 #include <iterator>
 
 #include "compiler/base/text.h"
+#include "compiler/importers/shadergraph/code/engine_words.h"
 #include "compiler/importers/shadergraph/code/hlsl_grammar.h"
 #include "compiler/importers/shadergraph/code/hlsl_text.h"
 #include "compiler/importers/shadergraph/code/includes.h"
@@ -333,10 +334,17 @@ void make_custom_function(GraphMaker& maker, std::size_t index) {
             maker.refuse(index, "its code is neither the node language nor HLSL: " + no_hlsl);
             return;
         }
-        if (const std::string word = engine_word(code); !word.empty()) {
+        const std::string word = engine_word(code);
+        if (word == "clip" || word == "discard") {
+            maker.refuse(index, fmt::format("its code leaves out pixels ('{}'), which a function of the surface cannot "
+                                            "do: use Alpha Clip Threshold",
+                                            word));
+            return;
+        }
+        if (!word.empty()) {
             maker.refuse(index, fmt::format("its code is not valid in the node language: {}. Nor is it whole as HLSL: "
                                             "the engine, or another part of its file, declares '{}'",
-                                            wrong, word));
+                                            wrong, as_written(word)));
             return;
         }
         text = node_file(code, name, own, true);
@@ -350,8 +358,8 @@ void make_custom_function(GraphMaker& maker, std::size_t index) {
     }
     const std::string file = maker.node_file(name, text);
     maker.keep_node_file(file, text);
-    if (!code.engine_values.empty())
-        maker.approximate(index, "for the engine's values stand those of the library: its main light is '@light'");
+    if (code.engine_values.find("engineLight") != code.engine_values.npos)
+        maker.approximate(index, "its main light is '@light', the light of the library");
     GraphNode made{.id = {}, .node = "./" + file};
     Term holds;
     const std::vector<const Slot*> slots = ordered(at);
