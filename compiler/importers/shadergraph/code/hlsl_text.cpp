@@ -8,17 +8,11 @@
 #include "compiler/importers/expression_text.h"
 #include "compiler/importers/shadergraph/code/condition.h"
 #include "compiler/importers/shadergraph/code/engine_words.h"
+#include "compiler/importers/shadergraph/code/hlsl_tokens.h"
 #include "compiler/importers/shadergraph/code/matrix_elements.h"
 
 namespace patina::importers::shadergraph {
 namespace {
-
-bool is_letter(char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
-}
-bool is_digit(char c) {
-    return c >= '0' && c <= '9';
-}
 
 std::string_view trimmed(std::string_view text) {
     while (!text.empty() && (text.front() == ' ' || text.front() == '\t' || text.front() == '\r'))
@@ -232,9 +226,11 @@ HlslText in_node_language(std::string_view hlsl) {
                 ++end;
             std::string number = text.substr(i, end - i);
             const bool is_hex = number.starts_with("0x");
+            const bool is_real = !is_hex && number.find_first_of("fFhH") != number.npos;
             while (!is_hex && !number.empty() &&
                    std::string_view("fFhHlL").find(number.back()) != std::string_view::npos)
                 number.pop_back();
+            if (is_real && number.find_first_of(".eE") == number.npos) number += ".";
             if (number.ends_with(".")) number += "0";
             made.code += number;
             i = end;
