@@ -263,6 +263,18 @@ bool assigns(std::string_view code, std::string_view variable) {
     return false;
 }
 
+// "in float3 A, const float B" -> "float3 A, float B": both say only what a parameter is anyway.
+static std::string without_qualifiers(std::string parameters) {
+    for (const std::string_view word : {"in", "const"})
+        for (std::size_t at = 0; (at = parameters.find(word, at)) != parameters.npos;) {
+            const std::size_t end = at + word.size();
+            const bool is_word = (at == 0 || !(is_letter(parameters[at - 1]) || is_digit(parameters[at - 1]))) &&
+                                 end < parameters.size() && parameters[end] == ' ';
+            is_word ? static_cast<void>(parameters.erase(at, word.size() + 1)) : static_cast<void>(at = end);
+        }
+    return parameters;
+}
+
 std::vector<HlslFunction> functions_in(std::string_view code) {
     std::vector<HlslFunction> made;
     std::size_t begin = 0;  // of the declaration
@@ -283,7 +295,7 @@ std::vector<HlslFunction> functions_in(std::string_view code) {
             if (words.size() >= 2)
                 made.push_back({.result = std::string(words[words.size() - 2]),
                                 .name = std::string(words.back()),
-                                .parameters = head.substr(open + 1, close - open - 1),
+                                .parameters = without_qualifiers(head.substr(open + 1, close - open - 1)),
                                 .body = std::string(code.substr(i + 1, end - i - 2))});
         }
         i = end - 1;

@@ -3,13 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <iterator>
-#include <optional>
 
-#include "compiler/base/text.h"
-#include "compiler/importers/expression_text.h"
 #include "compiler/importers/shadergraph/conversions/typed_reader.h"
 
 namespace patina::importers::shadergraph {
@@ -83,7 +78,8 @@ std::string TypedReader::written(std::size_t begin, std::size_t end) const {
         const char* behind = tokens_[i].text.data() + tokens_[i].text.size();
         const std::string_view gap(behind, static_cast<std::size_t>(tokens_[i + 1].text.data() - behind));
         const std::string& next = texts_[i + 1].text;
-        if (gap != " " || (next != "," && next != ";" && !texts_[i].text.ends_with("("))) made += gap;
+        const bool is_close = next.empty() || next == "," || next == ";" || texts_[i].text.ends_with("(");
+        if (gap != " " || !is_close) made += gap;
     }
     return made;
 }
@@ -92,52 +88,73 @@ std::string TypedReader::run() {
     find_limits();
     while (!is_lost_ && !at().text.empty()) statement(true);
     if (is_lost_) return std::string(body_);
+    if (open_ > 0) texts_[tokens_.size() - 2].after += std::string(open_, '}');
     const std::size_t first = static_cast<std::size_t>(tokens_[0].text.data() - body_.data());
     return std::string(body_.substr(0, first)) + written(0, tokens_.size());
 }
 
 // --- statements
 
-// The names between the semicolons of "for (int i = 0; i < count; i++)".
-void TypedReader::find_limits() {
-    for (std::size_t i = 0; i < tokens_.size(); ++i) {
-        if (tokens_[i].text != "for") continue;
-        int semicolons = 0;
-        for (; i < tokens_.size() && semicolons < 2; ++i) {
-            if (tokens_[i].text == ";") ++semicolons;
-            if (semicolons == 1) limits_.insert(tokens_[i].text);
-        }
-    }
-}
-
 void TypedReader::statement(bool is_in_block) {
     if (is("[") || (is_word() && at().text.starts_with("UNITY_") && is_one_of(at(1).text, {"if", "for"}))) attribute();
+    return_ = kNone;
     if (is_lost_ || take(";")) return;
     if (take("{")) {
         const Scope outside = scope_;
+        ++blocks_;
         while (!is_lost_ && !at().text.empty() && !is("}")) statement(true);
         need("}");
+        --blocks_;
         scope_ = outside;
     } else if (take("if")) {
-        need("(");
-        Value condition = expression();
-        to_bool(condition);
-        need(")");
-        statement(false);
-        if (take("else")) statement(false);
+        if_statement();
     } else if (take("for")) {
         for_loop();
+        return_ = kNone;
     } else if (take("return")) {
-        if (!is(";")) {
-            Value value = expression();
-            convert(value, type_of(function_.result));
-        }
-        need(";");
+        return_statement();
     } else if (is("sincos") && at(1).text == "(") {
         sincos(is_in_block);
+    } else if (is_void_call()) {
+        void_call(is_in_block);
     } else if (!declaration(is_in_block)) {
         assignment_statement();
     }
+}
+
+// "if (a) { b; return; } c;" -> "if (a) { b; } else { c; }", where nothing follows in the function.
+void TypedReader::if_statement() {
+    need("(");
+    Value condition = expression();
+    to_bool(condition);
+    need(")");
+    ++blocks_;
+    statement(false);
+    --blocks_;
+    const std::size_t returns = return_;
+    if (take("else")) {
+        ++blocks_;
+        statement(false);
+        --blocks_;
+    } else if (returns != kNone && blocks_ == 0) {
+        texts_[returns].text = "{ }";
+        texts_[returns + 1].text.clear();
+        texts_[next_ - 1].after += " else {";
+        ++open_;
+    }
+    return_ = kNone;
+}
+
+void TypedReader::return_statement() {
+    if (!is(";")) {
+        Value value = expression();
+        convert(value, type_of(function_.result));
+    } else if (blocks_ == 0 && open_ > 0 && at(1).text.empty()) {
+        texts_[next_ - 1].text.clear();
+    } else {
+        return_ = next_ - 1;
+    }
+    need(";");
 }
 
 // Hints for the engine's compiler change no value. "[unroll(4)]" may, so it stays.
@@ -152,59 +169,6 @@ void TypedReader::attribute() {
         for (std::size_t i = next_; i < next_ + 3; ++i) texts_[i].text.clear();
     while (!is_lost_ && !at().text.empty() && !is("]")) ++next_;
     need("]");
-}
-
-void TypedReader::for_loop() {
-    const Scope outside = scope_;
-    need("(");
-    const std::string_view type = at().text, name = at(1).text;
-    const bool is_counter = type == "int" || type == "uint" || type == "float";
-    if (!is_counter || at(2).text != "=") return give_up();
-    texts_[next_].text = "int";
-    next_ += 3;
-    const std::size_t begin = next_;
-    Value first = expression();
-    const std::string_view start = tokens_[begin].text;
-    const bool is_whole = start.substr(0, start.find(".0")).find_first_not_of("0123456789") == start.npos;
-    if (type != "int" && (!is_whole || !whole_limit(begin, next_, false))) return give_up();
-    convert(first, {.kind = Kind::Int});
-    need(";");
-    if (at().text != name) return give_up();
-    next_ += 1;
-    const bool is_included = is("<=");
-    if (!is("<") && !is_included) return give_up();
-    texts_[next_++].text = "<";
-    const std::size_t limit = next_;
-    Value last = expression();
-    if (is_lost_) return;
-    if (!whole_limit(limit, next_, is_included)) {
-        if (type != "int" || last.type.kind != Kind::Int || last.type.size > 1) return give_up();
-        if (is_included) {
-            if (!last.is_primary) wrap(last, "");
-            texts_[next_ - 1].after += " + 1";
-        }
-    }
-    need(";");
-    scope_[name] = {.type = {.kind = type == "int"    ? Kind::Int
-                                     : type == "uint" ? Kind::Uint
-                                                      : Kind::Float},
-                    .read_as = type == "int" ? "" : type};
-    while (!is_lost_ && !at().text.empty() && !is(")")) ++next_;  // the compiler reads the step
-    need(")");
-    statement(false);
-    scope_ = outside;
-}
-
-// A number becomes the integer that ends a loop in the same round; false: it is no number.
-bool TypedReader::whole_limit(std::size_t begin, std::size_t end, bool is_included) {
-    if (end != begin + 1) return false;
-    double number = 0;
-    const std::string_view text = tokens_[begin].text;
-    const auto [rest, wrong] = std::from_chars(text.data(), text.data() + text.size(), number);
-    const bool is_all = rest == text.data() + text.size() || std::string_view(rest, 1) == "u";
-    if (wrong != std::errc() || !is_all || text.starts_with("0x") || number > 1e6) return false;
-    texts_[begin].text = fmt::format("{}", static_cast<int>(is_included ? std::floor(number) + 1 : std::ceil(number)));
-    return true;
 }
 
 // "const float a = 1, b[2] = { 0, 1 };": a declaration for each.
@@ -297,10 +261,53 @@ void TypedReader::sincos(bool is_in_block) {
         if (is_letter(tokens_[i].text[0]) && tokens_[i].text == tokens_[sine.begin].text) return give_up();
     const std::string x = written(angle.begin, angle.end), s = written(sine.begin, sine.end),
                       c = written(cosine.begin, cosine.end);
+    replace_statement(begin, fmt::format("{} = sin({}); {} = cos({})", s, x, c, x), is_in_block);
+}
+
+// The statement from `begin` on, up to its semicolon.
+void TypedReader::replace_statement(std::size_t begin, const std::string& text, bool is_in_block) {
     for (std::size_t i = begin; i < next_; ++i) texts_[i] = {};
-    texts_[begin].text = fmt::format("{}{} = sin({}); {} = cos({})", is_in_block ? "" : "{ ", s, x, c, x);
+    texts_[begin].text = (is_in_block ? "" : "{ ") + text;
     if (!is_in_block) texts_[next_].after = " }";
     need(";");
+}
+
+const HlslFunction* TypedReader::own_function(std::string_view name) const {
+    const auto found = std::ranges::find(others_, name, &HlslFunction::name);
+    return found == others_.end() ? nullptr : &*found;
+}
+
+bool TypedReader::is_void_call() const {
+    const HlslFunction* called = at(1).text == "(" ? own_function(at().text) : nullptr;
+    return called && called->result == "void";
+}
+
+// "Polar(uv, radius, angle);" -> "radius = Polar(uv).r; angle = Polar(uv).a;"
+void TypedReader::void_call(bool is_in_block) {
+    const std::size_t begin = next_++;
+    const std::vector<Parameter> parameters = parameters_in(own_function(tokens_[begin].text)->parameters);
+    std::vector<Value> values = arguments();
+    if (is_lost_ || !is(";") || values.size() != parameters.size()) return give_up();
+    std::string inputs;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        if (parameters[i].is_out) continue;
+        convert(values[i], parameters[i].type);
+        inputs += (inputs.empty() ? "" : ", ") + written(values[i].begin, values[i].end);
+    }
+    const auto outputs = std::ranges::count_if(parameters, &Parameter::is_out);
+    std::string made;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        if (!parameters[i].is_out) continue;
+        const Type &is = values[i].type, &out = parameters[i].type;
+        // All inputs are read before anything is assigned.
+        const bool is_read = outputs > 1 && has_identifier(inputs, tokens_[values[i].begin].text);
+        if (is_read || !is.is_known() || is.kind != out.kind || is.size != out.size || is.columns != out.columns)
+            return give_up();
+        made += fmt::format("{}{} = {}({}).{}", made.empty() ? "" : "; ", written(values[i].begin, values[i].end),
+                            tokens_[begin].text, inputs, parameters[i].name);
+    }
+    if (made.empty()) return give_up();
+    replace_statement(begin, made, is_in_block);
 }
 
 void TypedReader::assignment_statement() {

@@ -158,8 +158,7 @@ TypedReader::Value TypedReader::call(std::string_view function, std::size_t begi
         made.type = type;
         return made;
     }
-    const auto own = std::ranges::find(others_, function, &HlslFunction::name);
-    if (own != others_.end()) {
+    if (const HlslFunction* own = own_function(function)) {
         const std::vector<Parameter> parameters = parameters_in(own->parameters);
         for (std::size_t i = 0; i < std::min(parameters.size(), values.size()); ++i)
             if (!parameters[i].is_out) convert(values[i], parameters[i].type);

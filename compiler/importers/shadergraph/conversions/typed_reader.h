@@ -51,12 +51,18 @@ private:
     // --- statements
     void find_limits();
     void statement(bool is_in_block);
+    void if_statement();
+    void return_statement();
     void attribute();
     void for_loop();
     bool whole_limit(std::size_t begin, std::size_t end, bool is_included);
     bool declaration(bool is_in_block);
     void list_of(const Type& type);
     void sincos(bool is_in_block);
+    bool is_void_call() const;
+    void void_call(bool is_in_block);
+    void replace_statement(std::size_t begin, const std::string& text, bool is_in_block);
+    const HlslFunction* own_function(std::string_view name) const;
     void assignment_statement();
 
     // --- expressions
@@ -87,7 +93,11 @@ private:
     const std::vector<HlslFunction>& others_;
     Scope scope_{};
     std::set<std::string_view> limits_{};  // variables that limit loops
+    static constexpr std::size_t kNone = std::string::npos;
     std::size_t next_ = 0;
+    std::size_t return_ = kNone;  // the last statement ends with this "return;"
+    std::size_t blocks_ = 0;      // around the statement
+    std::size_t open_ = 0;        // brackets that the end of the body closes
     int depth_ = 0;
     bool is_lost_ = false;
 };

@@ -115,14 +115,15 @@ TEST(ShaderGraphConversions, StatementsAndFunctionsAreWrittenOut) {
 
 // The value could be another one, or the compiler does not know the type: it stays HLSL.
 TEST(ShaderGraphConversions, WhatIsNotSafeStaysHlsl) {
-    for (const char* body : {"int i = 1; i *= 2.5; Out = A * i;",                               // cut after the product
-                             "Out = 0; for (float i = 0.5; i < 3; i++) Out += A * i;",          // starts in between
-                             "Out = 0; [unroll(2)] for (int i = 0; i < 3; i++) Out += A * i;",  // ends after 2 rounds
-                             "float s = B, c; sincos(s, s, c); Out = float3(s, c, 0);",         // reads what it writes
-                             "int i = 0; Out = A * i++;",                                       // an effect in a value
-                             "Out = 0; for (int i = 0; i < 4; i++) { Out += A; i += 1; }",      // skips rounds
-                             "int n = 3; n = 2; Out = 0; for (int i = 0; i < n; i++) Out += A;",  // another limit
-                             "Out = ddx_fine(A);"}) {
+    for (const char* body :
+         {"int i = 1; i *= 2.5; Out = A * i;",                                 // cut after the product
+          "Out = 0; for (float i = 0.5; i < 3; i++) Out += A * i;",            // starts in between
+          "Out = 0; [unroll(2)] for (int i = 0; i < 3; i++) Out += A * i;",    // ends after 2 rounds
+          "float s = B, c; sincos(s, s, c); Out = float3(s, c, 0);",           // reads what it writes
+          "int i = 0; Out = A * i++;",                                         // an effect in a value
+          "Out = 0; for (int i = 0; i < 4; i++) { Out += A; i += 1; }",        // skips rounds
+          "int n = 3; n = 2; Out = 0; for (int i = 0; i < n; i++) Out += A;",  // another limit
+          "Out = 0; for (int i = 0; i < 4; i++) if (B > 2) { Out = A; return; } Out = 1;", "Out = ddx_fine(A);"}) {
         const Imported made = import_graph(one_node(custom(body), 2));
         const std::string& code = text_of(made, "Glow.node.hlsl");
         EXPECT_NE(code.find("[foreign]"), std::string::npos) << code;
@@ -144,6 +145,39 @@ TEST(ShaderGraphConversions, FunctionsOfAFileConvertTheirArguments) {
     EXPECT_NE(code.find("return int(x * 2);"), std::string::npos) << code;
     EXPECT_NE(code.find("return v / float(n);"), std::string::npos) << code;
     expect_compiles(made, "a file");
+}
+
+TEST(ShaderGraphConversions, AReturnInABranchEndsTheFunction) {
+    expect_values({{"if (B > 2) { Out = A; return; }\\nOut = 1;", {0.25, 0.5, 0.75}},
+                   {"if (B < 2) { Out = A; return; }\\nOut = 1;", {1, 1, 1}},
+                   {"Out = A; if (B > 2) return;\\nOut = 1;", {0.25, 0.5, 0.75}},
+                   {"Out = 0; if (A.x > 1) return; float b = B; if (b > 5) { Out = b; return; } Out = A; return;",
+                    {0.25, 0.5, 0.75}}});
+}
+
+TEST(ShaderGraphConversions, FunctionsThatOnlyAssignAreCalledForEachOutput) {
+    const auto of_file = [](const std::string& body) {
+        save_shader_graph("Glow.hlsl",
+                          "void Polar_float(in float2 at, const float scale, out float r, out float a) {\n"
+                          "    r = length(at) * scale;\n    a = at.x > 0 ? 1 : 2;\n}\n"
+                          "void Twice_float(float x, out float r) { r = x * 2; }\n"
+                          "void Glow_float(float3 A, float B, out float3 Out) {\n    float x = 0, y; " +
+                              body + "\n}\n",
+                          kGuid);
+        return import_graph(one_node(custom("", "Glow", 0), 2));
+    };
+    const Imported made = of_file("if (B > 0) Polar_float(A, 2, x, y); Out = float3(x, y, 0);");
+    EXPECT_EQ(remarks(made, Remark::Kind::Changed) + remarks(made, Remark::Kind::LeftOut), "");
+    const std::string& code = text_of(made, "Glow.node.hlsl");
+    EXPECT_NE(code.find("if (B > 0) { x = Polar(A.xy, 2).r; y = Polar(A.xy, 2).a; }"), std::string::npos) << code;
+    EXPECT_NE(code.find("void Polar(float2 at, float scale, out float r, out float a) {"), std::string::npos) << code;
+    expect_compiles(made, "a call");
+    const Imported twice = of_file("Twice_float(B, x); Twice_float(x, x); Out = A * x;");
+    EXPECT_NE(text_of(twice, "Glow.node.hlsl").find("x = Twice(B).r; x = Twice(x).r; Out"), std::string::npos);
+    expect_compiles(twice, "one output");
+    // It reads what it writes.
+    const Imported same = of_file("Polar_float(x, 2, x, y); Out = float3(x, y, 0);");
+    EXPECT_NE(text_of(same, "Glow.node.hlsl").find("[foreign]"), std::string::npos);
 }
 
 }  // namespace
