@@ -8,11 +8,13 @@
 #include <iterator>
 
 #include "compiler/base/text.h"
+#include "compiler/importers/shadergraph/code/engine_words.h"
 #include "compiler/importers/shadergraph/code/hlsl_grammar.h"
 #include "compiler/importers/shadergraph/code/hlsl_text.h"
 #include "compiler/importers/shadergraph/code/includes.h"
 #include "compiler/importers/shadergraph/code/texture_reads.h"
 #include "compiler/importers/shadergraph/code/unknown_words.h"
+#include "compiler/importers/shadergraph/conversions/conversions.h"
 #include "compiler/importers/shadergraph/graph_maker.h"
 
 namespace patina::importers::shadergraph {
@@ -240,6 +242,11 @@ Code from_file(GraphMaker& maker, std::size_t index, std::string_view own) {
 std::string node_file(const Code& code, std::string_view name, std::string_view own, bool is_foreign) {
     const std::string_view mark = is_foreign ? "[foreign]\n" : "";
     std::string made;
+    if (!is_foreign) {
+        std::string bodies = code.main.body;
+        for (const HlslFunction& each : code.helpers) bodies += each.body;
+        made = functions_for_conversions(bodies);
+    }
     for (const HlslFunction& each : code.helpers)
         made +=
             fmt::format("{}{} {}({}) {{\n{}}}\n\n", mark, each.result, each.name, each.parameters, indented(each.body));
@@ -249,6 +256,14 @@ std::string node_file(const Code& code, std::string_view name, std::string_view 
                       own, name, mark, code.main.parameters,
                       code.main.parameters.empty() || code.engine_values.empty() ? "" : ", ", code.engine_values,
                       indented(code.main.body));
+}
+
+// The code with what the node language wants to be written.
+Code converted(Code code) {
+    const std::vector<HlslFunction> others = code.helpers;
+    for (HlslFunction& each : code.helpers) each.body = with_conversions(each, others, "");
+    code.main.body = with_conversions(code.main, others, code.engine_values);
+    return code;
 }
 
 // A word that is declared outside of the functions: by the engine, or as a constant of the file. Empty: there is none.
@@ -326,17 +341,24 @@ void make_custom_function(GraphMaker& maker, std::size_t index) {
         maker.refuse(index, code.error);
         return;
     }
-    std::string text = node_file(code, name, own, false);
+    std::string text = node_file(converted(code), name, own, false);
     const std::string any_file = name + ".node.hlsl";
     if (const std::string wrong = mistake(any_file, text); !wrong.empty()) {
         if (const std::string no_hlsl = grammar_mistake(code, is_file); !no_hlsl.empty()) {
             maker.refuse(index, "its code is neither the node language nor HLSL: " + no_hlsl);
             return;
         }
-        if (const std::string word = engine_word(code); !word.empty()) {
+        const std::string word = engine_word(code);
+        if (word == "clip" || word == "discard") {
+            maker.refuse(index, fmt::format("its code leaves out pixels ('{}'), which a function of the surface cannot "
+                                            "do: use Alpha Clip Threshold",
+                                            word));
+            return;
+        }
+        if (!word.empty()) {
             maker.refuse(index, fmt::format("its code is not valid in the node language: {}. Nor is it whole as HLSL: "
                                             "the engine, or another part of its file, declares '{}'",
-                                            wrong, word));
+                                            wrong, as_written(word)));
             return;
         }
         text = node_file(code, name, own, true);
@@ -350,8 +372,8 @@ void make_custom_function(GraphMaker& maker, std::size_t index) {
     }
     const std::string file = maker.node_file(name, text);
     maker.keep_node_file(file, text);
-    if (!code.engine_values.empty())
-        maker.approximate(index, "for the engine's values stand those of the library: its main light is '@light'");
+    if (code.engine_values.find("engineLight") != code.engine_values.npos)
+        maker.approximate(index, "its main light is '@light', the light of the library");
     GraphNode made{.id = {}, .node = "./" + file};
     Term holds;
     const std::vector<const Slot*> slots = ordered(at);

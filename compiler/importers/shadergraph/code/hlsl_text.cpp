@@ -7,17 +7,12 @@
 #include "compiler/base/text.h"
 #include "compiler/importers/expression_text.h"
 #include "compiler/importers/shadergraph/code/condition.h"
+#include "compiler/importers/shadergraph/code/engine_words.h"
+#include "compiler/importers/shadergraph/code/hlsl_tokens.h"
 #include "compiler/importers/shadergraph/code/matrix_elements.h"
 
 namespace patina::importers::shadergraph {
 namespace {
-
-bool is_letter(char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
-}
-bool is_digit(char c) {
-    return c >= '0' && c <= '9';
-}
 
 std::string_view trimmed(std::string_view text) {
     while (!text.empty() && (text.front() == ' ' || text.front() == '\t' || text.front() == '\r'))
@@ -167,27 +162,8 @@ constexpr std::pair<std::string_view, std::string_view> kWords[] = {
     {"UnitySamplerState", "SamplerState"},
 };
 
-// Calls and values of the engine: what stands for them, and the parameter that brings it.
-struct EngineWord {
-    std::string_view word;
-    bool is_call;  // its arguments are dropped, or, if `keeps` is true, kept
-    bool keeps;
-    std::string_view ours, parameter;
-};
-constexpr EngineWord kEngine[] = {
-    {"GetMainLight", true, false, "engineLight", "[hidden] Light engineLight = light"},
-    {"TransformWorldToShadowCoord", true, false, "float4(0)", ""},
-    {"SampleSH", true, true, "AmbientIrradiance", ""},
-    {"distanceAttenuation", false, false, "attenuation", ""},
-    {"shadowAttenuation", false, false, "shadow", ""},
-    {"_WorldSpaceCameraPos", false, false, "engineCamera", "[hidden] float3 engineCamera = cameraPositionWS"},
-    {"_Time", false, false, "float4(0.05, 1, 2, 3) * engineTime", "[hidden] float engineTime = time"},
-    {"_SinTime", false, false, "sin(float4(0.125, 0.25, 0.5, 1) * engineTime)", "[hidden] float engineTime = time"},
-    {"_CosTime", false, false, "cos(float4(0.125, 0.25, 0.5, 1) * engineTime)", "[hidden] float engineTime = time"},
-    {"_ScreenParams", false, false, "engineScreen.xyxy", "[hidden] float2 engineScreen = screenSize"},
-};
+}  // namespace
 
-// Behind the bracket that closes the one at `open`.
 std::size_t behind_bracket(std::string_view text, std::size_t open) {
     int depth = 0;
     for (std::size_t i = open; i < text.size(); ++i) {
@@ -195,44 +171,6 @@ std::size_t behind_bracket(std::string_view text, std::size_t open) {
         if (text[i] == ')' && --depth == 0) return i + 1;
     }
     return text.size();
-}
-
-void use_engine_words(HlslText& text) {
-    for (const EngineWord& each : kEngine) {
-        bool is_used = false;
-        for (std::size_t at = 0; (at = text.code.find(each.word, at)) != text.code.npos;) {
-            std::size_t end = at + each.word.size();
-            const bool is_word =
-                has_identifier(std::string_view(text.code).substr(at, each.word.size() + 1), each.word) &&
-                (at == 0 || (!is_letter(text.code[at - 1]) && !is_digit(text.code[at - 1])));
-            if (!is_word) {
-                at = end;
-                continue;
-            }
-            is_used = true;
-            const std::size_t open = text.code.find_first_not_of(' ', end);
-            if (each.is_call && !each.keeps && open != text.code.npos && text.code[open] == '(')
-                end = behind_bracket(text.code, open);
-            const bool is_member = end < text.code.size() && text.code[end] == '.';
-            const std::string ours = is_member && each.ours.find(' ') != each.ours.npos ? fmt::format("({})", each.ours)
-                                                                                        : std::string(each.ours);
-            text.code.replace(at, end - at, ours);
-            at += ours.size();
-        }
-        if (is_used && text.parameters.find(each.parameter) == text.parameters.npos)
-            text.parameters += (text.parameters.empty() ? "" : ", ") + std::string(each.parameter);
-    }
-}
-
-}  // namespace
-
-std::string as_written(std::string text) {
-    for (const EngineWord& each : kEngine) {
-        if (each.parameter.empty()) continue;
-        for (std::size_t at = 0; (at = text.find(each.ours, at)) != text.npos; at += each.word.size())
-            text.replace(at, each.ours.size(), each.word);
-    }
-    return text;
 }
 
 bool has_identifier(std::string_view code, std::string_view word) {
@@ -288,9 +226,11 @@ HlslText in_node_language(std::string_view hlsl) {
                 ++end;
             std::string number = text.substr(i, end - i);
             const bool is_hex = number.starts_with("0x");
+            const bool is_real = !is_hex && number.find_first_of("fFhH") != number.npos;
             while (!is_hex && !number.empty() &&
                    std::string_view("fFhHlL").find(number.back()) != std::string_view::npos)
                 number.pop_back();
+            if (is_real && number.find_first_of(".eE") == number.npos) number += ".";
             if (number.ends_with(".")) number += "0";
             made.code += number;
             i = end;
@@ -299,7 +239,7 @@ HlslText in_node_language(std::string_view hlsl) {
         }
     }
     made.code = with_matrix_elements(made.code, made.error);
-    use_engine_words(made);
+    with_engine_words(made.code, made.parameters);
     return made;
 }
 
@@ -323,6 +263,18 @@ bool assigns(std::string_view code, std::string_view variable) {
     return false;
 }
 
+// "in float3 A, const float B" -> "float3 A, float B": both say only what a parameter is anyway.
+static std::string without_qualifiers(std::string parameters) {
+    for (const std::string_view word : {"in", "const"})
+        for (std::size_t at = 0; (at = parameters.find(word, at)) != parameters.npos;) {
+            const std::size_t end = at + word.size();
+            const bool is_word = (at == 0 || !(is_letter(parameters[at - 1]) || is_digit(parameters[at - 1]))) &&
+                                 end < parameters.size() && parameters[end] == ' ';
+            is_word ? static_cast<void>(parameters.erase(at, word.size() + 1)) : static_cast<void>(at = end);
+        }
+    return parameters;
+}
+
 std::vector<HlslFunction> functions_in(std::string_view code) {
     std::vector<HlslFunction> made;
     std::size_t begin = 0;  // of the declaration
@@ -343,7 +295,7 @@ std::vector<HlslFunction> functions_in(std::string_view code) {
             if (words.size() >= 2)
                 made.push_back({.result = std::string(words[words.size() - 2]),
                                 .name = std::string(words.back()),
-                                .parameters = head.substr(open + 1, close - open - 1),
+                                .parameters = without_qualifiers(head.substr(open + 1, close - open - 1)),
                                 .body = std::string(code.substr(i + 1, end - i - 2))});
         }
         i = end - 1;

@@ -18,9 +18,6 @@ struct HlslText {
 };
 HlslText in_node_language(std::string_view hlsl);
 
-// For messages: the names of the engine again in the place of what stands for them.
-std::string as_written(std::string text);
-
 struct HlslFunction {
     std::string result{}, name{}, parameters{}, body{};  // "void", "Noise_float", "float2 UV, out float Out", "..."
 };
@@ -32,6 +29,9 @@ bool assigns(std::string_view code, std::string_view variable);
 
 // How many arguments each call of the function has.
 std::vector<std::size_t> argument_counts(std::string_view code, std::string_view function);
+
+// Behind the bracket that closes the one at `open`.
+std::size_t behind_bracket(std::string_view text, std::size_t open);
 
 // The word stands in the code by itself.
 bool has_identifier(std::string_view code, std::string_view word);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <set>
 
+#include "compiler/importers/shadergraph/code/hlsl_tokens.h"
+
 namespace patina::importers::shadergraph {
 namespace {
 
@@ -20,13 +22,6 @@ constexpr std::string_view kWords[] = {
     "refract", "reversebits", "round", "rsqrt", "saturate", "sign", "sin", "sincos", "sinh", "smoothstep", "sqrt",
     "step", "tan", "tanh", "transpose", "trunc"};
 
-bool is_letter(char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
-}
-bool is_digit(char c) {
-    return c >= '0' && c <= '9';
-}
-
 // "float", "int2", "half3x4"
 bool is_type(std::string_view word) {
     for (const std::string_view scalar : {"float", "half", "int", "uint", "bool", "double"})
@@ -35,7 +30,7 @@ bool is_type(std::string_view word) {
     return false;
 }
 
-std::vector<std::string_view> tokens_of(std::string_view text) {
+std::vector<std::string_view> words_of(std::string_view text) {
     std::vector<std::string_view> made;
     for (std::size_t at = 0; at < text.size();) {
         std::size_t end = at + 1;
@@ -71,7 +66,7 @@ std::set<std::string_view> declared_in(const std::vector<std::string_view>& toke
 }  // namespace
 
 std::string unknown_word(std::string_view body, const std::vector<std::string>& known) {
-    const std::vector<std::string_view> tokens = tokens_of(body);
+    const std::vector<std::string_view> tokens = words_of(body);
     const std::set<std::string_view> declared = declared_in(tokens);
     for (std::size_t i = 0; i < tokens.size(); ++i) {
         const std::string_view word = tokens[i];

@@ -241,14 +241,42 @@ TEST(ShaderGraphCode, MessagesHaveTheWordsOfTheAuthor) {
     EXPECT_FALSE(made.has_refused) << remarks(made, Remark::Kind::LeftOut);
     const std::string& code = text_of(made, "Glow.node.hlsl");
     EXPECT_NE(code.find("out float3 Out, [hidden] float engineTime = time) {"), std::string::npos) << code;
+    EXPECT_EQ(remarks(made, Remark::Kind::Changed), "");
     expect_compiles(made, "times");
     const std::string lost =
-        remarks(import_graph(one_node(custom("Out = _WorldSpaceCameraPos * A + UNITY_MATRIX_V[2].xyz * _Time.y;"), 2)),
+        remarks(import_graph(one_node(custom("Out = _WorldSpaceCameraPos * A + unity_LightmapST.xyz * _Time.y;"), 2)),
                 Remark::Kind::LeftOut);
     EXPECT_EQ(lost.find("engine"), lost.find("engine, or another part")) << lost;
-    EXPECT_NE(lost.find("in 'Out = _WorldSpaceCameraPos * A + UNITY_MATRIX_V[2].xyz * (_Time).y;'"), std::string::npos)
+    EXPECT_NE(lost.find("in 'Out = _WorldSpaceCameraPos * A + unity_LightmapST.xyz * _Time.y;'"), std::string::npos)
         << lost;
-    EXPECT_NE(lost.find("declares 'UNITY_MATRIX_V'"), std::string::npos) << lost;
+    EXPECT_NE(lost.find("declares 'unity_LightmapST'"), std::string::npos) << lost;
+}
+
+TEST(ShaderGraphCode, ValuesOfTheEngineAreTheSame) {
+    const std::pair<const char*, const char*> values[] = {
+        {"Out = A * B + _ScreenParams.zwx;", "float4(engineScreen, 1 + 1 / engineScreen).zwx"},
+        {"Out = A / _Time.xyz;", "A / (float4(0.05, 1, 2, 3) * engineTime).xyz"},
+        {"Out = A * _TimeParameters.xyz;", "float4(engineTime, sin(engineTime), cos(engineTime), 0).xyz"},
+        {"Out = mul(UNITY_MATRIX_M, float4(A, B)).xyz;", "mul(objectToWorld, float4(A, B)).xyz"},
+        {"Out = mul(GetWorldToObjectMatrix(), float4(A, B)).xyz;", "mul(worldToObject, float4(A, B)).xyz"},
+        {"Out = TransformWorldToObject(TransformObjectToWorld(A * B));",
+         "mul(worldToObject, float4(mul(objectToWorld, float4(A * B, 1)).xyz, 1)).xyz"},
+        {"Out = TransformWorldToView(A);", "mul(worldToView, float4(A, 1)).xyz"},
+        {"Out = TransformObjectToWorldDir(A, false);", "Out = mul(objectToWorld, float4(A, 0)).xyz"},
+        {"Out = TransformObjectToWorldNormal(A);", "Out = SafeNormalize(mul(float4(A, 0), worldToObject).xyz)"}};
+    for (const auto& [body, ours] : values) {
+        const Imported made = import_graph(one_node(custom(body), 2));
+        EXPECT_EQ(remarks(made, Remark::Kind::Changed) + remarks(made, Remark::Kind::LeftOut), "") << body;
+        EXPECT_NE(text_of(made, "Glow.node.hlsl").find(ours), std::string::npos) << text_of(made, "Glow.node.hlsl");
+        expect_compiles(made, body);
+    }
+}
+
+TEST(ShaderGraphCode, AFunctionCannotDiscard) {
+    for (const char* body : {"clip(A.x - 0.5);\\nOut = A;", "if (B < 0.5) discard;\\nOut = A;"}) {
+        const std::string lost = remarks(import_graph(one_node(custom(body), 2)), Remark::Kind::LeftOut);
+        EXPECT_NE(lost.find("use Alpha Clip Threshold"), std::string::npos) << lost;
+    }
 }
 
 TEST(ShaderGraphCode, AFunctionMayHaveANameOfAnyLetters) {
