@@ -116,6 +116,7 @@ private:
     void weigh(const Term& color, const Term& alpha, bool is_faded);
     void add_pinned(std::string id, const Block& block);
     void say_block(std::string part, std::string text, Place place);
+    void say_unread(const Block& block, const std::string& part, bool is_there, std::string_view lost);
     void make_outputs();
     void drop_unread();
     void make_layout();
