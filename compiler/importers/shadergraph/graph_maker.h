@@ -26,6 +26,9 @@
 
 namespace patina::importers::shadergraph {
 
+// Where the node of a keyword is used, and the engine does not declare the keyword: its last entry counts there.
+enum class KeywordUse { Declared, Off, OffInVertex, OffInFragment };
+
 // What the texels of a texture are.
 enum class TextureMeaning { Color, Data, Normal };
 
@@ -46,6 +49,7 @@ public:
     bool is_used(std::size_t node, int slot) const { return uses_.contains({node, slot}); }
     std::size_t uses(std::size_t node, int slot) const;
     bool is_in_fragment(std::size_t node) const { return in_fragment_.contains(node); }
+    KeywordUse keyword_use(std::size_t node, const Property& keyword) const;
     // The type of a slot, which for a dynamic one follows from what is connected to the node.
     Type type_of(std::size_t node, const Slot& slot) const;
     // The value at an input, in the type of its slot. `may_stay_number`: who takes it converts numbers to vectors.
@@ -100,11 +104,13 @@ private:
         bool is_normal = false, is_color = false, is_data = false;
         bool is_linear = false;            // its default says so
         const Picture* picture = nullptr;  // that it shows; null: none
+        std::string renamed{};             // from what, in words
         std::size_t node = 0;              // of a texture that is no property: which one holds it
     };
 
     void read_precision();
     void find_order();
+    std::set<std::size_t> nodes_of_stage(bool is_vertex) const;
     void evaluate(std::size_t node);
     std::string kept_inputs(std::size_t node);
     void say_misread(std::size_t node, std::string misread);
@@ -139,6 +145,7 @@ private:
     std::map<Key, std::size_t> uses_{};  // of outputs, by nodes that count
     std::vector<std::size_t> order_{};
     std::set<std::size_t> in_fragment_{};  // nodes that something but the vertex block reads
+    std::set<std::size_t> in_vertex_{};    // that the vertex block reads
     std::map<Key, Term> terms_{};          // outputs
     struct DynamicTypes {
         Type vector = Type::Float, matrix = Type::Matrix2;
@@ -164,6 +171,7 @@ struct KeywordEntry {
 };
 // What a graph does not say of where the property's value comes from, in words.
 std::string_view scope_difference(const Property& property);
+std::string_view hidden_difference(const Property& property);
 std::vector<KeywordEntry> keyword_entries(const Property& keyword);  // empty: it is a switch
 
 // Evaluates a node by the table; false: it is not in the table.

@@ -42,7 +42,7 @@ constexpr LostSetting kLost[] = {
     {"m_AlphaToMask", "Alpha To Mask", 0, "what is clipped has hard edges", "", -1, Needs::Clipping},
     {"m_SpecularAA", "Specular AA", 0, "highlights are not widened where the mesh is curved",
      "SpecularAAScreenSpaceVariance SpecularAAThreshold"},
-    {"m_SpecularOcclusionMode", "Specular Occlusion Mode", 1, "highlights are occluded as the lighting model does it",
+    {"m_SpecularOcclusionMode", "Specular Occlusion Mode", 0, "highlights are occluded as the lighting model does it",
      "SpecularOcclusion", 3},
     {"m_OverrideBakedGI", "Override Baked GI", 0, "ambient light is that of the scene", "BakedGI BakedBackGI"},
     {"m_ReceiveDecals", "Receive Decals", 1, "decals cover it, too"},

@@ -240,12 +240,16 @@ void keyword(GraphMaker& maker, std::size_t node) {
     }
     const std::string name = "$" + maker.property_name(*keyword);
     const std::vector<KeywordEntry> entries = keyword_entries(*keyword);
-    if (entries.empty()) {
-        choose(maker, node, 0, {{name, 1}, {"", 2}});
-        return;
-    }
     std::vector<std::pair<std::string, int>> cases;
+    if (entries.empty()) cases = {{name, 1}, {"", 2}};
     for (const KeywordEntry& each : entries) cases.push_back({fmt::format("{} == {}", name, each.word), each.id});
+    const KeywordUse use = maker.keyword_use(node, *keyword);
+    if (use == KeywordUse::Off) cases.erase(cases.begin(), cases.end() - 1);
+    if (use == KeywordUse::OffInVertex || use == KeywordUse::OffInFragment)
+        maker.approximate(node, fmt::format("the {} stage, too, has the keyword, which the engine declares for the {} "
+                                            "stage alone",
+                                            use == KeywordUse::OffInVertex ? "vertex" : "fragment",
+                                            use == KeywordUse::OffInVertex ? "fragment" : "vertex"));
     choose(maker, node, 0, cases);
 }
 
