@@ -352,8 +352,10 @@ bool Settings::uses(std::string_view block) const {
 }
 
 bool Settings::loses(std::string_view block) const {
-    if (block.starts_with("AlphaClipThreshold") && !is_clipped) return false;
-    return lost_blocks.starts_with(kAny) || names(lost_blocks, block);
+    if (block == "Alpha" || (block.starts_with("AlphaClipThreshold") && !is_clipped)) return false;
+    if (names(lost_blocks, block)) return true;
+    // Of any blocks, the settings choose among the ones for light and for the colour.
+    return lost_blocks.starts_with(kAny) && (uses(block) || (!is_lit && !block.ends_with("Color")));
 }
 
 Settings read_settings(const ShaderGraph& graph) {

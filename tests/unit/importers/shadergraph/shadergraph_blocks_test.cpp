@@ -135,8 +135,37 @@ TEST(ShaderGraphBlocks, ConstantsAreLostToo) {
         EXPECT_FALSE(says(import_graph(graph), Remark::Kind::Changed, "block"));
     }
     // A target that is not known may have any block.
-    const Imported unknown = import_graph(with_blocks("WaterSubTarget", "", {number_block("Foam", "0.5")}));
-    EXPECT_TRUE(says(unknown, Remark::Kind::Changed, "block 'Foam'"));
+    for (const char* block : {"Foam", "Metallic"})
+        EXPECT_TRUE(says(import_graph(with_blocks("WaterSubTarget", "", {number_block(block, "0.5")})),
+                         Remark::Kind::Changed, fmt::format("block '{}'", block)));
+    EXPECT_FALSE(says(import_graph(with_blocks("WaterSubTarget", "", {number_block("Alpha", "0.5")})),
+                      Remark::Kind::Changed, "block"));
+}
+
+// A master node of 2020.1 and before, whose slots have names.
+std::string old_master(const std::string& kind, const std::string& settings, const std::string& slots) {
+    return fmt::format(
+        R"({{"m_SerializedProperties":[],"m_SerializableEdges":[],"m_SerializableNodes":[{{"typeInfo":{{"fullName":"UnityEditor.ShaderGraph.{}"}},"JSONnodeData":"{{\"m_GuidSerialized\":\"m\",\"m_Name\":\"Master\",{},\"m_SerializableSlots\":[{}]}}"}}]}})",
+        kind, settings, slots);
+}
+std::string old_slot(int id, const std::string& kind, const std::string& name, const std::string& value) {
+    return fmt::format(
+        R"({{\"typeInfo\":{{\"fullName\":\"UnityEditor.ShaderGraph.{}MaterialSlot\"}},\"JSONnodeData\":\"{{\\\"m_Id\\\":{},\\\"m_DisplayName\\\":\\\"{}\\\",\\\"m_SlotType\\\":0,\\\"m_Value\\\":{}}}\"}})",
+        kind, id, name, value);
+}
+
+TEST(ShaderGraphBlocks, OfOldMasterNodesHaveOtherNames) {
+    const std::string red = R"({\\\"x\\\":1.0,\\\"y\\\":0.0,\\\"z\\\":0.0})";
+    const std::string slots = old_slot(0, "ColorRGB", "Specular Color", red) + "," +
+                              old_slot(1, "ColorRGB", "Emissive", red) + "," + old_slot(2, "Vector1", "Alpha", "0.5") +
+                              "," + old_slot(3, "Vector1", "Coat Mask", "0.5") + "," +
+                              old_slot(4, "Vector1", "Subsurface Mask", "1.0");
+    const Imported made = import_text(old_master("HDLitMasterNode", R"(\"m_MaterialType\":4)", slots));
+    EXPECT_NE(text_of(made).find(R"("specular": [1, 0, 0], "emission": [1, 0, 0])"), std::string::npos)
+        << text_of(made) << made.error;
+    EXPECT_TRUE(says(made, Remark::Kind::Changed, "block 'CoatMask'"));
+    EXPECT_TRUE(says(made, Remark::Kind::Taken, "block 'SubsurfaceMask': it has its default"));
+    EXPECT_TRUE(says(made, Remark::Kind::Taken, "block 'Alpha': an opaque surface does not read it"));
 }
 
 TEST(ShaderGraphBlocks, OfVerticesAreLostToo) {
