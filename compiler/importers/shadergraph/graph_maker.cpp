@@ -150,9 +150,8 @@ void GraphMaker::evaluate(std::size_t index) {
         return;
     }
     if (is_output || apply_special(*this, index) || apply_rule(*this, index)) return;
-    refuse(index, is_in_table(at.kind)
-                      ? "it has a setting with a value that this importer does not know"
-                      : fmt::format("'{}' is no node of Shader Graph that this importer knows", at.kind));
+    refuse(index, is_in_table(at.kind) ? "it has a setting with a value that this importer does not know"
+                                       : reason_for_unknown(at));
 }
 
 Type GraphMaker::type_of(std::size_t index, const Slot& slot) const {

@@ -174,6 +174,9 @@ std::string_view scope_difference(const Property& property);
 std::string_view hidden_difference(const Property& property);
 std::vector<KeywordEntry> keyword_entries(const Property& keyword);  // empty: it is a switch
 
+// Why a node is refused that is neither in the table nor has a function of its own.
+std::string reason_for_unknown(const Node& node);
+
 // Evaluates a node by the table; false: it is not in the table.
 bool apply_rule(GraphMaker& maker, std::size_t node);
 // Evaluates a node that has a function of its own; false: it has none.
