@@ -32,7 +32,6 @@ struct Declaration {
     std::vector<Member> more{};
     std::string help{};
     std::string difference{};  // what the graph does not say
-    std::string note{};        // what makes no difference to the surface
 };
 
 // Letters and digits alone, in small letters.
@@ -71,6 +70,16 @@ void add_range(const Property& property, double value, Declaration& made) {
                                         number(static_cast<float>(std::max(high, value)))})});
 }
 
+// "0 is Low, 5 is High"
+std::string words_of_list(const Property& property) {
+    const std::vector<Json>& words = elements_of(property.json, "m_EnumNames");
+    const std::vector<Json>& values = elements_of(property.json, "m_EnumValues");
+    std::string made;
+    for (std::size_t i = 0; i < std::min(words.size(), values.size()); ++i)
+        made += fmt::format("{}{} is {}", made.empty() ? "" : ", ", values[i].number, words[i].string);
+    return made;
+}
+
 // The input of a sub-graph takes whatever number is connected, as in the engine.
 Declaration number_declaration(const Property& property, bool is_input) {
     Declaration made{.type = "float"};
@@ -92,7 +101,10 @@ Declaration number_declaration(const Property& property, bool is_input) {
         add_range(property, value, made);
         if (whole_of(property.json, "m_SliderType") == 1) add(made.difference, "its slider is even, without a power");
     }
-    if (kind == 3) made.difference = "it is a number, without the words of its list";
+    if (kind == 3 && !is_input) made.help = words_of_list(property);
+    if (kind == 3)
+        add(made.difference, made.help.empty() ? "it is a number, without the words of its list"
+                                               : "it is a number, and its help has the words of its list");
     return made;
 }
 
@@ -105,6 +117,11 @@ Declaration color_declaration(const Property& property) {
     for (const double each : value) high = std::max(high, std::ceil(each));
     made.more.push_back({"range", list({number(0.0), number(high)})});
     return made;
+}
+
+// A keyword that the engine knows.
+bool is_of_engine(const Property& keyword) {
+    return whole_in(keyword.json, "m_KeywordDefinition", 0, 0, 3) == 2 || !flag_of(keyword.json, "m_IsEditable", true);
 }
 
 Declaration keyword_declaration(const Property& property) {
@@ -126,11 +143,8 @@ Declaration keyword_declaration(const Property& property) {
     } else {
         made.value = flag(flag_of(property.json, "m_Value"));
     }
-    const int definition = whole_in(property.json, "m_KeywordDefinition", 0, 0, 3);
-    if (definition != 3) made.more.push_back({"as", text("variant")});
-    if (definition == 2 || !flag_of(property.json, "m_IsEditable", true))
-        made.difference += (made.difference.empty() ? "" : "; ") +
-                           std::string("the engine sets it; here it is a variant with a default");
+    if (whole_in(property.json, "m_KeywordDefinition", 0, 0, 3) != 3) made.more.push_back({"as", text("variant")});
+    if (is_of_engine(property)) add(made.difference, "the engine sets it; here it is a variant with a default");
     return made;
 }
 
@@ -190,10 +204,14 @@ void add_scope(const Property& property, Declaration& made) {
         made.more.push_back({"as", text("instance")});
     else
         add(made.difference, scope_difference(property));
-    if (property.is_hidden) made.note = ", which inspectors show here";
+    add(made.difference, hidden_difference(property));
 }
 
 }  // namespace
+
+std::string_view hidden_difference(const Property& property) {
+    return property.is_exposed && property.is_hidden ? "inspectors show it here, and do not in the engine" : "";
+}
 
 std::string_view scope_difference(const Property& property) {
     switch (scope_of(property)) {
@@ -205,7 +223,12 @@ std::string_view scope_difference(const Property& property) {
     // Those are never exposed.
     const Type type = type_of_property(property.kind);
     if (type == Type::Sampler || type == Type::Gradient || patina::importers::terms::is_matrix(type)) return {};
-    return property.is_exposed ? "" : "it is not exposed: scripts alone set it; here it is a property of the material";
+    if (property.is_exposed) return "";
+    if (property.kind == "Keyword")
+        return is_of_engine(property)
+                   ? ""
+                   : "it is not exposed: scripts or the engine set it; here it is a property of the material";
+    return "it is not exposed: scripts alone set it; here it is a property of the material";
 }
 
 std::vector<KeywordEntry> keyword_entries(const Property& keyword) {
@@ -222,6 +245,18 @@ std::vector<KeywordEntry> keyword_entries(const Property& keyword) {
         made.push_back(std::move(each));
     }
     return made;
+}
+
+KeywordUse GraphMaker::keyword_use(std::size_t index, const Property& keyword) const {
+    constexpr int kPredefined = 2, kAll = 63, kVertex = 1, kFragment = 2;
+    if (graph_.is_subgraph || whole_in(keyword.json, "m_KeywordDefinition", 0, 0, 3) >= kPredefined)
+        return KeywordUse::Declared;
+    const int stages = whole_in(keyword.json, "m_KeywordStages", kAll, 0, kAll);
+    const bool is_in_vertex = in_vertex_.contains(index), is_in_fragment = in_fragment_.contains(index);
+    const bool lacks_vertex = is_in_vertex && !(stages & kVertex);
+    const bool lacks_fragment = is_in_fragment && !(stages & kFragment);
+    if (lacks_vertex == is_in_vertex && lacks_fragment == is_in_fragment) return KeywordUse::Off;
+    return lacks_vertex ? KeywordUse::OffInVertex : lacks_fragment ? KeywordUse::OffInFragment : KeywordUse::Declared;
 }
 
 const Property* GraphMaker::property(std::string_view id) const {
@@ -253,9 +288,9 @@ void GraphMaker::read_blackboard() {
         std::string wanted = is_input ? camel_case(property.name) : identifier(property.reference);
         if (wanted.empty()) wanted = camel_case(property.name);
         const std::string name = property_names_.unique(wanted, "property");
-        if (!is_input && name != property.reference && !property.reference.empty())
-            remark(Remark::Kind::Changed, part, fmt::format("it is called '{}', not '{}'", name, property.reference),
-                   property.place);
+        const std::string renamed = is_input || name == property.reference || property.reference.empty()
+                                        ? ""
+                                        : fmt::format("the shader calls it '{}'", property.reference);
         properties_[property.id] = name;
         SubgraphPorts::Input port{.name = name, .guid = property.guid, .reference = property.reference, .type = type};
         port.is_perceptual = type == Type::Gradient && gradient_of(member(property.json, "m_Value")).is_perceptual();
@@ -273,7 +308,7 @@ void GraphMaker::read_blackboard() {
                                                       : "texture2dArray";
             } else {
                 // Declared at the end, when it is known how it is sampled.
-                textures_[name];
+                textures_[name].renamed = renamed;
                 file_.properties.push_back({.name = name, .type = {}});
                 continue;
             }
@@ -301,8 +336,7 @@ void GraphMaker::read_blackboard() {
             if (is_input) ports_.inputs.push_back(port);
             continue;
         }
-        for (const std::string& wrong : {property.misread, take_misreads()})
-            if (!wrong.empty()) made.difference += (made.difference.empty() ? "" : "; ") + wrong;
+        for (const std::string& each : {renamed, property.misread, take_misreads()}) add(made.difference, each);
         if (!is_input) add_scope(property, made);
         if (is_input) {
             std::vector<Member> members = {{"name", text(name)}, {"type", text(made.type)}, {"default", made.value}};
@@ -319,7 +353,7 @@ void GraphMaker::read_blackboard() {
             file_.properties.push_back(std::move(declared));
         }
         remark(made.difference.empty() ? Remark::Kind::Taken : Remark::Kind::Changed, part,
-               what + made.note + (made.difference.empty() ? "" : ": " + made.difference), property.place);
+               what + (made.difference.empty() ? "" : ": " + made.difference), property.place);
     }
 }
 

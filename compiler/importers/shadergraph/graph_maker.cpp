@@ -95,12 +95,20 @@ void GraphMaker::find_order() {
     }
     for (const auto& [to, from] : edges_)
         if (states[to.first] == 2) ++uses_[from];
+    in_fragment_ = nodes_of_stage(false);
+    in_vertex_ = nodes_of_stage(true);
+}
+
+// In the order, what a node reads comes before it.
+std::set<std::size_t> GraphMaker::nodes_of_stage(bool is_vertex) const {
+    std::set<std::size_t> made;
     for (const Block& block : graph_.blocks)
-        if (!block.is_vertex) in_fragment_.insert(block.node);
+        if (block.is_vertex == is_vertex) made.insert(block.node);
     for (auto at = order_.rbegin(); at != order_.rend(); ++at)
         for (const Slot& slot : node(*at).slots)
-            if (const auto found = edges_.find({*at, slot.id}); found != edges_.end() && in_fragment_.contains(*at))
-                in_fragment_.insert(found->second.first);
+            if (const auto found = edges_.find({*at, slot.id}); found != edges_.end() && made.contains(*at))
+                made.insert(found->second.first);
+    return made;
 }
 
 std::string_view GraphMaker::own_precision(std::size_t index) const {
@@ -143,9 +151,8 @@ void GraphMaker::evaluate(std::size_t index) {
         return;
     }
     if (is_output || apply_special(*this, index) || apply_rule(*this, index)) return;
-    refuse(index, is_in_table(at.kind)
-                      ? "it has a setting with a value that this importer does not know"
-                      : fmt::format("'{}' is no node of Shader Graph that this importer knows", at.kind));
+    refuse(index, is_in_table(at.kind) ? "it has a setting with a value that this importer does not know"
+                                       : reason_for_unknown(at));
 }
 
 Type GraphMaker::type_of(std::size_t index, const Slot& slot) const {

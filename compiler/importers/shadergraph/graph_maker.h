@@ -26,6 +26,9 @@
 
 namespace patina::importers::shadergraph {
 
+// Where the node of a keyword is used, and the engine does not declare the keyword: its last entry counts there.
+enum class KeywordUse { Declared, Off, OffInVertex, OffInFragment };
+
 // What the texels of a texture are.
 enum class TextureMeaning { Color, Data, Normal };
 
@@ -46,6 +49,7 @@ public:
     bool is_used(std::size_t node, int slot) const { return uses_.contains({node, slot}); }
     std::size_t uses(std::size_t node, int slot) const;
     bool is_in_fragment(std::size_t node) const { return in_fragment_.contains(node); }
+    KeywordUse keyword_use(std::size_t node, const Property& keyword) const;
     // The type of a slot, which for a dynamic one follows from what is connected to the node.
     Type type_of(std::size_t node, const Slot& slot) const;
     // The value at an input, in the type of its slot. `may_stay_number`: who takes it converts numbers to vectors.
@@ -102,11 +106,13 @@ private:
         bool is_normal = false, is_color = false, is_data = false;
         bool is_linear = false;            // its default says so
         const Picture* picture = nullptr;  // that it shows; null: none
+        std::string renamed{};             // from what, in words
         std::size_t node = 0;              // of a texture that is no property: which one holds it
     };
 
     void read_precision();
     void find_order();
+    std::set<std::size_t> nodes_of_stage(bool is_vertex) const;
     void evaluate(std::size_t node);
     std::string kept_inputs(std::size_t node);
     void say_misread(std::size_t node, std::string misread);
@@ -118,6 +124,7 @@ private:
     void weigh(const Term& color, const Term& alpha, bool is_faded);
     void add_pinned(std::string id, const Block& block);
     void say_block(std::string part, std::string text, Place place);
+    void say_unread(const Block& block, const std::string& part, bool is_there, std::string_view lost);
     void make_outputs();
     void drop_unread();
     void make_layout();
@@ -140,6 +147,7 @@ private:
     std::map<Key, std::size_t> uses_{};  // of outputs, by nodes that count
     std::vector<std::size_t> order_{};
     std::set<std::size_t> in_fragment_{};  // nodes that something but the vertex block reads
+    std::set<std::size_t> in_vertex_{};    // that the vertex block reads
     std::map<Key, Term> terms_{};          // outputs
     struct DynamicTypes {
         Type vector = Type::Float, matrix = Type::Matrix2;
@@ -166,7 +174,11 @@ struct KeywordEntry {
 };
 // What a graph does not say of where the property's value comes from, in words.
 std::string_view scope_difference(const Property& property);
+std::string_view hidden_difference(const Property& property);
 std::vector<KeywordEntry> keyword_entries(const Property& keyword);  // empty: it is a switch
+
+// Why a node is refused that is neither in the table nor has a function of its own.
+std::string reason_for_unknown(const Node& node);
 
 // Evaluates a node by the table; false: it is not in the table.
 bool apply_rule(GraphMaker& maker, std::size_t node);

@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
+
+#include "compiler/importers/shadergraph/lost_settings.h"
 
 namespace patina::importers::shadergraph {
 namespace {
@@ -11,25 +14,29 @@ namespace {
 struct Material {
     std::string_view in_name;
     bool is_lit;
-    std::string_view difference;  // empty: the material does the same
+    std::string_view difference;   // empty: the material does the same
+    std::string_view blocks = {};  // that it has in any case, and the surface lacks
 };
+constexpr std::string_view kAny = "*";  // blocks of many kinds
 constexpr Material kMaterials[] = {
     {"SpriteUnlit", false, ""},
-    {"SpriteCustomLit", false, "2D lights are not known: it is drawn without light"},
-    {"SpriteLit", false, "2D lights are not known: it is drawn without light"},
+    {"SpriteCustomLit", false, "2D lights are not known: it is drawn without light", "SpriteMask NormalTS"},
+    {"SpriteLit", false, "2D lights are not known: it is drawn without light", "SpriteMask NormalTS"},
+    {"HDUnlit", false, "", "Emission"},
     {"Unlit", false, ""},
     {"UniversalLit", true, ""},
     {"BuiltInLit", true, ""},
     {"PBRMasterNode", true, ""},
-    {"HDLit", true, "it is lit as the built-in pipeline does"},
-    {"Decal", true, "it is drawn on its mesh, and not projected on what is behind it"},
-    {"Fullscreen", false, "it is drawn on its mesh, and not over the whole picture"},
-    {"Canvas", false, "it is drawn on its mesh, and not on a canvas"},
-    {"SixWay", true, "it is lit as a surface, without maps for six directions"},
-    {"Terrain", true, "it is drawn on its mesh, without the layers of a terrain"},
-    {"Fabric", true, "it is lit as a surface without fibres"},
-    {"Vfx", false, "it is drawn on its mesh, and not on particles"},
-    {"VFX", false, "it is drawn on its mesh, and not on particles"},
+    {"HDLit", true, "it is lit as the built-in pipeline does", "BentNormal"},
+    {"Decal", true, "it is drawn on its mesh, and not projected on what is behind it", "NormalAlpha MAOSAlpha"},
+    {"Fullscreen", false, "it is drawn on its mesh, and not over the whole picture",
+     "FullscreenEyeDepth FullscreenLinear01Depth FullscreenRawDepth"},
+    {"Canvas", false, "it is drawn on its mesh, and not on a canvas", "Emission"},
+    {"SixWay", true, "it is lit as a surface, without maps for six directions", kAny},
+    {"Terrain", true, "it is drawn on its mesh, without the layers of a terrain", kAny},
+    {"Fabric", true, "it is lit as a surface without fibres", kAny},
+    {"Vfx", false, "it is drawn on its mesh, and not on particles", kAny},
+    {"VFX", false, "it is drawn on its mesh, and not on particles", kAny},
 };
 
 const Material* material_of(std::string_view name) {
@@ -48,26 +55,6 @@ constexpr Known kEditorOnly[] = {
     {"m_OverrideEnabled", "Override ShaderGUI", "it concerns the editor alone"},
     {"m_ShaderGUIOverride", "ShaderGUI", "it concerns the editor alone"},
     {"m_DOTSInstancing", "DOTS Instancing", "it concerns the engine's way of drawing alone"},
-};
-
-// Settings that a graph does not have: what is lost if they differ from their default.
-struct Lost {
-    std::string_view key, label;
-    double otherwise;
-    std::string_view text;
-};
-constexpr Lost kLost[] = {
-    {"m_CastShadows", "Cast Shadows", 1, "it casts shadows"},
-    {"m_ReceiveShadows", "Receive Shadows", 1, "it receives shadows"},
-    {"m_SupportsLODCrossFade", "LOD Cross Fade", 0, "levels of detail do not fade"},
-    {"m_AdditionalMotionVectorMode", "Additional Motion Vectors", 0, "there are no motion vectors"},
-    {"m_AlembicMotionVectors", "Alembic Motion Vectors", 0, "there are no motion vectors"},
-    {"m_SortPriority", "Sorting Priority", 0, "it is drawn in the order of its kind of surface"},
-    {"m_Tessellation", "Tessellation", 0, "the triangles are those of the mesh"},
-    {"m_TransparentDepthPrepass", "Transparent Depth Prepass", 0, "it is drawn once"},
-    {"m_TransparentDepthPostpass", "Transparent Depth Postpass", 0, "it is drawn once"},
-    {"m_BackThenFrontRendering", "Back Then Front Rendering", 0, "it is drawn once"},
-    {"m_Distortion", "Distortion", 0, "what is behind it is not distorted"},
 };
 
 class Reader {
@@ -89,10 +76,12 @@ public:
         is_universal_ = is_universal;
         const std::string difference(is_known ? material->difference
                                               : "this importer does not know it: it is drawn without light");
+        made_.lost_blocks = is_known ? material->blocks : kAny;
+        // The master nodes of this pipeline have no other slots than those that their settings want.
+        if (is_old_ && is_high_definition_) made_.lost_blocks = kAny;
         workflow();
         add(difference.empty() ? Remark::Kind::Taken : Remark::Kind::Changed, "Material",
             fmt::format("the workflow '{}'{}", made_.workflow(), difference.empty() ? "" : ": " + difference));
-        made_.has_many_blocks = is_high_definition_;
         surface();
         faces_and_depth();
         if (whole("m_AllowMaterialOverride", 0) != 0)
@@ -128,13 +117,40 @@ private:
     void workflow() {
         if (!made_.is_lit) return;
         made_.is_specular = whole(holder("m_WorkflowMode") ? "m_WorkflowMode" : "m_Model", 1) == 0;
+        if (is_high_definition_) material_type_of_lit();
         add(Remark::Kind::Taken, "Workflow Mode", fmt::format("'{}'", made_.workflow()));
         static constexpr std::string_view kNormals[] = {"NormalTS", "NormalOS", "NormalWS"};
         made_.normal_block = kNormals[whole("m_NormalDropOffSpace", 0, 2)];
         if (made_.normal_block != kNormals[0])
             add(Remark::Kind::Taken, "Fragment Normal Space", fmt::format("the block '{}'", made_.normal_block));
-        made_.has_coat = whole("m_ClearCoat", 0) != 0;
-        if (made_.has_coat) add(Remark::Kind::Changed, "Clear Coat", "the surface has no coat");
+    }
+
+    // Of the high definition pipeline's Lit. Newer graphs may have several, of which a material chooses one.
+    void material_type_of_lit() {
+        constexpr std::string_view kLabel = "Material Type", kKey = "m_MaterialType", kMask = "m_MaterialTypeMask";
+        static constexpr Lit kBits[] = {Lit::Subsurface,    Lit::Standard,    Lit::Anisotropy,        Lit::Iridescence,
+                                        Lit::SpecularColor, Lit::Translucent, Lit::ColoredTranslucent};
+        if (!holder(kMask) && !holder(kKey)) return;
+        auto chosen = static_cast<Lit>(whole(kKey, 0, 5));
+        bool has_several = false;
+        if (holder(kMask)) {
+            const auto mask = static_cast<unsigned>(whole(kMask, 2, (1 << std::size(kBits)) - 1));
+            chosen = mask == 0 ? Lit::Standard : kBits[std::countr_zero(mask)];
+            has_several = std::popcount(mask) > 1;
+        }
+        const MaterialType& type = material_type(chosen);
+        made_.is_specular = chosen == Lit::SpecularColor;
+        made_.has_metal = type.has_metal;
+        lose(type.blocks);
+        if (chosen == Lit::Subsurface && whole("m_SSSTransmission", 1) != 0) lose("TransmissionMask Thickness");
+        std::string text = fmt::format("'{}'", type.name);
+        if (!type.lost.empty()) text += fmt::format(": {}", type.lost);
+        if (has_several)
+            text += fmt::format("{} materials cannot choose another one", type.lost.empty() ? ":" : ", and");
+        add(type.lost.empty() && !has_several ? Remark::Kind::Taken : Remark::Kind::Changed, kLabel, text);
+    }
+    void lose(std::string_view blocks) {
+        made_.lost_blocks += (made_.lost_blocks.empty() ? "" : " ") + std::string(blocks);
     }
 
     static bool is_set(const Json& value) { return value.number != 0 || value.boolean || !value.string.empty(); }
@@ -250,8 +266,10 @@ private:
         made_.is_overridable = true;
         made_.render.push_back({"materialOverride", flag(true)});
         add(Remark::Kind::Taken, kLabel, "\"materialOverride\": true");
-        if (is_universal && made_.is_lit)
+        if (is_universal && made_.is_lit) {
+            lose(made_.is_specular ? "Metallic" : "Specular");
             add(Remark::Kind::Changed, kLabel, "materials cannot change the workflow, nor reject shadows");
+        }
         if (made_.is_clipped_blend) add(Remark::Kind::Changed, kLabel, "materials cannot turn off alpha clipping");
         if (made_.is_weighted || made_.is_faded)
             add(Remark::Kind::Changed, kLabel, "alpha changes the colour, whichever blending a material chooses");
@@ -262,13 +280,24 @@ private:
         for (const Known& each : kEditorOnly)
             if (const Json* found = holder(each.key); found && is_set(*found->find(each.key)))
                 add(Remark::Kind::Taken, each.label, std::string(each.text));
-        for (const Lost& each : kLost)
-            if (const Json* found = holder(each.key);
-                found && number_of(found, each.key, each.otherwise) != each.otherwise)
-                add(Remark::Kind::Changed, each.label, std::string(each.text));
+        for (const LostSetting& each : lost_settings()) lose(each);
         if (const std::string wrong = take_misreads(); !wrong.empty())
             made_.remarks.push_back(
                 {.kind = Remark::Kind::Changed, .part = "settings", .text = wrong, .place = target_.place});
+    }
+
+    void lose(const LostSetting& setting) {
+        const double value = number_of(holder(setting.key), setting.key, setting.otherwise);
+        if (value == setting.otherwise) return;
+        using Needs = LostSetting::Needs;
+        const std::string_view idle = setting.needs == Needs::Blending && !made_.is_blended   ? "on an opaque surface"
+                                      : setting.needs == Needs::Clipping && !made_.is_clipped ? "without alpha clipping"
+                                      : setting.needs == Needs::Specular && !made_.is_specular
+                                          ? "without a specular colour"
+                                          : "";
+        if (!idle.empty()) return add(Remark::Kind::Taken, setting.label, fmt::format("it has no effect {}", idle));
+        add(Remark::Kind::Changed, setting.label, std::string(setting.text));
+        if (setting.with < 0 || setting.with == value) lose(setting.blocks);
     }
 
 public:
@@ -314,17 +343,18 @@ std::string_view Settings::workflow() const {
 bool Settings::uses(std::string_view block) const {
     if (block == "BaseColor" || block == "SpriteColor" || block == "FullscreenColor") return block == color_block;
     if (block.starts_with("Normal") && block.size() == normal_block.size()) return block == normal_block;
-    if (block == "Metallic") return is_lit && !is_specular;
+    if (block == "Metallic") return is_lit && !is_specular && has_metal;
     if (block == "Specular") return is_lit && is_specular;
     if (block == "Alpha") return is_blended || is_clipped || is_overridable;
     if (block == "AlphaClipThreshold") return is_clipped || is_overridable;
     return true;
 }
 
-bool Settings::wants(std::string_view block) const {
-    if (block.starts_with("Coat")) return has_coat;
-    if (has_many_blocks && uses(block)) return true;
-    return block == "SpriteMask" || block.starts_with("Fullscreen") || block == "NormalAlpha" || block == "MAOSAlpha";
+bool Settings::loses(std::string_view block) const {
+    if (block == "Alpha" || (block.starts_with("AlphaClipThreshold") && !is_clipped)) return false;
+    if (names(lost_blocks, block)) return true;
+    // Of any blocks, the settings choose among the ones for light and for the colour.
+    return lost_blocks.starts_with(kAny) && (uses(block) || (!is_lit && !block.ends_with("Color")));
 }
 
 Settings read_settings(const ShaderGraph& graph) {

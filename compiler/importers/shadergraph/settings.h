@@ -21,15 +21,15 @@ struct Settings {
     bool is_tinted = false;         // multiplied by the colour of the vertices, as sprites are
     bool is_weighted = false;       // additive: the colour is multiplied by alpha
     bool is_faded = false;          // multiplied: alpha fades the colour to white
-    bool has_coat = false;
-    bool has_many_blocks = false;  // the target has blocks for many kinds of surfaces
+    bool has_metal = true;          // without a specular colour
+    std::string lost_blocks{};      // that the target has and the surface lacks: "CoatMask CoatSmoothness"; "*": any
     std::string_view color_block = "BaseColor", normal_block = "NormalTS";  // the ones of several that count
     std::vector<Member> render{};
     std::vector<SettingRemark> remarks{};
 
     std::string_view workflow() const;         // its name in the library
     bool uses(std::string_view block) const;   // the target has this block with these settings
-    bool wants(std::string_view block) const;  // it has the block, and a workflow may not
+    bool loses(std::string_view block) const;  // the same, and the surface lacks it
 };
 // Of the target that counts: that of the universal pipeline, if there are several.
 Settings read_settings(const ShaderGraph& graph);

@@ -215,9 +215,11 @@ void property_node(GraphMaker& maker, std::size_t node) {
     maker.set(node, 0, maker.property_term(node));
 }
 
-// The last one counts for every other value.
-void choose(GraphMaker& maker, std::size_t node, int output, const std::vector<std::pair<std::string, int>>& cases) {
+// The last one counts for every other value. `read`: what the conditions read beside properties.
+void choose(GraphMaker& maker, std::size_t node, int output, const std::vector<std::pair<std::string, int>>& cases,
+            const Term& read = {}) {
     Term made;
+    note_all(made, read);
     std::string text;
     for (std::size_t i = 0; i < cases.size(); ++i) {
         Term value = maker.input(node, cases[i].second);
@@ -240,13 +242,41 @@ void keyword(GraphMaker& maker, std::size_t node) {
     }
     const std::string name = "$" + maker.property_name(*keyword);
     const std::vector<KeywordEntry> entries = keyword_entries(*keyword);
-    if (entries.empty()) {
-        choose(maker, node, 0, {{name, 1}, {"", 2}});
-        return;
-    }
     std::vector<std::pair<std::string, int>> cases;
+    if (entries.empty()) cases = {{name, 1}, {"", 2}};
     for (const KeywordEntry& each : entries) cases.push_back({fmt::format("{} == {}", name, each.word), each.id});
+    const KeywordUse use = maker.keyword_use(node, *keyword);
+    if (use == KeywordUse::Off) cases.erase(cases.begin(), cases.end() - 1);
+    if (use == KeywordUse::OffInVertex || use == KeywordUse::OffInFragment)
+        maker.approximate(node, fmt::format("the {} stage, too, has the keyword, which the engine declares for the {} "
+                                            "stage alone",
+                                            use == KeywordUse::OffInVertex ? "vertex" : "fragment",
+                                            use == KeywordUse::OffInVertex ? "fragment" : "vertex"));
     choose(maker, node, 0, cases);
+}
+
+// The first case that holds counts, else the fallback.
+void switch_cases(GraphMaker& maker, std::size_t node) {
+    static constexpr std::string_view kWords[] = {"==", "!=", "<", "<=", ">", ">="};
+    constexpr int kFallback = 1, kOutput = 2, kFirst = 3;
+    const Json* json = maker.node(node).json;
+    const std::vector<Json>& entries =
+        elements_of(json, flag_of(json, "m_useProperty") ? "m_casesFromUpstreamEnumProperty" : "m_cases");
+    Term number = maker.input(node, 0);
+    if (flag_of(json, "m_floorPredicate", true)) {
+        number = joined(fmt::format("floor({})", number.text()), Type::Float, {&number});
+        number.owner = node;
+        number.nodes.insert(node);
+    }
+    if (entries.size() > 1) number = maker.named(number);
+    std::vector<std::pair<std::string, int>> cases;
+    for (const Json& each : entries)
+        cases.push_back(
+            {fmt::format("{} {} {}", at_least(number.text(), kSum), kWords[whole_in(&each, "comparisonType", 0, 0, 5)],
+                         number_term(number_of(&each, "threshold")).text()),
+             kFirst + static_cast<int>(cases.size())});
+    cases.push_back({"", kFallback});
+    choose(maker, node, kOutput, cases, number);
 }
 
 void dropdown(GraphMaker& maker, std::size_t node) {
@@ -309,6 +339,7 @@ constexpr Special kSpecial[] = {
     {"CustomInterpolatorNode", custom_interpolator},
     {"PropertyNode", property_node},
     {"KeywordNode", keyword},
+    {"SwitchNode", switch_cases},
     {"DropdownNode", dropdown},
     {"BranchOnInputConnectionNode", branch_on_connection},
     {"SubGraphNode", make_subgraph_node},

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "compiler/importers/shadergraph/graph_maker.h"
+#include "compiler/importers/shadergraph/lost_settings.h"
 #include "compiler/importers/shadergraph/settings.h"
 
 namespace patina::importers::shadergraph {
@@ -69,6 +70,24 @@ void GraphMaker::say_block(std::string part, std::string text, Place place) {
            wrong.empty() ? text : text + ": " + wrong, place);
 }
 
+// The remark of a block whose value nothing reads. `is_there`: the target has it with its settings.
+void GraphMaker::say_unread(const Block& block, const std::string& part, bool is_there, std::string_view lost) {
+    if (!is_there) {
+        remark(Remark::Kind::Taken, part,
+               block.name == "Alpha" ? "an opaque surface does not read it"
+                                     : "the target has no such block with these settings",
+               block.place);
+        return;
+    }
+    const Slot* slot = node(block.node).slot(block.slot);
+    const bool is_default = !is_linked(block.node, block.slot) && slot && has_default(*slot, block.name);
+    const std::string wrong = take_misreads();
+    if (is_default && wrong.empty())
+        remark(Remark::Kind::Taken, part, "it has its default", block.place);
+    else
+        remark(Remark::Kind::Changed, part, std::string(lost) + (wrong.empty() ? "" : ": ") + wrong, block.place);
+}
+
 void GraphMaker::add_pinned(std::string id, const Block& block) {
     const Term term = input(block.node, block.slot);
     written(term, fmt::format("the node '{}'", id));
@@ -119,10 +138,10 @@ void GraphMaker::make_surface() {
         }
         if (block.is_vertex) {
             const BlockRow* row = row_of(kVertex, block.name);
-            if (!is_set) {
+            if (!row) {
+                say_unread(block, part, settings.loses(block.name), "the vertex block of a graph has no such value");
+            } else if (!is_set) {
                 remark(Remark::Kind::Taken, part, "the mesh's own", block.place);
-            } else if (!row) {
-                remark(Remark::Kind::Changed, part, "the vertex block of a graph has no such value", block.place);
             } else if (!is_second(*row, part, block)) {
                 const Term term = block_value(block, row->type);
                 written(term, fmt::format("'vertex.{}'", row->input));
@@ -134,10 +153,7 @@ void GraphMaker::make_surface() {
         const BlockRow* row = row_of(settings.is_lit ? std::span<const BlockRow>(kLit) : kUnlit, block.name);
         const bool is_active = row && settings.uses(block.name);
         if (!is_active) {
-            const bool is_lost = settings.wants(block.name) && is_set;
-            remark(is_lost ? Remark::Kind::Changed : Remark::Kind::Taken, part,
-                   is_lost ? "the workflow has no such input" : "the target has no such block with these settings",
-                   block.place);
+            say_unread(block, part, settings.loses(block.name), "the workflow has no such input");
             continue;
         }
         if (is_second(*row, part, block)) continue;

@@ -151,7 +151,9 @@ void GraphMaker::declare_texture(GraphProperty& made, TextureUse& use, const Pro
     if (type == Type::Texture2D) use.is_normal |= default_type == 3;
     use.is_linear |= default_type == 4;
     if (default_type == 5) difference = "it is white without a picture, not red";
+    append(difference, use.renamed);
     append(difference, scope_difference(source));
+    append(difference, hidden_difference(source));
     if (flag_of(source.json, "useTilingAndOffset")) made.more.push_back({"tiling", patina::importers::flag(true)});
     if (source.name != made.name && !source.name.empty()) made.more.push_back({"label", text(source.name)});
     if (!source.group.empty()) made.more.push_back({"group", text(source.group)});
@@ -176,8 +178,7 @@ void GraphMaker::finish_textures() {
         if (source)
             remark(difference.empty() ? Remark::Kind::Taken : Remark::Kind::Changed,
                    fmt::format("property '{}'", source->name),
-                   fmt::format("the property '{}'{}{}{}", name, source->is_hidden ? ", which inspectors show here" : "",
-                               difference.empty() ? "" : ": ", difference),
+                   fmt::format("the property '{}'{}{}", name, difference.empty() ? "" : ": ", difference),
                    source->place);
     }
 }

@@ -182,6 +182,8 @@ private:
                 block.is_vertex = block.name.starts_with("Vertex");
                 if (block.is_vertex) block.name = block.name.substr(6);
                 if (block.name == "Color") block.name = "BaseColor";
+                if (block.name == "SpecularColor") block.name = "Specular";
+                if (block.name == "Emissive") block.name = "Emission";
                 if (block.name == "AlphaThreshold") block.name = "AlphaClipThreshold";
             }
             graph_.blocks.push_back(std::move(block));

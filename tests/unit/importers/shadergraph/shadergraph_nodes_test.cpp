@@ -313,6 +313,59 @@ std::string imported_node(const std::string& kind, const std::string& settings) 
     return text_of(import_graph(graph_of(*slots, settings, 0, 1)));
 }
 
+TEST(ShaderGraphTable, FresnelsEquationsAreThoseOfTheLibrary) {
+    const auto fresnel = [](int mode) {
+        return imported_node("HDFresnelEquationNode", fmt::format("\"m_FresnelEquationMode\":{}", mode));
+    };
+    EXPECT_NE(fresnel(0).find("0.5 + 0.5 * 0.5 * pow(0.5 * 0.5, 2)"), std::string::npos) << fresnel(0);
+    EXPECT_NE(fresnel(1).find(R"("node": "FresnelDielectric")"), std::string::npos) << fresnel(1);
+    EXPECT_NE(fresnel(2).find(R"("node": "FresnelConductor")"), std::string::npos) << fresnel(2);
+}
+
+Imported import_switch(const std::string& more) {
+    return import_graph({.properties = {{.id = "p", .kind = "Vector1", .name = "P", .value = "1.0"}},
+                         .nodes = {{.id = "v", .kind = "PropertyNode", .slots = {out(0, "Vector1")}, .property = "p"},
+                                   {.id = "it",
+                                    .kind = "SwitchNode",
+                                    .slots = {{.id = 0, .kind = "Vector1", .value = "0.0"},
+                                              {.id = 1, .value = R"({"x":0.25,"y":0.0,"z":0.0,"w":0.0})"},
+                                              {.id = 3, .value = R"({"x":0.5,"y":0.0,"z":0.0,"w":0.0})"},
+                                              {.id = 4, .value = R"({"x":0.75,"y":0.0,"z":0.0,"w":0.0})"},
+                                              out(2)},
+                                    .more = more,
+                                    .name = "It"}},
+                         .edges = {{"v", 0, "it", 0}, {"it", 2, "BaseColor"}}});
+}
+
+TEST(ShaderGraphTable, ASwitchIsAChainOfConditions) {
+    const std::string cases =
+        R"([{"name":"a","comparisonType":0,"threshold":2.0},{"comparisonType":3,"threshold":5.0}])";
+    const Imported made = import_switch("\"m_cases\":" + cases);
+    EXPECT_NE(text_of(made).find(R"j("it", "expr": "floor($_P)")j"), std::string::npos) << text_of(made);
+    EXPECT_NE(text_of(made).find("it == 2 ? 0.5 : it <= 5 ? 0.75 : 0.25"), std::string::npos) << text_of(made);
+    expect_compiles(made, "a switch");
+    const Imported enumerated = import_switch(
+        R"("m_floorPredicate":false,"m_useProperty":true,"m_cases":[],"m_casesFromUpstreamEnumProperty":)" + cases);
+    EXPECT_NE(text_of(enumerated).find("$_P == 2 ? 0.5 : $_P <= 5 ? 0.75 : 0.25"), std::string::npos)
+        << text_of(enumerated);
+    expect_compiles(enumerated, "a switch by a list");
+}
+
+TEST(ShaderGraphTable, UnknownNodesHaveTheirReasons) {
+    const auto reason = [](const std::string& kind, const std::string& name_space = "UnityEditor.ShaderGraph") {
+        std::string text = one_node({.id = "it", .kind = kind, .slots = {out(0, "Vector1")}}, 0).new_layout();
+        const std::string full = "UnityEditor.ShaderGraph." + kind;
+        text.replace(text.find(full), full.size(), name_space + "." + kind);
+        return remarks(import_text(text), Remark::Kind::LeftOut);
+    };
+    EXPECT_NE(reason("HDSceneColorNode").find("the buffers of the high definition pipeline"), std::string::npos);
+    EXPECT_NE(reason("PackVertexData_Water").find("the water of the high definition pipeline"), std::string::npos);
+    EXPECT_NE(reason("ForLoopEndNode").find("a fork of Unity"), std::string::npos);
+    EXPECT_NE(reason("NewNode", "UnityEditor.Rendering.HighDefinition").find("no node of the high definition pipeline"),
+              std::string::npos);
+    EXPECT_NE(reason("MyNode").find("'MyNode' is no node of Shader Graph"), std::string::npos);
+}
+
 TEST(ShaderGraphTable, EachMatrixOfTheEngineIsANode) {
     const char* kinds[] = {"",           "WorldToObject", "WorldToView", "ViewToWorld",
                            "ViewToClip", "ClipToView",    "WorldToClip", "ClipToWorld"};

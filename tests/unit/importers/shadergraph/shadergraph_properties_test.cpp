@@ -65,8 +65,13 @@ TEST(ShaderGraphProperties, ThatScriptsSetAreSaid) {
                      Remark::Kind::Changed, "the project's own code declares it"));
     EXPECT_TRUE(says(import_number(R"("m_GeneratePropertyBlock":false)"), Remark::Kind::Changed, "it is not exposed"));
     const Imported hidden = import_number(R"("m_GeneratePropertyBlock":true,"m_Hidden":true)");
-    EXPECT_EQ(remarks(hidden, Remark::Kind::Changed), "");
-    EXPECT_TRUE(says(hidden, Remark::Kind::Taken, "which inspectors show here"));
+    EXPECT_TRUE(says(hidden, Remark::Kind::Changed, "inspectors show it here, and do not in the engine"));
+    const Imported picture = import_graph(sum_of({{.id = "t",
+                                                   .kind = "Texture2D",
+                                                   .name = "T",
+                                                   .value = "{}",
+                                                   .more = R"("m_GeneratePropertyBlock":true,"m_Hidden":true)"}}));
+    EXPECT_TRUE(says(picture, Remark::Kind::Changed, "inspectors show it here, and do not in the engine"));
 }
 
 TEST(ShaderGraphProperties, SlidersOfWholeNumbersAreWhole) {
@@ -95,6 +100,82 @@ TEST(ShaderGraphProperties, OutsideOfTheirRangeAreSaid) {
     const Imported made = import_number(R"("m_FloatType":1,"m_RangeValues":{"x":0.0,"y":1.0})", "5.0");
     EXPECT_TRUE(has(made, R"("range": [0, 5])")) << text_of(made);
     EXPECT_TRUE(says(made, Remark::Kind::Changed, "its default 5 is outside of its range, 0 to 1"));
+}
+
+TEST(ShaderGraphProperties, ThatAreRenamedAreOnePart) {
+    ShaderGraphText graph = sum_of({number_with("\"m_FloatType\":0")});
+    for (const char* kind : {"Vector1", "Texture2D"}) {
+        graph.properties[0].reference = "int";
+        graph.properties[0].kind = kind;
+        const Imported made = import_graph(graph);
+        EXPECT_TRUE(says(made, Remark::Kind::Changed, "property 'Wear': the property 'intValue': the shader calls it"));
+        EXPECT_FALSE(says(made, Remark::Kind::Taken, "property 'Wear'")) << kind;
+    }
+}
+
+TEST(ShaderGraphProperties, OfAListKeepItsWords) {
+    const Imported made =
+        import_number(R"("m_FloatType":3,"m_EnumType":0,"m_EnumNames":["Low","High"],"m_EnumValues":[0,5])", "5.0");
+    EXPECT_TRUE(has(made, R"("help": "0 is Low, 5 is High")")) << text_of(made);
+    EXPECT_TRUE(says(made, Remark::Kind::Changed, "its help has the words of its list"));
+    EXPECT_TRUE(says(import_number(R"("m_FloatType":3,"m_EnumType":1)"), Remark::Kind::Changed, "without the words"));
+}
+
+// --- keywords
+
+PropertyText keyword_with(const std::string& more) {
+    return {.id = "k",
+            .kind = "",
+            .name = "Wet",
+            .value = "1",
+            .more = R"("m_KeywordType":0,"m_IsEditable":true,)" + more,
+            .reference = "_WET"};
+}
+// A keyword that chooses between 0.25 and 0.75 for these blocks.
+Imported import_keyword(const std::string& more, const std::vector<std::string>& blocks) {
+    ShaderGraphText graph{
+        .keywords = {keyword_with(more)},
+        .nodes = {{.id = "n",
+                   .kind = "KeywordNode",
+                   .slots = {out(0),
+                             {.id = 1, .value = R"({"x":0.25,"y":0.25,"z":0.25,"w":0.25})"},
+                             {.id = 2, .value = R"({"x":0.75,"y":0.75,"z":0.75,"w":0.75})"}},
+                   .name = "Keyword",
+                   .property = "k"}},
+        .blocks = {{"VertexDescription.Position", "Position"}, {"SurfaceDescription.BaseColor", "ColorRGB"}}};
+    for (const std::string& block : blocks) graph.edges.push_back({"n", 0, block});
+    return import_graph(graph);
+}
+
+TEST(ShaderGraphProperties, KeywordsAreOffInOtherStages) {
+    const std::string fragment = R"("m_KeywordStages":2)", vertex = R"("m_KeywordStages":1)";
+    const Imported off = import_keyword(fragment, {"Position"});
+    EXPECT_TRUE(has(off, R"j("positionOS": "= float3(0.75)")j")) << text_of(off);
+    EXPECT_TRUE(has(import_keyword(vertex, {"BaseColor"}), R"j("color": "= float3(0.75)")j"));
+    EXPECT_EQ(remarks(off, Remark::Kind::Changed), "");
+    expect_compiles(off, "a keyword that is off");
+    // It cannot be both: one node gives its value to both stages.
+    const Imported both = import_keyword(fragment, {"Position", "BaseColor"});
+    EXPECT_TRUE(says(both, Remark::Kind::Changed, "node 'Keyword' (Wet): ")) << remarks(both, Remark::Kind::Changed);
+    EXPECT_TRUE(says(both, Remark::Kind::Changed, "the vertex stage, too, has the keyword"));
+    EXPECT_TRUE(
+        says(import_keyword(vertex, {"Position", "BaseColor"}), Remark::Kind::Changed, "the fragment stage, too"));
+    for (const char* stages : {"\"m_KeywordStages\":63", "\"m_KeywordStages\":3", "\"m_KeywordScope\":0"}) {
+        const Imported all = import_keyword(stages, {"Position", "BaseColor"});
+        EXPECT_TRUE(has(all, "$_WET ? ")) << text_of(all);
+        EXPECT_EQ(remarks(all, Remark::Kind::Changed), "");
+    }
+    EXPECT_TRUE(has(import_keyword(fragment, {"BaseColor"}), "$_WET ? "));
+}
+
+TEST(ShaderGraphProperties, KeywordsSayWhoSetsThem) {
+    const std::string hidden = R"("m_GeneratePropertyBlock":false)";
+    const Imported engine = import_keyword(R"("m_KeywordDefinition":2,)" + hidden, {"BaseColor"});
+    EXPECT_TRUE(says(engine, Remark::Kind::Changed, "the engine sets it; here it is a variant with a default\n"))
+        << remarks(engine, Remark::Kind::Changed);
+    EXPECT_FALSE(says(engine, Remark::Kind::Changed, "scripts"));
+    EXPECT_TRUE(says(import_keyword(R"("m_KeywordDefinition":1,)" + hidden, {"BaseColor"}), Remark::Kind::Changed,
+                     "it is not exposed: scripts or the engine set it"));
 }
 
 TEST(ShaderGraphProperties, KeysBeyondTheEighthAreSaid) {
