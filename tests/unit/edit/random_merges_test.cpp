@@ -384,9 +384,8 @@ protected:
 
     void run_all_names(bool both_take) {
         const char* only = std::getenv("MERGE_SEED");
-        const unsigned begin = only ? static_cast<unsigned>(std::atoi(only)) : 0, end = only        ? begin + 1
-                                                                                        : both_take ? 400
-                                                                                                    : 1000;
+        const unsigned begin = only ? static_cast<unsigned>(std::atoi(only)) : 0;
+        const unsigned end = only ? begin + 1 : both_take ? 400 : 1000;
         Tally tally;
         for (unsigned seed = begin; seed < end && tally.failures < 3; ++seed)
             run_names(seed, tally, only != nullptr, both_take);

@@ -93,8 +93,8 @@ private:
 
 // `checked`: counts the names that tell something.
 inline std::string misread_name(const Values& ours, const Values& theirs, const std::string& taken, int& checked) {
-    const NamesOfText text(taken), sides[] = {NamesOfText(Writer(ours, nullptr).write()),
-                                              NamesOfText(Writer(theirs, nullptr).write())};
+    const NamesOfText text(taken),
+        sides[] = {NamesOfText(Writer(ours, nullptr).write()), NamesOfText(Writer(theirs, nullptr).write())};
     const auto path_of = [](const Values& values, const std::string& name) {
         for (const auto& [path, value] : values) {
             if (value == name && (path.ends_with("/id") || path.ends_with("/name"))) return path;
