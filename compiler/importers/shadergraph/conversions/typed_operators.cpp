@@ -42,7 +42,10 @@ void TypedReader::convert(Value& value, const Type& to) {
         from.size = to.size;
         value.is_bracketed = false;
     }
-    const bool is_number = value.end == value.begin + 1 && is_digit(tokens_[value.begin].text[0]);
+    // "2" or "-2", which is an integer where one is needed
+    const bool is_number =
+        value.end <= value.begin + 2 && is_digit(tokens_[value.end - 1].text[0]) &&
+        (value.end == value.begin + 1 || (tokens_[value.begin].text == "-" && texts_[value.begin].before.empty()));
     const bool is_whole = to.kind == Kind::Int || to.kind == Kind::Uint;
     if (from.is_loose && (to.kind == Kind::Float || (is_whole && is_number))) {
         if (!to.is_loose) from.kind = to.kind, from.is_loose = false;
@@ -87,11 +90,14 @@ Type TypedReader::of_operator(std::string_view op, Value& a, Value& b) {
         if (a.type.is_vector() && b.type.is_vector())
             made = {.kind = Kind::Bool, .size = std::max(a.type.size, b.type.size)};
     } else if (op == "<<" || op == ">>" || op == "&" || op == "|" || op == "^") {
-        if (a.type.is_vector() && b.type.is_vector() && a.type.kind == b.type.kind && a.type.kind != Kind::Float &&
-            a.type.size == b.type.size) {
-            for (Value* each : {&a, &b}) convert(*each, {.kind = each->type.kind, .size = each->type.size});
-            made = {.kind = a.type.kind, .size = a.type.size};
-        }
+        const Kind kind = a.type.is_loose ? b.type.kind : a.type.kind;
+        const bool is_whole = kind == Kind::Int || kind == Kind::Uint;
+        // What is shifted keeps its kind.
+        if ((op == "<<" || op == ">>") && a.type.is_loose && kind != Kind::Int) return made;
+        if (!a.type.is_vector() || !b.type.is_vector() || !is_whole || a.type.size != b.type.size) return made;
+        for (Value* each : {&a, &b})
+            if (each->type.is_loose) convert(*each, {.kind = kind, .size = each->type.size});
+        if (a.type.kind == kind && b.type.kind == kind) made = {.kind = kind, .size = a.type.size};
     } else if (a.type.columns > 0 || b.type.columns > 0) {
         const Type matrix = a.type.columns > 0 ? a.type : b.type;
         Value& other = a.type.columns > 0 ? b : a;
@@ -149,7 +155,16 @@ Type TypedReader::of_rule(Rule rule, std::vector<Value>& values) {
             to_bool(values[0]);
             made = {.kind = Kind::Bool};
             break;
-        case Rule::Product: made = values.size() == 2 ? product(first, values[1].type) : Type{}; break;
+        case Rule::Product:
+            // A vector may be too long, and is cut.
+            for (std::size_t i = 0; i < 2 && values.size() == 2; ++i) {
+                const Type& matrix = values[1 - i].type;
+                const int size = i == 0 ? matrix.size : matrix.columns;
+                if (matrix.columns > 0 && values[i].type.is_vector() && values[i].type.size > size)
+                    convert(values[i], {.kind = values[i].type.kind, .size = size});
+            }
+            made = values.size() == 2 ? product(values[0].type, values[1].type) : Type{};
+            break;
         case Rule::AsFloat:
         case Rule::AsInt:
         case Rule::AsUint:

@@ -60,7 +60,9 @@ TEST(ShaderGraphConversions, NumbersOfSeveralKindsMix) {
                    {"int n = 2; Out = pow(A, n) + max(n, B);", {3.0625, 3.25, 3.5625}},
                    {"int n = 0; if (n) Out = 1; else Out = B && !n ? A : 5;", {0.25, 0.5, 0.75}},
                    {"int3 v = int3(1, 2, 3); Out = v * A.x + v.z;", {3.25, 3.5, 3.75}},
-                   {"bool b = B; Out = b + b;", {2, 2, 2}}});
+                   {"bool b = B; Out = b + b;", {2, 2, 2}},
+                   {"uint u = (uint)(B * 3); Out = (u >> 1) + (u & 3) + (1 << 2);", {9, 9, 9}},
+                   {"int i = -7; Out = i / 2 + i % 3 + i * -1;", {3, 3, 3}}});
 }
 
 // A quotient of integers is an integer, of literals too.
@@ -81,6 +83,7 @@ TEST(ShaderGraphConversions, VectorsAreCut) {
                    {"float a = A * 2; Out = a;", {0.5, 0.5, 0.5}},
                    {"float4 four = float4(A, 1); Out = four * A;", {0.0625, 0.25, 0.5625}},
                    {"Out = 0; Out.xy = A.yzx;", {0.5, 0.75, 0}},
+                   {"float2x2 m = float2x2(1, 2, 3, 4); Out = float3(mul(m, A), mul(A, m).x);", {1.25, 2.75, 1.75}},
                    {"Out = lerp(float4(A, 1), A, B - 2.5) + dot(float4(A, 9), A.xy);", {0.5625, 0.8125, 1.0625}}});
 }
 
@@ -99,6 +102,7 @@ TEST(ShaderGraphConversions, LoopsCountIntegers) {
     expect_values({{"Out = 0; for (float i = 0; i < 2.5; i++) Out += A * i;", {0.75, 1.5, 2.25}},
                    {"Out = 0; [unroll] for (uint i = 0; i <= 2; ++i) Out += i / 2;", {1, 1, 1}},
                    {"const int n = 2; Out = 0; [loop] for (int i = 0; i <= n * 2; i++) Out += i;", {10, 10, 10}},
+                   {"Out = 0; for (int i = -1; i <= 1; i++) Out += A * i * i;", {0.5, 1, 1.5}},
                    {"UNITY_LOOP for (int i = 0; i < 2; i++) { Out = i; }", {1, 1, 1}}});
 }
 
