@@ -150,7 +150,15 @@ void GraphMaker::evaluate(std::size_t index) {
         refuse(index, at.lost);
         return;
     }
-    if (is_output || apply_special(*this, index) || apply_rule(*this, index)) return;
+    if (is_output) return;
+    if (apply_special(*this, index) || apply_rule(*this, index)) {
+        for (const Slot& slot : at.slots)
+            if (!slot.is_input && is_used(index, slot.id) && !terms_.contains({index, slot.id}) &&
+                outcomes_[index].kind == Remark::Kind::Taken)
+                approximate(index, fmt::format("its output '{}' is none that this importer knows: it is a constant",
+                                               slot.name));
+        return;
+    }
     refuse(index, is_in_table(at.kind) ? "it has a setting with a value that this importer does not know"
                                        : reason_for_unknown(at));
 }

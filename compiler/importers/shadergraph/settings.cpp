@@ -117,7 +117,7 @@ private:
     void workflow() {
         if (!made_.is_lit) return;
         made_.is_specular = whole(holder("m_WorkflowMode") ? "m_WorkflowMode" : "m_Model", 1) == 0;
-        if (is_high_definition_) material_type_of_lit();
+        if (is_high_definition_ && target_.material.starts_with("HDLit")) material_type_of_lit();
         add(Remark::Kind::Taken, "Workflow Mode", fmt::format("'{}'", made_.workflow()));
         static constexpr std::string_view kNormals[] = {"NormalTS", "NormalOS", "NormalWS"};
         made_.normal_block = kNormals[whole("m_NormalDropOffSpace", 0, 2)];

@@ -17,8 +17,9 @@ BlockText number_block(const std::string& name, const std::string& value) {
 }
 
 // The same for the target of the high definition pipeline, whose settings lie in an object of their own.
-Imported import_lit(const std::string& data, std::vector<BlockText> blocks, std::vector<EdgeText> edges = {}) {
-    ShaderGraphText graph = with_blocks("HDLitSubTarget", "", std::move(blocks));
+Imported import_lit(const std::string& data, std::vector<BlockText> blocks, std::vector<EdgeText> edges = {},
+                    const std::string& material = "HDLitSubTarget") {
+    ShaderGraphText graph = with_blocks(material, "", std::move(blocks));
     graph.nodes = {{.id = "n", .kind = "Vector1Node", .slots = {{.id = 1, .kind = "Vector1", .value = "0.25"}, out(0)}},
                    {.id = "c",
                     .kind = "ColorNode",
@@ -78,6 +79,9 @@ TEST(ShaderGraphBlocks, MaterialTypesSayWhatIsLost) {
     EXPECT_TRUE(says(anisotropy({{"n", 0, "Anisotropy"}}), Remark::Kind::Changed, "block 'Anisotropy'"));
     EXPECT_TRUE(says(import_lit(R"("m_MaterialTypeMask":6)", {}), Remark::Kind::Changed,
                      "'Standard': materials cannot choose another one"));
+    // The types of a fabric are others.
+    EXPECT_FALSE(
+        says(import_lit(R"("m_MaterialType":1)", {}, {}, "FabricSubTarget"), Remark::Kind::Changed, "'Material Type'"));
     // Light that goes below the surface meets no metal.
     const Imported skin = import_lit(R"("m_MaterialType":1)", {number_block("Metallic", "1.0")});
     EXPECT_EQ(text_of(skin).find(R"("metallic":)"), std::string::npos) << text_of(skin);

@@ -456,5 +456,14 @@ TEST(BrokenShaderGraph, MutationsDoNotCrash) {
     EXPECT_GT(imported, 500u);
 }
 
+TEST(BrokenShaderGraph, AnOutputThatIsNotKnownIsSaid) {
+    const Imported made =
+        import_graph(one_node({.id = "it", .kind = "AbsoluteNode", .slots = {{0}, out(1), out(7)}}, 7));
+    EXPECT_NE(remarks(made, Remark::Kind::Changed).find("its output 'S7' is none that this importer knows"),
+              std::string::npos)
+        << remarks(made, Remark::Kind::Changed);
+    expect_compiles(made, "an unknown output");
+}
+
 }  // namespace
 }  // namespace patina::importers
