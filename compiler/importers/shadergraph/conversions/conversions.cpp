@@ -98,8 +98,9 @@ std::string TypedReader::run() {
 void TypedReader::statement(bool is_in_block) {
     if (is("[") || (is_word() && at().text.starts_with("UNITY_") && is_one_of(at(1).text, {"if", "for"}))) attribute();
     return_ = kNone;
-    if (is_lost_ || take(";")) return;
-    if (take("{")) {
+    if (++depth_ > kDeepest) give_up();
+    if (is_lost_ || take(";")) {
+    } else if (take("{")) {
         const Scope outside = scope_;
         ++blocks_;
         while (!is_lost_ && !at().text.empty() && !is("}")) statement(true);
@@ -120,6 +121,7 @@ void TypedReader::statement(bool is_in_block) {
     } else if (!declaration(is_in_block)) {
         assignment_statement();
     }
+    --depth_;
 }
 
 // "if (a) { b; return; } c;" -> "if (a) { b; } else { c; }", where nothing follows in the function.

@@ -9,8 +9,6 @@
 namespace patina::importers::shadergraph {
 namespace {
 
-constexpr int kDeepest = 200;
-
 constexpr std::pair<std::string_view, int> kOperators[] = {
     {"||", 1}, {"&&", 2}, {"|", 3},  {"^", 4},  {"&", 5}, {"==", 6}, {"!=", 6}, {"<", 7},  {">", 7},
     {"<=", 7}, {">=", 7}, {"<<", 8}, {">>", 8}, {"+", 9}, {"-", 9},  {"*", 10}, {"/", 10}, {"%", 10}};

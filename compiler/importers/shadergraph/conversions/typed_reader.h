@@ -93,6 +93,7 @@ private:
     const std::vector<HlslFunction>& others_;
     Scope scope_{};
     std::set<std::string_view> limits_{};  // variables that limit loops
+    static constexpr int kDeepest = 200;   // the reader calls itself
     static constexpr std::size_t kNone = std::string::npos;
     std::size_t next_ = 0;
     std::size_t return_ = kNone;  // the last statement ends with this "return;"

@@ -136,6 +136,13 @@ TEST(ShaderGraphConversions, WhatIsNotSafeStaysHlsl) {
     }
 }
 
+// It ends, and is refused or stays HLSL.
+TEST(ShaderGraphConversions, CodeMayBeNestedDeeply) {
+    const std::string many(20000, '{'), closed(20000, '}'), open(20000, '('), shut(20000, ')');
+    for (const std::string& body : {"Out = A;" + many + closed, "Out = " + open + "B" + shut + ";"})
+        EXPECT_EQ(import_graph(one_node(custom(body), 2)).error, "");
+}
+
 TEST(ShaderGraphConversions, FunctionsOfAFileConvertTheirArguments) {
     save_shader_graph("Glow.hlsl",
                       "int Steps(float x) { return x * 2; }\nfloat2 Half(float2 v, int n) { return v / n; }\n"
