@@ -44,9 +44,10 @@ void find_meaning(Session& session, const Graph& graph, const Node& node, const 
             DiagnosticRecord& record = session.diagnostics.report(Code::UnknownNode, node.type_span, node.type);
             if (!is_shown) return;  // advice takes longer than all else that is done for a node
             if (function) {
-                record.note(function->name_span,
-                            fmt::format("'{}' is a function of the library, but no node: that has [node(\"family\")]",
-                                        node.type));
+                record.note(
+                    function->name_span,
+                    fmt::format("'{}' is a function of the library, but no node: that has [node(\"Family/Name\")]",
+                                node.type));
                 return;
             }
             const std::string advice = nodelang::node_advice(node.type, known, library);

@@ -165,6 +165,18 @@ TEST(Overlay, ErrorsThatOnlyUseFindsAreAtItsFile) {
     EXPECT_TRUE(has(said(result.diagnostics), "mine/bad.lighting.json:2:42: error: there is no node 'Dotts'"))
         << said(result.diagnostics);
     EXPECT_TRUE(has(said(result.diagnostics), "did you mean 'Dots'?"));
+    // Several graphs may use that file.
+    EXPECT_TRUE(has(said(result.diagnostics), "the graph is 'test.graph.json'")) << said(result.diagnostics);
+}
+
+TEST(Overlay, AFunctionThatIsNoNodeIsToldApart) {
+    LibraryOverlay files;
+    files.files.push_back({"mine/dots.node.hlsl", "float Dots(float2 uv = uv0) {\n    return uv.x;\n}\n"});
+    const Compiler compiler(files);
+    EXPECT_TRUE(compiler.library_diagnostics().empty());
+    const std::string wrong = said(compiler.compile_text("test.graph.json", kGraph).diagnostics);
+    EXPECT_TRUE(has(wrong, "there is no node 'Dots'")) << wrong;
+    EXPECT_TRUE(has(wrong, "mine/dots.node.hlsl:1:7: note: 'Dots' is a function of the library, but no node")) << wrong;
 }
 
 // --- hashes
