@@ -42,6 +42,8 @@ component(openimageio LICENCE "BSD-3-Clause AND MIT" FILE libOpenImageIO.so MODU
 component(vulkan-loader LICENCE Apache-2.0 FILE libvulkan.so MODULE vulkan SHARED patina-render)
 component(graphviz LICENCE EPL-1.0 FILE libgvc.so MODULE libgvc SHARED patina-render)
 # What every program in C++ has. Their licences ask nothing of programs that are compiled with them.
-component(gcc-runtime LICENCE "GPL-3.0-or-later WITH GCC-exception-3.1" FILE libstdc++.so.6
-  SHARED libpatina libpatina-lighting ${others})
-component(glibc LICENCE "LGPL-2.1-or-later" FILE libc.so.6 SHARED libpatina libpatina-lighting ${others})
+if(CMAKE_SYSTEM_NAME STREQUAL "Linux")
+  component(gcc-runtime LICENCE "GPL-3.0-or-later WITH GCC-exception-3.1" FILE libstdc++.so.6
+    SHARED libpatina libpatina-lighting ${others})
+  component(glibc LICENCE LGPL-2.1-or-later FILE libc.so.6 SHARED libpatina libpatina-lighting ${others})
+endif()
