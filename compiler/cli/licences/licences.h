@@ -1,5 +1,6 @@
-// `patina --licences`: whose code is in Patina's programs and libraries, and under which terms. The build writes the list
-// from package/components.cmake and puts the texts into the program, so that a copy of the program alone has them, too.
+// `patina --licences`: whose code is in Patina's programs and libraries, and under which terms. The build writes the
+// list from package/components.cmake and puts the texts into the program, so that a copy of the program alone has them,
+// too.
 #pragma once
 
 #include <span>
