@@ -30,7 +30,7 @@ def mistakes(name, path):
     if "__stack_chk_fail" not in symbols:
         yield "no function guards its stack (no -fstack-protector-strong)"
     checked = {symbol for symbol in symbols if re.fullmatch(r"__\w+_chk", symbol)}
-    if not checked and name != "libpatina-lighting":  # which calls no function of C that writes into an array
+    if not checked and name != "libpatina-lighting":  # which copies only into memory whose size no compiler knows
         yield "no function of C checks what it writes (no _FORTIFY_SOURCE)"
     for found in re.findall(r"\((?:RPATH|RUNPATH|TEXTREL)\).*", dynamic):
         yield f"it has {found}: it would look for libraries in a folder of the machine that built it"
