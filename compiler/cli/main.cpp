@@ -6,6 +6,7 @@
 
 #include "compiler/cli/commands/commands.h"
 #include "compiler/cli/files.h"
+#include "compiler/cli/licences/licences.h"
 
 namespace {
 
@@ -36,6 +37,7 @@ int main(int argc, char** argv) {
     if (first == "nodes" && std::any_of(argv, argv + argc, asks_for_sheet)) home = Home::Render;
     if (home != Home::Patina) return static_cast<int>(turn_into(home, argv));
     Program program;
+    add_licences_option(program);
 #define COMMAND(name, home, summary)                \
     if constexpr (Home::home == Home::Patina) {     \
         add_##name(program);                        \

@@ -7,9 +7,9 @@
 // This folder: the programs (main.cpp, render_main.cpp, import_main.cpp) and what all commands share (this file,
 // console.h, files.h, inputs.h, outputs.h). commands/ holds a file for each command, compile/ what `patina compile`
 // needs beside, cost/ is `patina cost`, diff/ what `patina diff` finds, node_sheet/ is `patina nodes --sheet`, watch/
-// is `patina watch`, pages/ what `patina node` and `patina docs` show, eval/ what `patina eval` computes, templates/
-// what `patina new` writes. Nothing here includes the compiler's own headers: what a command needs of the library is
-// public.
+// is `patina watch`, licences/ is `patina --licences`, pages/ what `patina node` and `patina docs` show, eval/ what
+// `patina eval` computes, templates/ what `patina new` writes. Nothing here includes the compiler's own headers: what a
+// command needs of the library is public.
 //
 //   Program program;
 //   add_compile(program);

@@ -1,4 +1,5 @@
 # cmake -D BUILD=... -D SOURCE=... -D WORK=... -D CXX=(compiler) -D CC=(C compiler) -D PYTHON=(or empty) -D NM=...
+#       -D LLD=(or empty)
 #       -D FLAGS=(compiler flags) -P embed_test.cmake
 # Installs the libraries into an empty prefix, and builds and runs programs with no other part of Patina in reach: with
 # the static and with the shared libraries, by CMake's package and by pkg-config alone.
@@ -117,22 +118,63 @@ string(REGEX MATCHALL "[^\n]* (fmt|rapidjson|glm|patina::[a-z_]+)::[^\n]*" shown
 if(shown)
   message(FATAL_ERROR "the plugin shows what is not public:\n${shown}")
 endif()
-# The shared libraries show nothing else, not even instances of the standard library's templates.
+# The shared libraries show nothing else, not even instances of the standard library's templates. Each symbol has the version
+# of the library's name; the functions for C are those of the header.
+file(READ ${SOURCE}/compiler/include/patina/version.h version)
+string(REGEX MATCH "PATINA_VERSION_STRING \"([0-9]+\\.[0-9]+)" version "${version}")
+set(version PATINA_${CMAKE_MATCH_1})
+file(READ ${WORK}/prefix/include/patina/patina_c.h c_header)
+string(REGEX MATCHALL "patina_[a-z0-9_]+\\([^*]" c_functions "${c_header}")
+list(TRANSFORM c_functions REPLACE "\\(.*" "")
 foreach(name IN ITEMS patina patina-lighting)
-  run(${NM} --demangle --dynamic --defined-only ${libraries}/lib${name}.so)
-  string(REGEX REPLACE "[^\n]* [A-Z] ((typeinfo|typeinfo name|vtable) for )?(patina::[^\n]*|patina_[a-z_]+)\n" "" other
-         "${output}")
-  if(NOT other STREQUAL "" OR NOT output MATCHES "patina")
-    message(FATAL_ERROR "lib${name}.so shows what is not public:\n${other}")
+  set(own_functions "")
+  if(name STREQUAL "patina")
+    set(own_functions "${c_functions}")
   endif()
+  foreach(linker IN ITEMS "" ${LLD})
+    set(library ${libraries}/lib${name}.so)
+    if(linker)  # the same objects and the same list of symbols
+      set(library ${WORK}/lib${name}-lld.so)
+      run(${CXX} ${flags} -shared -fuse-ld=lld -o ${library} -Wl,--version-script=${BUILD}/package/${name}.map
+          -Wl,--whole-archive ${libraries}/lib${name}.a -Wl,--no-whole-archive -pthread)
+    endif()
+    run(${NM} --demangle --dynamic --defined-only ${library})
+    string(REPLACE ";" "" output "${output}")
+    string(REGEX REPLACE "[^\n]* A ${version}\n" "" text "${output}")
+    string(REGEX REPLACE "[^\n]* [A-Z] ((typeinfo|typeinfo name|vtable) for )?(patina::[^\n]*|patina_[a-z0-9_]+)@@${version}\n" ""
+           other "${text}")
+    if(NOT other STREQUAL "" OR NOT output MATCHES "patina::")
+      message(FATAL_ERROR "${library} shows what is not public, or has no version:\n${other}")
+    endif()
+    string(REGEX MATCHALL " T patina_[a-z0-9_]+@@" shown "${text}")
+    list(TRANSFORM shown REPLACE " T (.*)@@" "\\1")
+    foreach(function IN LISTS own_functions)
+      if(NOT function IN_LIST shown)
+        message(FATAL_ERROR "${library} does not show ${function}, which patina_c.h declares")
+      endif()
+    endforeach()
+    foreach(function IN LISTS shown)
+      if(NOT function IN_LIST own_functions)
+        message(FATAL_ERROR "${library} shows ${function}, which patina_c.h does not declare")
+      endif()
+    endforeach()
+  endforeach()
 endforeach()
+# A program says which version it needs: another one stops it when it starts, not when it calls.
+run(${NM} --dynamic --undefined-only ${WORK}/c/embed_c)
+if(NOT output MATCHES " patina_compile@${version}\n")
+  message(FATAL_ERROR "a program that is linked with libpatina.so does not ask for ${version}:\n${output}")
+endif()
 
 # What comes with the libraries.
-file(READ ${WORK}/prefix/share/doc/patina/LICENSE license)
-foreach(words IN ITEMS "Permission is hereby granted" "Patina contributors" "Victor Zverovich" "Milo Yip")
-  string(FIND "${license}" "${words}" at)
+set(documents ${WORK}/prefix/share/doc/patina)
+foreach(row IN ITEMS "LICENSE:Permission is hereby granted" "LICENSE:Patina contributors" "LICENSE:fmt 9" "LICENSE:rapidjson 1"
+                     "licences/fmt.txt:Victor Zverovich" "licences/rapidjson.txt:Milo Yip" "licences/glm.txt:G-Truc Creation")
+  string(REGEX MATCH "(.*):(.*)" matched "${row}")
+  file(READ ${documents}/${CMAKE_MATCH_1} license)
+  string(FIND "${license}" "${CMAKE_MATCH_2}" at)
   if(at EQUAL -1)
-    message(FATAL_ERROR "the LICENSE that is installed lacks '${words}'")
+    message(FATAL_ERROR "${CMAKE_MATCH_1}, which is installed, lacks '${CMAKE_MATCH_2}'")
   endif()
 endforeach()
 run(${CMAKE_COMMAND} -E compare_files ${WORK}/prefix/share/patina/reflection.schema.json ${SOURCE}/docs/reflection.schema.json)

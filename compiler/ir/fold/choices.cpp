@@ -47,8 +47,8 @@ Value knowing(Builder& b, Value value, Value condition, bool is_true, std::vecto
 
 }  // namespace
 
-Value simplify_choice(Builder& b, Op op, Type type, std::span<const Value> args) {
-    if (op != Op::Select || is_of_keywords(b, args[0], 0)) return {};
+Value simplify_choice(Builder& b, Type type, std::span<const Value> args) {
+    if (is_of_keywords(b, args[0], 0)) return {};
     const Value condition = args[0], first = args[1], second = args[2];  // emitting may move the operands
     std::vector<Value> in_first, in_second;
     const Value yes = knowing(b, first, condition, true, in_first);

@@ -7,6 +7,7 @@
 
 namespace patina::ir {
 
-Value simplify_choice(Builder& b, Op op, Type type, std::span<const Value> args);
+// Of a Select with these operands.
+Value simplify_choice(Builder& b, Type type, std::span<const Value> args);
 
 }  // namespace patina::ir

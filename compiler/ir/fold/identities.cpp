@@ -400,8 +400,13 @@ Value simplify(Builder& b, Op op, Type type, std::span<const Value> args, std::u
     if (const Value whole = simplify_composite(b, op, type, args, data)) return whole;
     if (const Value splat = simplify_splat(b, op, type, args)) return splat;
     if (const Value equal = rewrite(b, op, type, args)) return equal;
-    if (const Value scaled = simplify_product(b, op, type, args)) return scaled;
-    if (const Value chosen = simplify_choice(b, op, type, args)) return chosen;
+    // The op is asked for here: a function that guards its stack prepares that before it looks at its arguments.
+    if (op == Op::Mul || op == Op::Div) {
+        if (const Value scaled = simplify_product(b, op, type, args)) return scaled;
+    }
+    if (op == Op::Select) {
+        if (const Value chosen = simplify_choice(b, type, args)) return chosen;
+    }
     return simplify_known(b, op, type, args);
 }
 

@@ -134,7 +134,7 @@ private:
 }  // namespace
 
 Value simplify_product(Builder& b, Op op, Type type, std::span<const Value> args) {
-    if ((op != Op::Mul && op != Op::Div) || !type.is_floating() || type.is_matrix()) return {};
+    if (!type.is_floating() || type.is_matrix()) return {};
     for (const std::size_t i : {1u, 0u}) {
         if (b[args[i]].op != Op::Constant || (op == Op::Div && i == 0)) continue;
         const Factor factor = factor_of(b, args[i]);

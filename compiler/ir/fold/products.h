@@ -8,6 +8,7 @@
 
 namespace patina::ir {
 
+// op: Mul or Div.
 Value simplify_product(Builder& b, Op op, Type type, std::span<const Value> args);
 
 }  // namespace patina::ir
