@@ -13,6 +13,7 @@ math(EXPR too_many_files "${most_files} + 1")
 set(compiler_rooms
     "include:"
     "base:"
+    "seam: include base"
     "json: base"
     "ir: base"
     "nodelang: base"
@@ -30,9 +31,9 @@ set(compiler_rooms
     "engines/shaderlab: include base ir languages format engines resolve lower link output"
     "reflection: include base json"
     "interpret: include base ir link"
-    "validate: include"
-    "api: include base json ir nodelang emit format format/schema edit engines paths resolve lower link output reflection interpret"
-    "exporters/mtlx: include base ir format engines paths resolve lower link output api"
+    "validate: include seam"
+    "api: include base seam json ir nodelang emit format format/schema edit engines paths resolve lower link output reflection interpret"
+    "exporters/mtlx: include base seam ir format engines paths resolve lower link output api"
     "capi: include base json nodelang format api")
 # The list of writers is in `engines`. It is the only file of that room that sees the rooms above it.
 set(writer_list "^compiler/engines/writers\\.(h|cpp)$")
@@ -211,14 +212,14 @@ set(runtime_rooms files jobs picture lighting mesh gltf scene lights values fram
 set(runtime_files "")
 set(runtime_jobs "")
 set(runtime_picture "files")
-set(runtime_lighting "files;picture")
+set(runtime_lighting "files;jobs;picture")
 set(runtime_mesh "")
 set(runtime_gltf "files;mesh")
 set(runtime_scene "picture;lighting;mesh;gltf")
 set(runtime_lights "picture;mesh;scene")
 set(runtime_values "picture;lighting;mesh;scene;lights")
 set(runtime_frame "picture;mesh;scene;lights;values")
-set(runtime_cpu "picture;mesh;scene;values;frame")
+set(runtime_cpu "jobs;picture;mesh;scene;values;frame")
 set(runtime_gpu "picture;values;frame")
 set(runtime_render "jobs;picture;mesh;scene;values;frame;cpu;gpu")
 set(runtime_bake "picture;mesh;gltf;scene;values;render")

@@ -95,6 +95,7 @@ bool link_materials(Compilation& c) {
 bool link_stages(Compilation& c) {
     for (std::size_t i = 0; i < c.materials.size(); ++i) {
         for (const graph::LoweredPass& pass : c.linked[i].lowered.passes) {
+            c.pass = pass.name;
             link::LinkedPass made = link::link_pass(*c.materials[i], c.linked[i], pass, c.session, c.result);
             if (c.writer->takes(c.session, c.linked[i], made)) {
                 link::check_varyings(made, c.session);
@@ -103,6 +104,7 @@ bool link_stages(Compilation& c) {
             if (!may_go_on(c)) return false;
         }
     }
+    c.pass = {};
     return true;
 }
 

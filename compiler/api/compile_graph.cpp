@@ -16,12 +16,15 @@ std::optional<std::uint32_t> add_source(graph::Session& session, const Source& s
 }
 
 Result compile_for_engine(const CompilerImpl& compiler, const Source& source, const CompileOptions& options,
-                          graph::Files& files) {
+                          graph::Files& files, Trail& trail) {
     graph::Session session(*compiler.library, options, &files);
+    std::string_view pass;
+    const Watched watched(trail, session.diagnostics, &pass);
     session.kept = &compiler.kept;
     Result result;
     if (const std::optional<std::uint32_t> base = add_source(session, source)) {
-        Compilation compilation{.session = session, .source = *base, .path = source.path, .result = result};
+        Compilation compilation{
+            .session = session, .source = *base, .path = source.path, .result = result, .pass = pass};
         compile(compilation);
     }
     result.diagnostics = to_public(session.diagnostics, session.sources, compiler.library->sources, source.path);
@@ -37,27 +40,38 @@ Result compile_for_engine(const CompilerImpl& compiler, const Source& source, co
 }  // namespace
 
 Result compile_source(const CompilerImpl& compiler, const Source& source, const CompileOptions& options,
-                      graph::Files& files) {
+                      graph::Files& files, Trail& trail) {
     if (!compiler.overlay_errors.empty()) {
         Result result;
         result.diagnostics = compiler.overlay_errors;
         return result;
     }
     return compile_targets(*compiler.library, options, [&](const CompileOptions& of_engine) {
-        return compile_for_engine(compiler, source, of_engine, files);
+        return compile_for_engine(compiler, source, of_engine, files, trail);
     });
 }
 
-Result Compiler::compile_file(const std::string& path, const CompileOptions& options) const {
+Result compile_file(const CompilerImpl& compiler, const std::string& path, const CompileOptions& options,
+                    Trail& trail) {
     graph::Files files(options.files);
-    return compile_or_remember(*impl_, {.path = path}, options, files);
+    return compile_or_remember(compiler, {.path = path}, options, files, trail);
 }
 
-Result Compiler::compile_text(const std::string& path, std::string text, const CompileOptions& options) const {
+Result compile_text(const CompilerImpl& compiler, const std::string& path, std::string text,
+                    const CompileOptions& options, Trail& trail) {
     graph::Files files(options.files);
     files.add_bytes(text.size());
     if (options.accept_parts) files.give_part(path, text);
-    return compile_or_remember(*impl_, {.path = path, .text = std::move(text)}, options, files);
+    return compile_or_remember(compiler, {.path = path, .text = std::move(text)}, options, files, trail);
+}
+
+Result Compiler::compile_file(const std::string& path, const CompileOptions& options) const {
+    return guarded<Result>(path, [&](Trail& trail) { return patina::compile_file(*impl_, path, options, trail); });
+}
+
+Result Compiler::compile_text(const std::string& path, std::string text, const CompileOptions& options) const {
+    return guarded<Result>(
+        path, [&](Trail& trail) { return patina::compile_text(*impl_, path, std::move(text), options, trail); });
 }
 
 }  // namespace patina

@@ -1,9 +1,8 @@
 // The members of a Compiler: the library, and descriptions of it that are made when first requested.
 #pragma once
 
-#include <mutex>
-
 #include "compiler/api/keys/kept_request.h"
+#include "compiler/base/made_once.h"
 #include "compiler/base/remembered.h"
 #include "compiler/link/kept_results.h"
 #include "compiler/resolve/library.h"
@@ -17,20 +16,19 @@ struct Compiler::Impl {
     mutable link::KeptResults kept;          // of all compilations, by any thread
     mutable Remembered<KeptRequest> requests{KeptRequest::kMostBytes};
 
-    mutable std::once_flag hash_once;
-    mutable std::string hash;  // of the library
+    MadeOnce<std::string> hash;  // of the library
 
-    // Filled by describe() under `once`.
-    mutable std::once_flag once;
-    mutable std::vector<NodeInfo> nodes;
-    mutable std::vector<SemanticInfo> semantics;
-    mutable std::vector<ModelInfo> workflows, lighting_models;
-    mutable std::vector<PathInfo> paths;
+    struct Described {
+        std::vector<NodeInfo> nodes;
+        std::vector<SemanticInfo> semantics;
+        std::vector<ModelInfo> workflows, lighting_models;
+        std::vector<PathInfo> paths;
+    };
+    MadeOnce<Described> described;
     // Apart from the others, which are many: each compilation of the command asks for the engines.
-    mutable std::once_flag engines_once;
-    mutable std::vector<EngineInfo> engines;
+    MadeOnce<std::vector<EngineInfo>> engines;
 
-    void describe() const;
+    const Described& describe() const;
 };
 
 // What the other libraries of Patina and its tests need of a Compiler. with_files: files with paths below nodes/, of
@@ -39,6 +37,7 @@ struct CompilerAccess {
     using Impl = Compiler::Impl;
     static Compiler with_files(std::span<const nodelang::EmbeddedFile> more);
     static const graph::Library& library(const Compiler& compiler) { return *compiler.impl_->library; }
+    static const Impl& impl(const Compiler& compiler) { return *compiler.impl_; }
 };
 
 using CompilerImpl = CompilerAccess::Impl;

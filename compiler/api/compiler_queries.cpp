@@ -19,6 +19,7 @@
 #include "compiler/nodelang/other_names.h"
 #include "compiler/nodelang/parse.h"
 #include "compiler/resolve/check_graph.h"
+#include "compiler/seam/seam.h"
 #include "patina/complaints.h"
 #include "patina/output_name.h"
 #include "patina/version.h"
@@ -148,8 +149,10 @@ Compiler::~Compiler() = default;
 Compiler::Compiler(Compiler&&) noexcept = default;
 Compiler& Compiler::operator=(Compiler&&) noexcept = default;
 
-void Compiler::Impl::describe() const {
-    std::call_once(once, [&] {
+const Compiler::Impl::Described& Compiler::Impl::describe() const {
+    return described.get([&] {
+        auto made = std::make_unique<Described>();
+        auto& [nodes, semantics, workflows, lighting_models, paths] = *made;
         const EvaluationContext context{*library, library->declarations, library->sources};
         for (const nodelang::FunctionDecl* function : graph::all_functions(*library)) {
             if (function->attribute("node")) nodes.push_back(describe_node(*function, context));
@@ -165,12 +168,12 @@ void Compiler::Impl::describe() const {
         for (const auto& [name, graph] : library->lighting_models) {
             if (graph.get()) lighting_models.push_back(describe_model(*graph.get(), name, library->sources));
         }
+        return made;
     });
 }
 
 const std::vector<NodeInfo>& Compiler::nodes() const {
-    impl_->describe();
-    return impl_->nodes;
+    return impl_->describe().nodes;
 }
 const NodeInfo* Compiler::node(std::string_view name) const {
     const auto& all = nodes();
@@ -182,24 +185,20 @@ std::string Compiler::node_advice(std::string_view name) const {
     return nodelang::node_advice(name, declarations.function_names(), declarations);
 }
 const std::vector<SemanticInfo>& Compiler::semantics() const {
-    impl_->describe();
-    return impl_->semantics;
+    return impl_->describe().semantics;
 }
 const std::vector<ModelInfo>& Compiler::workflows() const {
-    impl_->describe();
-    return impl_->workflows;
+    return impl_->describe().workflows;
 }
 const std::vector<ModelInfo>& Compiler::lighting_models() const {
-    impl_->describe();
-    return impl_->lighting_models;
+    return impl_->describe().lighting_models;
 }
 const std::vector<PathInfo>& Compiler::paths() const {
-    impl_->describe();
-    return impl_->paths;
+    return impl_->describe().paths;
 }
 const std::vector<EngineInfo>& Compiler::engines() const {
-    std::call_once(impl_->engines_once, [&] { impl_->engines = describe_engines(*impl_->library); });
-    return impl_->engines;
+    return impl_->engines.get(
+        [&] { return std::make_unique<std::vector<EngineInfo>>(describe_engines(*impl_->library)); });
 }
 std::vector<Target> Compiler::targets(std::string_view word) const {
     std::vector<Target> made;
@@ -243,22 +242,26 @@ std::vector<NodeTest> Compiler::tests(std::string_view node) const {
 }
 
 NodeFileResult Compiler::check_node_file(const std::string& path, const CompileOptions& options) const {
-    NodeFileResult result;
-    graph::Session session(*impl_->library, options);
-    if (const graph::NodeFile* file = graph::load_node_file(session, path, {})) {
-        const EvaluationContext context{session.library, file->declarations, session.sources};
-        result.node = describe_node(*file->node, context);
-        check_functions(context, file->ast, session.diagnostics);
-        if (!session.diagnostics.has_errors()) result.tests = node_tests(context, *file->node, session.diagnostics);
-    }
-    result.diagnostics = to_public(session.diagnostics, session.sources);
-    result.ok = !session.diagnostics.has_errors();
-    return result;
+    return guarded<NodeFileResult>(path, [&](Trail& trail) {
+        NodeFileResult result;
+        graph::Session session(*impl_->library, options);
+        const Watched watched(trail, session.diagnostics);
+        if (const graph::NodeFile* file = graph::load_node_file(session, path, {})) {
+            const EvaluationContext context{session.library, file->declarations, session.sources};
+            result.node = describe_node(*file->node, context);
+            check_functions(context, file->ast, session.diagnostics);
+            if (!session.diagnostics.has_errors()) result.tests = node_tests(context, *file->node, session.diagnostics);
+        }
+        result.diagnostics = to_public(session.diagnostics, session.sources);
+        result.ok = !session.diagnostics.has_errors();
+        return result;
+    });
 }
 
-SceneResult Compiler::read_scene(const std::string& path, const CompileOptions& options) const {
+namespace {
+
+SceneResult read_scene_file(graph::Session& session, const std::string& path) {
     SceneResult result;
-    graph::Session session(*impl_->library, options);
     if (const std::optional<std::uint32_t> base = graph::load_source(session, path, {})) {
         const std::unique_ptr<graph::Json> json = graph::parse_json(session.sources, *base, session.diagnostics);
         const graph::SceneFiles files{
@@ -273,44 +276,59 @@ SceneResult Compiler::read_scene(const std::string& path, const CompileOptions& 
     return result;
 }
 
+}  // namespace
+
+SceneResult Compiler::read_scene(const std::string& path, const CompileOptions& options) const {
+    return guarded<SceneResult>(path, [&](Trail& trail) {
+        graph::Session session(*impl_->library, options);
+        const Watched watched(trail, session.diagnostics);
+        return read_scene_file(session, path);
+    });
+}
+
 EvalResult Compiler::evaluate(std::string_view node, std::span<const std::pair<std::string, std::string>> arguments,
                               bool single, std::span<const NamedValue> names) const {
-    const CompileOptions options;
-    graph::Session session(*impl_->library, options);
-    Diagnostics& diagnostics = session.diagnostics;
-    EvalResult result;
-    if (const std::optional<Callee> callee = find_callee(session, node)) {
-        const std::string_view name = callee->function.name;
-        const auto values = read_arguments(session, callee->function, arguments);
-        diagnostics.set_context(name, {});
-        if (!diagnostics.has_errors()) {
-            Evaluation evaluation =
-                evaluate_call({session.library, callee->declarations, session.sources, names}, callee->function, values,
-                              single ? Precision::Float : Precision::Double, diagnostics, {});
-            result.outputs = std::move(evaluation.outputs);
+    return guarded<EvalResult>({}, [&](Trail& trail) {
+        const CompileOptions options;
+        graph::Session session(*impl_->library, options);
+        Diagnostics& diagnostics = session.diagnostics;
+        const Watched watched(trail, diagnostics);
+        EvalResult result;
+        if (const std::optional<Callee> callee = find_callee(session, node)) {
+            const std::string_view name = callee->function.name;
+            const auto values = read_arguments(session, callee->function, arguments);
+            diagnostics.set_context(name, {});
+            if (!diagnostics.has_errors()) {
+                Evaluation evaluation =
+                    evaluate_call({session.library, callee->declarations, session.sources, names}, callee->function,
+                                  values, single ? Precision::Float : Precision::Double, diagnostics, {});
+                result.outputs = std::move(evaluation.outputs);
+            }
         }
-    }
-    result.ok = !diagnostics.has_errors();
-    result.diagnostics = to_public(diagnostics, session.sources);
-    return result;
+        result.ok = !diagnostics.has_errors();
+        result.diagnostics = to_public(diagnostics, session.sources);
+        return result;
+    });
 }
 
 EvalResult Compiler::evaluate_expression(std::string_view expression, std::span<const NamedValue> names,
                                          bool single) const {
-    const CompileOptions options;
-    graph::Session session(*impl_->library, options);
-    EvalResult result;
-    const nodelang::Expr* parsed =
-        read_argument(std::string(expression), session.sources, session.ast, session.diagnostics);
-    if (parsed) {
-        Evaluation evaluation =
-            patina::evaluate_expression({session.library, session.library.declarations, session.sources, names},
-                                        *parsed, single ? Precision::Float : Precision::Double, session.diagnostics);
-        result.outputs = std::move(evaluation.outputs);
-    }
-    result.ok = !session.diagnostics.has_errors();
-    result.diagnostics = to_public(session.diagnostics, session.sources);
-    return result;
+    return guarded<EvalResult>({}, [&](Trail&) {
+        const CompileOptions options;
+        graph::Session session(*impl_->library, options);
+        EvalResult result;
+        const nodelang::Expr* parsed =
+            read_argument(std::string(expression), session.sources, session.ast, session.diagnostics);
+        if (parsed) {
+            Evaluation evaluation = patina::evaluate_expression(
+                {session.library, session.library.declarations, session.sources, names}, *parsed,
+                single ? Precision::Float : Precision::Double, session.diagnostics);
+            result.outputs = std::move(evaluation.outputs);
+        }
+        result.ok = !session.diagnostics.has_errors();
+        result.diagnostics = to_public(session.diagnostics, session.sources);
+        return result;
+    });
 }
 
 std::string Compiler::schema() const {
@@ -319,11 +337,13 @@ std::string Compiler::schema() const {
 }
 
 Compiler::Formatted Compiler::format(const std::string& path, std::string text) const {
-    SourceMap sources;
-    Diagnostics diagnostics;
-    const std::uint32_t base = sources.add(path, std::move(text));
-    graph::FormattedText formatted = graph::format_graph(sources, base, diagnostics);
-    return {.ok = formatted.ok, .text = std::move(formatted.text), .diagnostics = to_public(diagnostics, sources)};
+    return guarded<Formatted>(path, [&](Trail&) -> Formatted {
+        SourceMap sources;
+        Diagnostics diagnostics;
+        const std::uint32_t base = sources.add(path, std::move(text));
+        graph::FormattedText formatted = graph::format_graph(sources, base, diagnostics);
+        return {.ok = formatted.ok, .text = std::move(formatted.text), .diagnostics = to_public(diagnostics, sources)};
+    });
 }
 
 }  // namespace patina

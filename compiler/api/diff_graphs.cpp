@@ -6,6 +6,7 @@
 #include "compiler/edit/merge_names.h"
 #include "compiler/format/read_graph.h"
 #include "compiler/json/json_text.h"
+#include "compiler/seam/seam.h"
 #include "patina/graph_diff.h"
 
 namespace patina {
@@ -47,9 +48,7 @@ FilePlace place_in(const GraphText& text, const graph::Path& path) {
     return value ? graph::place_of(text.sources, value.json->span) : FilePlace{};
 }
 
-}  // namespace
-
-GraphDiff diff_graphs(const GraphVersion& before, const GraphVersion& after) {
+GraphDiff diff(const GraphVersion& before, const GraphVersion& after) {
     GraphDiff diff;
     const std::unique_ptr<GraphText> old_text = read(before), new_text = read(after);
     for (const auto& [text, other] : {std::pair(&old_text, &new_text), std::pair(&new_text, &old_text)}) {
@@ -87,6 +86,12 @@ GraphDiff diff_graphs(const GraphVersion& before, const GraphVersion& after) {
         change.after_place = each.after ? place_in(*new_text, each.path) : FilePlace{};
     }
     return diff;
+}
+
+}  // namespace
+
+GraphDiff diff_graphs(const GraphVersion& before, const GraphVersion& after) {
+    return guarded<GraphDiff>(after.name, [&](Trail&) { return diff(before, after); });
 }
 
 }  // namespace patina

@@ -5,6 +5,7 @@
 
 #include "compiler/base/text.h"
 #include "compiler/json/json_text.h"
+#include "compiler/seam/seam.h"
 #include "patina/patina.h"
 
 namespace patina {
@@ -232,10 +233,12 @@ std::string GraphBuilder::text(std::vector<Place>& places) const {
     return writer.text + "\n}\n";
 }
 
-Result Compiler::compile(const GraphBuilder& graph, const CompileOptions& options) const {
+namespace {
+
+Result compile_built(const Compiler& compiler, const GraphBuilder& graph, const CompileOptions& options) {
     std::vector<GraphBuilder::Place> places;
     const std::string text = graph.text(places);
-    Result result = compile_text(graph.path(), text, options);
+    Result result = compiler.compile_text(graph.path(), text, options);
     for (Diagnostic& diagnostic : result.diagnostics) {
         name_numbers(diagnostic.message);
         const bool is_known = !diagnostic.node.empty() && !diagnostic.port.empty();
@@ -250,6 +253,12 @@ Result Compiler::compile(const GraphBuilder& graph, const CompileOptions& option
         }
     }
     return result;
+}
+
+}  // namespace
+
+Result Compiler::compile(const GraphBuilder& graph, const CompileOptions& options) const {
+    return guarded<Result>(graph.path(), [&](Trail&) { return compile_built(*this, graph, options); });
 }
 
 }  // namespace patina

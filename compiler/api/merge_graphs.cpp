@@ -1,8 +1,10 @@
 // merge_graphs(): reads the three texts, and compiles what is merged of them.
 #include <algorithm>
 
+#include "compiler/api/compile_source.h"
 #include "compiler/api/report.h"
 #include "compiler/edit/merge_texts.h"
+#include "compiler/seam/seam.h"
 #include "patina/graph_merge.h"
 
 namespace patina {
@@ -50,13 +52,15 @@ void keep_errors(std::vector<Diagnostic>& diagnostics) {
     diagnostics.erase(std::remove_if(diagnostics.begin(), diagnostics.end(), is_no_error), diagnostics.end());
 }
 
-std::vector<Diagnostic> errors_of(const Compiler& compiler, const MergeOptions& options, const std::string& text) {
+std::vector<Diagnostic> errors_of(const Compiler& compiler, const MergeOptions& options, const std::string& text,
+                                  Trail& trail) {
     CompileOptions compile;
     compile.include_dirs = options.compile.include_dirs;
     compile.files = options.compile.files;
     compile.targets = {Target::Glsl};
     compile.accept_parts = true;
-    std::vector<Diagnostic> errors = compiler.compile_text(options.path, text, compile).diagnostics;
+    std::vector<Diagnostic> errors =
+        compile_text(CompilerAccess::impl(compiler), options.path, text, compile, trail).diagnostics;
     keep_errors(errors);
     return errors;
 }
@@ -70,10 +74,8 @@ std::vector<Diagnostic> errors_of_form(const MergeOptions& options, const std::s
     return errors;
 }
 
-}  // namespace
-
-MergeResult merge_graphs(const Compiler& compiler, const MergeInput& base, const MergeInput& ours,
-                         const MergeInput& theirs, const MergeOptions& options) {
+MergeResult merge(const Compiler& compiler, const MergeInput& base, const MergeInput& ours, const MergeInput& theirs,
+                  const MergeOptions& options, Trail& trail) {
     MergeResult result{.text = ours.text};
     graph::Sides sides{.base = nullptr, .ours = read(ours, result), .theirs = read(theirs, result)};
     sides.base = base.text.empty() ? nothing(base, *sides.ours) : read(base, result);
@@ -82,13 +84,22 @@ MergeResult merge_graphs(const Compiler& compiler, const MergeInput& base, const
     const bool is_compiled =
         sides.ours->kind != graph::ObjectKind::Scene && sides.ours->kind != graph::ObjectKind::Workflow;
     const auto check = [&](const std::string& text) {
-        return is_compiled ? errors_of(compiler, options, text) : errors_of_form(options, text);
+        return is_compiled ? errors_of(compiler, options, text, trail) : errors_of_form(options, text);
     };
     if (ours.text == base.text) return graph::take_text(sides, theirs.text, check);
     if (theirs.text == base.text || theirs.text == ours.text) return graph::take_text(sides, ours.text, check);
     result = graph::merge_texts(sides, options, check);
     if (has_carriage_returns(ours.text)) result.text = with_carriage_returns(result.text);
     return result;
+}
+
+}  // namespace
+
+MergeResult merge_graphs(const Compiler& compiler, const MergeInput& base, const MergeInput& ours,
+                         const MergeInput& theirs, const MergeOptions& options) {
+    return guarded<MergeResult>(
+        options.path, [&](Trail& trail) { return merge(compiler, base, ours, theirs, options, trail); },
+        [&](MergeResult& failed) { failed.text = ours.text; });
 }
 
 }  // namespace patina

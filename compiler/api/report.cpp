@@ -1,8 +1,5 @@
 #include "compiler/api/report.h"
 
-#include <rapidjson/stringbuffer.h>
-#include <rapidjson/writer.h>
-
 #include <algorithm>
 #include <set>
 #include <tuple>
@@ -10,6 +7,7 @@
 #include "compiler/base/broken_text.h"
 #include "compiler/base/near_file.h"
 #include "compiler/base/text.h"
+#include "compiler/json/json_memory.h"
 
 namespace patina {
 namespace {
@@ -119,7 +117,7 @@ void write_text(std::string& text, const Diagnostic& d, bool colors) {
     for (const Diagnostic& note : d.notes) write_text(text, note, colors);
 }
 
-using Writer = rapidjson::Writer<rapidjson::StringBuffer>;
+using Writer = JsonLines;
 
 void write_json(Writer& writer, const Diagnostic& d) {
     const auto string = [&](const char* key, std::string_view bytes) {
@@ -231,7 +229,7 @@ std::string file_suggestion(const std::string& path) {
 }
 
 std::string to_json(const Diagnostic& diagnostic) {
-    rapidjson::StringBuffer buffer;
+    JsonBuffer buffer;
     Writer writer(buffer);
     write_json(writer, diagnostic);
     return {buffer.GetString(), buffer.GetSize()};

@@ -5,7 +5,7 @@
 #include <tuple>
 #include <utility>
 
-#include "compiler/api/compiler_impl.h"
+#include "compiler/api/compile_source.h"
 #include "compiler/api/report.h"
 #include "compiler/format/read_graph.h"
 #include "compiler/json/json.h"
@@ -46,11 +46,12 @@ void add_types(const ir::Module& module, const ir::Function& function, std::stri
 }
 
 // What the values of nodes are. Of a part of a material: in the smallest one. Nothing if it does not compile.
-Types types_of(const Compiler& compiler, const std::string& path, const CompileOptions& given, graph::GraphKind kind) {
+Types types_of(const Compiler& compiler, const std::string& path, const CompileOptions& given, graph::GraphKind kind,
+               Trail& trail) {
     CompileOptions options = given;
     options.targets.clear();
     options.keep_programs = options.accept_parts = true;
-    const Result result = compiler.compile_file(path, options);
+    const Result result = compile_file(CompilerAccess::impl(compiler), path, options, trail);
     Types types;
     if (!result.program) return types;
     const std::string_view graph = kind == graph::GraphKind::Lighting ? "lighting" : "material";
@@ -206,15 +207,14 @@ private:
     std::set<std::tuple<std::size_t, std::size_t, std::size_t, std::size_t>> known_{};
 };
 
-}  // namespace
-
-GraphView view_graph(const Compiler& compiler, const std::string& path, const CompileOptions& options) {
+GraphView view(const Compiler& compiler, const std::string& path, const CompileOptions& options, Trail& trail) {
     CompileOptions own;
     own.include_dirs = options.include_dirs;
     own.files = options.files;
     own.limits = options.limits;
     const graph::Library& library = CompilerAccess::library(compiler);
     graph::Session session(library, own);
+    const Watched watched(trail, session.diagnostics);
     GraphView view;
     if (const std::optional<std::uint32_t> base = graph::load_source(session, path, {})) {
         const std::unique_ptr<graph::Json> json = graph::parse_json(session.sources, *base, session.diagnostics);
@@ -226,13 +226,19 @@ GraphView view_graph(const Compiler& compiler, const std::string& path, const Co
             view.kind = kind_of(graph->kind);
             const graph::CheckedGraph* checked = graph::check_graph(session, graph);
             if (checked && !session.diagnostics.has_errors())
-                View(session, library, *checked, types_of(compiler, path, own, graph->kind), view).make();
+                View(session, library, *checked, types_of(compiler, path, own, graph->kind, trail), view).make();
         }
     }
     view.diagnostics = to_public(session.diagnostics, session.sources);
     view.dependencies = std::move(session.dependencies);
     view.ok = !session.diagnostics.has_errors();
     return view;
+}
+
+}  // namespace
+
+GraphView view_graph(const Compiler& compiler, const std::string& path, const CompileOptions& options) {
+    return guarded<GraphView>(path, [&](Trail& trail) { return view(compiler, path, options, trail); });
 }
 
 }  // namespace patina

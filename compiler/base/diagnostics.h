@@ -83,6 +83,7 @@ public:
         port_ = port;
     }
     std::string_view context_node() const { return node_; }
+    std::string_view context_port() const { return port_; }
 
 private:
     DiagnosticRecord& add(Code code, Span span, std::string message);

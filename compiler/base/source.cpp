@@ -23,12 +23,12 @@ std::uint32_t SourceMap::add_file(std::string path, std::string own, std::string
 }
 
 const std::vector<std::uint32_t>& SourceMap::File::lines() const {
-    std::call_once(once_, [&] {
-        lines_ = {0};
+    return lines_.get([&] {
+        auto lines = std::make_unique<std::vector<std::uint32_t>>(1, 0u);
         for (std::size_t at = text.find('\n'); at != text.npos; at = text.find('\n', at + 1))
-            lines_.push_back(static_cast<std::uint32_t>(at + 1));
+            lines->push_back(static_cast<std::uint32_t>(at + 1));
+        return lines;
     });
-    return lines_;
 }
 
 const SourceMap::File* SourceMap::find(std::uint32_t offset) const {

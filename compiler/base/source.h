@@ -9,11 +9,12 @@
 
 #include <cstdint>
 #include <deque>
-#include <mutex>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
+
+#include "compiler/base/made_once.h"
 
 namespace patina {
 
@@ -70,8 +71,7 @@ private:
         const std::vector<std::uint32_t>& lines() const;
 
     private:
-        mutable std::once_flag once_;
-        mutable std::vector<std::uint32_t> lines_;
+        MadeOnce<std::vector<std::uint32_t>> lines_;
     };
     std::uint32_t add_file(std::string path, std::string own, std::string_view other);
     const File* find(std::uint32_t offset) const;

@@ -63,18 +63,26 @@ public:
 
     template <class... Args>
     T& emplace_back(Args&&... args) {
-        if (chunks_.empty() || chunks_.back().size() == chunks_.back().capacity()) add_chunk();
+        if (chunks_.empty() || chunks_.back().size() == chunks_.back().capacity())
+            add_chunk(std::forward<Args>(args)...);
+        else
+            chunks_.back().emplace_back(std::forward<Args>(args)...);
         ++size_;
-        return chunks_.back().emplace_back(std::forward<Args>(args)...);
+        return chunks_.back().back();
     }
     T& push_back(T value) { return emplace_back(std::move(value)); }
 
 private:
     static constexpr std::size_t kFirst = 4, kMost = 256;  // elements of a chunk
 
-    void add_chunk() {
+    // With its first element. If that cannot be made, the list is as it was.
+    template <class... Args>
+    void add_chunk(Args&&... args) {
         const std::size_t count = chunks_.empty() ? kFirst : std::min(2 * chunks_.back().capacity(), kMost);
-        chunks_.emplace_back().reserve(count);
+        std::vector<T> chunk;
+        chunk.reserve(count);
+        chunk.emplace_back(std::forward<Args>(args)...);
+        chunks_.push_back(std::move(chunk));
     }
 
     // None is empty. A chunk never grows beyond what was reserved for it.

@@ -1,49 +1,25 @@
-// The functions of patina/patina_c.h: each calls one of patina::Compiler and keeps what it returns.
-#include "patina/patina_c.h"
-
+// The functions of patina/patina_c.h that compile: each calls one of patina::Compiler and keeps what it returns.
+// variants.cpp, scene.cpp and lists.cpp have the others.
 #include <memory>
-#include <new>
 #include <optional>
 #include <stdexcept>
 
+#include "compiler/base/diagnostics.h"
+#include "compiler/capi/handles.h"
 #include "compiler/capi/read_options.h"
-
-struct patina_compiler {
-    patina::Compiler compiler;
-};
-
-struct patina_result {
-    patina::Result result;
-    std::string messages, diagnostics, reflection;
-    std::vector<patina_shader> shaders;
-};
 
 struct patina_reply {
     std::optional<std::string> text;
     std::optional<std::string> error;
+    bool is_without_memory = false;  // there was none for the answer
 };
 
 namespace patina::capi {
 namespace {
 
-const char* or_empty(const char* text) {
-    return text ? text : "";
-}
-
-// Runs `work`, which may throw as C++ does.
-template <class Work>
-patina_status guarded(const Work& work) noexcept {
-    try {
-        return work();
-    } catch (const std::bad_alloc&) {
-        return PATINA_OUT_OF_MEMORY;
-    } catch (...) {
-        return PATINA_INTERNAL_ERROR;
-    }
-}
-
 // The text that a callback gave, or nothing. Throws if it gave a reason instead.
 std::optional<std::string> answer(patina_reply reply) {
+    if (reply.is_without_memory) throw std::bad_alloc();
     if (reply.error) throw std::runtime_error(*reply.error);
     return std::move(reply.text);
 }
@@ -69,14 +45,56 @@ void use(const patina_callbacks& given, CompileOptions& options) {
     if (given.cancelled) options.limits.cancelled = [given] { return given.cancelled(given.user) != 0; };
 }
 
-// Makes what the functions return of a result. The texts of its shaders stay where they are.
+// `work` compiles with the options.
+template <class Work>
+patina_status compile(const patina_compiler* compiler, const char* options_text, const patina_callbacks* callbacks,
+                      patina_result** result, const Work& work) noexcept {
+    if (!result) return PATINA_BAD_ARGUMENT;
+    *result = nullptr;
+    if (!compiler) return PATINA_BAD_ARGUMENT;
+    return guarded([&] {
+        auto made = std::make_unique<patina_result>();
+        CompileOptions options;
+        made->result.diagnostics = settle(*compiler, options_text, callbacks, options);
+        if (made->result.diagnostics.empty()) made->result = work(options);
+        refuse_without_memory(made->result.ok, made->result.diagnostics);
+        complete(*made);
+        const bool is_ok = made->result.ok;
+        *result = made.release();
+        return is_ok ? PATINA_OK : PATINA_HAS_ERRORS;
+    });
+}
+
+// Copies a key to where there is room for PATINA_KEY_SIZE bytes.
+patina_status give(const std::string& made, char* key) {
+    if (made.size() >= PATINA_KEY_SIZE) return PATINA_INTERNAL_ERROR;
+    key[made.copy(key, PATINA_KEY_SIZE - 1)] = '\0';
+    return PATINA_OK;
+}
+
+}  // namespace
+
+void refuse_without_memory(bool ok, std::span<const Diagnostic> diagnostics) {
+    if (!ok && diagnostics.empty()) throw std::bad_alloc();
+    for (const Diagnostic& each : diagnostics)
+        if (each.code == info(Code::OutOfMemory).name) throw std::bad_alloc();
+}
+
+std::string messages_of(std::span<const Diagnostic> diagnostics) {
+    std::string text;
+    for (const Diagnostic& diagnostic : diagnostics) text += to_text(diagnostic) + "\n";
+    return text;
+}
+
+std::string json_of(std::span<const Diagnostic> diagnostics) {
+    std::string text = "[";
+    for (const Diagnostic& diagnostic : diagnostics) text += (text.size() > 1 ? ",\n" : "") + to_json(diagnostic);
+    return text + "]";
+}
+
 void complete(patina_result& made) {
-    made.diagnostics = "[";
-    for (const Diagnostic& diagnostic : made.result.diagnostics) {
-        made.messages += to_text(diagnostic) + "\n";
-        made.diagnostics += (made.diagnostics.size() > 1 ? ",\n" : "") + to_json(diagnostic);
-    }
-    made.diagnostics += "]";
+    made.messages = messages_of(made.result.diagnostics);
+    made.diagnostics = json_of(made.result.diagnostics);
     if (!made.result.ok) {
         made.result.shaders.clear();
         return;
@@ -93,36 +111,14 @@ void complete(patina_result& made) {
     }
 }
 
-// `work` compiles with the options.
-template <class Work>
-patina_status compile(const patina_compiler* compiler, const char* options_text, const patina_callbacks* callbacks,
-                      patina_result** result, const Work& work) noexcept {
-    if (!result) return PATINA_BAD_ARGUMENT;
-    *result = nullptr;
-    if (!compiler) return PATINA_BAD_ARGUMENT;
-    return guarded([&] {
-        auto made = std::make_unique<patina_result>();
-        CompileOptions options;
-        if (options_text) made->result.diagnostics = read_options(compiler->compiler, options_text, options);
-        if (made->result.diagnostics.empty()) {
-            if (callbacks) use(*callbacks, options);
-            made->result = work(options);
-        }
-        complete(*made);
-        const bool is_ok = made->result.ok;
-        *result = made.release();
-        return is_ok ? PATINA_OK : PATINA_HAS_ERRORS;
-    });
+std::vector<Diagnostic> settle(const patina_compiler& compiler, const char* options_text,
+                               const patina_callbacks* callbacks, CompileOptions& options) {
+    std::vector<Diagnostic> wrong;
+    if (options_text) wrong = read_options(compiler.compiler, options_text, options);
+    if (callbacks) use(*callbacks, options);
+    return wrong;
 }
 
-// Copies a key to where there is room for PATINA_KEY_SIZE bytes.
-patina_status give(const std::string& made, char* key) {
-    if (made.size() >= PATINA_KEY_SIZE) return PATINA_INTERNAL_ERROR;
-    key[made.copy(key, PATINA_KEY_SIZE - 1)] = '\0';
-    return PATINA_OK;
-}
-
-}  // namespace
 }  // namespace patina::capi
 
 using namespace patina::capi;
@@ -134,7 +130,7 @@ const char* patina_status_text(patina_status status) {
         case PATINA_OK: return "all is well";
         case PATINA_HAS_ERRORS: return "there are errors";
         case PATINA_WRONG_ABI: return "the program was compiled for another version of patina_c.h than the library";
-        case PATINA_BAD_ARGUMENT: return "a pointer is null that must not be";
+        case PATINA_BAD_ARGUMENT: return "a pointer is null that must not be, or a size or a word is impossible";
         case PATINA_OUT_OF_MEMORY: return "there is not enough memory";
         case PATINA_INTERNAL_ERROR: return "a mistake of the library";
     }
@@ -154,14 +150,14 @@ patina_status patina_compiler_create(uint32_t abi, const patina_library_file* fi
     if (!compiler) return PATINA_BAD_ARGUMENT;
     *compiler = nullptr;
     if (abi != PATINA_C_ABI) return PATINA_WRONG_ABI;
-    if (!files && count > 0) return PATINA_BAD_ARGUMENT;
+    if (!is_possible(files, count, sizeof *files)) return PATINA_BAD_ARGUMENT;
     return guarded([&] {
         patina::LibraryOverlay overlay;
         for (size_t i = 0; i < count; ++i) {
-            if (!files[i].name || (!files[i].text && files[i].size > 0)) return PATINA_BAD_ARGUMENT;
+            if (!files[i].name || !is_possible(files[i].text, files[i].size)) return PATINA_BAD_ARGUMENT;
             overlay.files.push_back({.name = files[i].name, .text = {or_empty(files[i].text), files[i].size}});
         }
-        *compiler = new patina_compiler{patina::Compiler(overlay)};
+        *compiler = new patina_compiler{.compiler = patina::Compiler(overlay)};
         return PATINA_OK;
     });
 }
@@ -172,11 +168,12 @@ void patina_compiler_free(patina_compiler* compiler) {
 
 void patina_reply_text(patina_reply* reply, const char* text, size_t size) {
     if (!reply) return;
+    if (!is_possible(text, size)) return patina_reply_error(reply, "the program gave a text of an impossible size");
     const patina_status status = guarded([&] {
-        reply->text = std::string(or_empty(text), text ? size : 0);
+        reply->text = std::string(or_empty(text), size);
         return PATINA_OK;
     });
-    if (status != PATINA_OK) reply->error.emplace();  // too short to need memory
+    if (status != PATINA_OK) reply->is_without_memory = true;
 }
 
 void patina_reply_error(patina_reply* reply, const char* reason) {
@@ -185,12 +182,12 @@ void patina_reply_error(patina_reply* reply, const char* reason) {
         reply->error = or_empty(reason);
         return PATINA_OK;
     });
-    if (status != PATINA_OK) reply->error.emplace();
+    if (status != PATINA_OK) reply->is_without_memory = true;
 }
 
 patina_status patina_compile(const patina_compiler* compiler, const char* path, const char* text, size_t size,
                              const char* options, const patina_callbacks* callbacks, patina_result** result) {
-    const bool is_complete = path && (text || size == 0);
+    const bool is_complete = path && is_possible(text, size);
     return compile(is_complete ? compiler : nullptr, options, callbacks, result,
                    [&](const patina::CompileOptions& read) {
                        return compiler->compiler.compile_text(path, std::string(or_empty(text), size), read);
@@ -207,11 +204,10 @@ patina_status patina_cache_key(const patina_compiler* compiler, const char* path
                                const char* options, const patina_callbacks* callbacks, char* key) {
     if (!key) return PATINA_BAD_ARGUMENT;
     *key = '\0';
-    if (!compiler || !path) return PATINA_BAD_ARGUMENT;
+    if (!compiler || !path || !is_possible(text, size)) return PATINA_BAD_ARGUMENT;
     return guarded([&] {
         patina::CompileOptions read;
-        if (options && !read_options(compiler->compiler, options, read).empty()) return PATINA_HAS_ERRORS;
-        if (callbacks) use(*callbacks, read);
+        if (!settle(*compiler, options, callbacks, read).empty()) return PATINA_HAS_ERRORS;
         return give(text ? compiler->compiler.cache_key(path, std::string(text, size), read)
                          : compiler->compiler.cache_key(path, read),
                     key);

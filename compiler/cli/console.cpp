@@ -3,13 +3,18 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cstdio>
 #include <cstdlib>
+
+#include "compiler/cli/failures/failures.h"
 
 namespace patina::cli {
 namespace {
 
 constexpr std::string_view kClearLine = "\r\033[K";
+
+std::atomic<Exit> exit_asked_for = Exit::Ok;
 
 bool is_terminal(int descriptor) {
     const char* terminal = std::getenv("TERM");
@@ -42,6 +47,8 @@ bool report(const Console& console, std::span<const Diagnostic> diagnostics) {
     for (const Diagnostic& diagnostic : diagnostics) {
         const bool is_error = diagnostic.severity == Severity::Error;
         any_error |= is_error;
+        if (diagnostic.code == code_of(Complaint::OutOfMemory)) ask_for_exit(Exit::Machine);
+        if (diagnostic.code == code_of(Complaint::Internal)) ask_for_exit(Exit::Mistake);
         if (console.quiet && !is_error) continue;
         if (console.json) {
             print(to_json(diagnostic));
@@ -54,6 +61,14 @@ bool report(const Console& console, std::span<const Diagnostic> diagnostics) {
         write(stderr, text);
     }
     return any_error;
+}
+
+Exit exit_of_reports() {
+    return exit_asked_for;
+}
+
+void ask_for_exit(Exit exit) noexcept {
+    exit_asked_for = worse(exit_asked_for, exit);
 }
 
 void complain(const Console& console, Complaint what, std::initializer_list<std::string_view> words) {
@@ -88,6 +103,7 @@ std::string heading(const Console& console, std::string_view text) {
 }
 
 void show_progress(const Console& console, std::size_t index, std::size_t count, std::string_view item) {
+    work_on_file(item);
     if (!console.progress || console.quiet || console.json || count < 2) return;
     constexpr std::size_t kWidth = 20;
     const std::size_t full = std::min(index * kWidth / count, kWidth);

@@ -8,6 +8,8 @@
 #include <iostream>
 #include <iterator>
 
+#include "compiler/cli/failures/failures.h"
+
 namespace patina::cli {
 namespace {
 
@@ -37,6 +39,7 @@ runtime::Failure no_rule(std::string_view path) {
 }  // namespace
 
 std::optional<std::string> read_file(const std::string& path, std::string& error) {
+    work_on_file(path);
     std::error_code failure;
     if (fs::is_directory(path, failure)) {
         error = "it is a folder";

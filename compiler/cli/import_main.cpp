@@ -4,7 +4,8 @@
 
 int main(int argc, char** argv) {
     using namespace patina::cli;
-    Program program;
-    add_import(program);
-    return run(program, argc, argv);
+    return run(argc, argv, [](Program& program, int, char**) -> std::optional<Exit> {
+        add_import(program);
+        return {};
+    });
 }

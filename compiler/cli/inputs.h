@@ -7,12 +7,14 @@
 //           [&](const Input& input, Made& made) { return write(input, made); });
 #pragma once
 
+#include <exception>
 #include <initializer_list>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "compiler/cli/failures/failures.h"
 #include "compiler/cli/program.h"
 #include "runtime/jobs/jobs.h"
 
@@ -61,19 +63,32 @@ Exit take_out_equal_outputs(const Console& console, std::vector<Input>& inputs, 
 void name_graph(std::vector<Diagnostic>& diagnostics, const std::string& graph);
 
 // `make` runs on several threads; `finish`, which prints and writes, on one at a time and in the inputs' order. The
-// exit code is the greatest one that `finish` returns.
+// exit code is the greatest one that `finish` returns. What is thrown for one input is reported for it, and the others
+// are worked on all the same.
 template <class Make, class Finish>
 Exit work_on(const Console& console, const std::vector<Input>& inputs, int jobs, const Make& make,
              const Finish& finish) {
     using Made = decltype(make(inputs.front()));
     std::vector<std::optional<Made>> made(inputs.size());
+    std::vector<std::exception_ptr> failures(inputs.size());
     Exit exit = Exit::Ok;
     runtime::in_order(
         inputs.size(), jobs,
-        [&]() -> runtime::Work { return [&](std::size_t i) { made[i].emplace(make(inputs[i])); }; },
+        [&]() -> runtime::Work {
+            return [&](std::size_t i) {
+                try {
+                    made[i].emplace(make(inputs[i]));
+                } catch (...) {
+                    failures[i] = std::current_exception();
+                }
+            };
+        },
         [&](std::size_t i) {
-            show_progress(console, i, inputs.size(), inputs[i].path);
-            exit = worse(exit, finish(inputs[i], *made[i]));
+            exit = worse(exit, guarded(console, inputs[i].path, [&] {
+                             if (failures[i]) std::rethrow_exception(failures[i]);
+                             show_progress(console, i, inputs.size(), inputs[i].path);
+                             return finish(inputs[i], *made[i]);
+                         }));
             made[i].reset();
         });
     return exit;

@@ -26,17 +26,14 @@ bool asks_for_sheet(std::string_view word) {
     return word.starts_with("--sheet");
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+std::optional<Exit> set_up(Program& program, int argc, char** argv) {
     const std::string_view first = argc > 1 ? argv[1] : "";
     const CommandInfo* command = find_command(first);
     Home home = command ? command->home : Home::Patina;
     if (first == "check" && std::any_of(argv, argv + argc, may_name_scenes)) home = Home::Render;
     if (first == "diff" && std::any_of(argv, argv + argc, asks_for_picture)) home = Home::Render;
     if (first == "nodes" && std::any_of(argv, argv + argc, asks_for_sheet)) home = Home::Render;
-    if (home != Home::Patina) return static_cast<int>(turn_into(home, argv));
-    Program program;
+    if (home != Home::Patina) return turn_into(home, argv);
     add_licences_option(program);
 #define COMMAND(name, home, summary)                \
     if constexpr (Home::home == Home::Patina) {     \
@@ -47,5 +44,11 @@ int main(int argc, char** argv) {
 #include "compiler/cli/commands/commands.def"
 #undef COMMAND
     program.app.footer("'patina COMMAND --help' shows options and examples.");
-    return run(program, argc, argv);
+    return {};
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    return run(argc, argv, set_up);
 }

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <map>
 
+#include "compiler/cli/failures/failures.h"
 #include "patina/name_value.h"
 #include "patina/output_name.h"
 
@@ -17,7 +18,8 @@ namespace {
 
 constexpr const char* kSummary =
     "Patina compiles material node graphs to readable GLSL and HLSL.\n"
-    "Exit codes: 0 done, 1 the input is wrong, 2 the command line is wrong, 3 the machine lacks something.";
+    "Exit codes: 0 done, 1 the input is wrong, 2 the command line is wrong, 3 the machine lacks something (a GPU, a "
+    "program, memory), 4 a mistake of Patina: please report it.";
 
 constexpr CommandInfo kCommands[] = {
 #define COMMAND(name, home, summary) {#name, Home::home, summary},
@@ -244,7 +246,9 @@ void refuse_equal_outputs(const std::vector<std::string>& graphs, std::string_vi
     if (!equal.empty()) throw CLI::ValidationError("GRAPH", equal.front().why);
 }
 
-int run(Program& program, int argc, char** argv) {
+namespace {
+
+int run_command(Program& program, int argc, char** argv) {
     program.argv = argv;
     CLI::App& app = program.app;
     auto chosen = [&]() -> const CLI::App* {
@@ -268,11 +272,34 @@ int run(Program& program, int argc, char** argv) {
         return static_cast<int>(exit);
     }
     end_progress(program.console);
+    exit = worse(exit, exit_of_reports());
     if (output_failed()) {
         std::fputs("patina: cannot write to standard output\n", stderr);
         exit = worse(exit, Exit::Wrong);
     }
     return static_cast<int>(exit);
+}
+
+// What has been printed comes before the message.
+Exit end_with_message(const Console& console) noexcept {
+    std::fflush(stdout);
+    return report_exception(console);
+}
+
+}  // namespace
+
+int run(int argc, char** argv, SetUp set_up) noexcept {
+    try {
+        Program program;
+        try {
+            if (const std::optional<Exit> exit = set_up(program, argc, argv)) return static_cast<int>(*exit);
+            return run_command(program, argc, argv);
+        } catch (...) {
+            return static_cast<int>(end_with_message(program.console));
+        }
+    } catch (...) {
+        return static_cast<int>(end_with_message(open_console()));
+    }
 }
 
 }  // namespace patina::cli

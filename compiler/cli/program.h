@@ -5,15 +5,16 @@
 // subcommands have.
 //
 // This folder: the programs (main.cpp, render_main.cpp, import_main.cpp) and what all commands share (this file,
-// console.h, files.h, inputs.h, outputs.h). commands/ holds a file for each command, compile/ what `patina compile`
-// needs beside, cost/ is `patina cost`, diff/ what `patina diff` finds, node_sheet/ is `patina nodes --sheet`, watch/
-// is `patina watch`, licences/ is `patina --licences`, pages/ what `patina node` and `patina docs` show, eval/ what
-// `patina eval` computes, templates/ what `patina new` writes. Nothing here includes the compiler's own headers: what a
-// command needs of the library is public.
+// console.h, files.h, inputs.h, outputs.h). failures/ says what was thrown, commands/ holds a file for each command,
+// compile/ what `patina compile` needs beside, cost/ is `patina cost`, diff/ what `patina diff` finds, node_sheet/ is
+// `patina nodes --sheet`, watch/ is `patina watch`, licences/ is `patina --licences`, pages/ what `patina node` and
+// `patina docs` show, eval/ what `patina eval` computes, templates/ what `patina new` writes. Nothing here includes the
+// compiler's own headers: what a command needs of the library is public.
 //
-//   Program program;
-//   add_compile(program);
-//   return run(program, argc, argv);
+//   return run(argc, argv, [](Program& program, int, char**) -> std::optional<Exit> {
+//       add_compile(program);
+//       return {};
+//   });
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -135,7 +136,9 @@ std::vector<EqualOutputs> find_equal_outputs(const std::vector<std::string>& gra
 // Throws the usage error if there are such.
 void refuse_equal_outputs(const std::vector<std::string>& graphs, std::string_view ending, std::string_view verb);
 
-// Parses, runs the chosen subcommand and returns its exit code.
-int run(Program& program, int argc, char** argv);
+// Adds the commands of a program. An exit code: the program ends with it at once.
+using SetUp = std::optional<Exit> (*)(Program& program, int argc, char** argv);
+// Parses, runs the chosen subcommand and returns its exit code: what `main` does. No exception leaves it.
+int run(int argc, char** argv, SetUp set_up) noexcept;
 
 }  // namespace patina::cli

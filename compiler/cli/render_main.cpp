@@ -5,9 +5,11 @@
 #include "compiler/cli/node_sheet/node_sheet.h"
 #include "runtime/picture/image.h"
 
-int main(int argc, char** argv) {
-    using namespace patina::cli;
-    Program program;
+namespace {
+
+using namespace patina::cli;
+
+std::optional<Exit> set_up(Program& program, int, char**) {
     program.check_scene = check_scene;
     program.compare_pictures = compare_pictures;
     program.encode_picture = patina::runtime::encode_image;
@@ -20,5 +22,11 @@ int main(int argc, char** argv) {
     if constexpr (Home::home == Home::Render) add_##name(program);
 #include "compiler/cli/commands/commands.def"
 #undef COMMAND
-    return run(program, argc, argv);
+    return {};
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    return run(argc, argv, set_up);
 }

@@ -58,6 +58,9 @@ bool is_leaf(Op op) {
     std::abort();
 }
 
+// Of emptied tables that a thread keeps for its next builders.
+constexpr std::size_t kMaxSpare = 8;
+
 }  // namespace
 
 Builder::Builder(Module& module, Function& function, BuildOptions options)
@@ -78,7 +81,7 @@ Builder::Builder(Module& module, Function& function, BuildOptions options)
 }
 
 Builder::~Builder() {
-    constexpr std::size_t kMaxSpare = 8, kMaxKept = 4096;  // the tables of a very long function are not kept
+    constexpr std::size_t kMaxKept = 4096;  // the tables of a very long function are not kept
     std::vector<Tables>& spare = spare_tables();
     if (!options_.fold || spare.size() >= kMaxSpare || function_.insts.capacity() > kMaxKept) return;
     tables_.numbered.shrink(0);
@@ -88,7 +91,12 @@ Builder::~Builder() {
 }
 
 std::vector<Builder::Tables>& Builder::spare_tables() {
-    thread_local std::vector<Tables> spare;
+    // With room for all of them, because a destructor adds them.
+    thread_local std::vector<Tables> spare = [] {
+        std::vector<Tables> room;
+        room.reserve(kMaxSpare);
+        return room;
+    }();
     return spare;
 }
 

@@ -67,9 +67,9 @@ private:
     }
 
     void grow(std::size_t count) {
-        std::vector<Slot> in_order(size_);
+        std::vector<Slot> in_order(size_), larger(count);  // both before anything changes: either may fail
         for (std::size_t i = size_; i-- > 0; last_ = slots_[last_].before) in_order[i] = slots_[last_];
-        slots_.assign(count, {});
+        slots_ = std::move(larger);
         size_ = 0;
         for (const Slot& slot : in_order) place(slot.hash, slot.value);
     }

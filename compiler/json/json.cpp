@@ -11,6 +11,7 @@
 
 #include "compiler/base/text.h"
 #include "compiler/json/json_errors.h"
+#include "compiler/json/json_memory.h"
 #include "compiler/json/other_file.h"
 
 namespace patina::graph {
@@ -397,7 +398,7 @@ std::unique_ptr<Json> parse_json(const SourceMap& sources, std::uint32_t base, D
                                 rapidjson::kParseValidateEncodingFlag;
     Cursor cursor(text, *start);
     Builder builder(text, base, cursor, *start, diagnostics);
-    rapidjson::Reader reader;
+    rapidjson::GenericReader<rapidjson::UTF8<>, rapidjson::UTF8<>, JsonMemory> reader;
     const rapidjson::ParseResult result = reader.Parse<kFlags>(cursor, builder);
     if (result.IsError()) {
         JsonBreak at = builder.where();

@@ -83,23 +83,28 @@ void name_globals(Writer& w) {
     }
 }
 
-// Everything that is printed while the object lives is one declaration.
-class Declared {
-public:
-    Declared(Writer& w, Piece::Kind kind, std::string name) : w_(w) {
-        w.gap();
-        piece_ = {.kind = kind, .name = std::move(name), .begin = w.text.size(), .line = w.next_line};
-    }
-    ~Declared() {
-        piece_.end = w_.text.size();
-        if (piece_.end > piece_.begin) w_.pieces.push_back(std::move(piece_));
-    }
-    Declared(const Declared&) = delete;
+// Everything that `print` prints is one declaration.
+template <class Print>
+void print_piece(Writer& w, Piece::Kind kind, std::string name, const Print& print) {
+    Piece piece{.kind = kind, .name = std::move(name), .begin = w.text.size(), .line = w.next_line};
+    print();
+    piece.end = w.text.size();
+    if (piece.end > piece.begin) w.pieces.push_back(std::move(piece));
+}
 
-private:
-    Writer& w_;
-    Piece piece_;
-};
+void print_members(Writer& w, std::size_t index, bool is_shared) {
+    if (is_shared) open_guard(w, "PATINA_" + w.structs[index], "");
+    const Syntax& syntax = *w.language.syntax;
+    const std::vector<Member>& members = w.module.structs[index].members;
+    const auto member = [&](Type type, std::string_view name) { w.line(1, w.member(type, name)); };
+    w.line(0, syntax.open_struct(w.structs[index]));
+    w.line(0, "{");
+    for (std::size_t i = 0; i < members.size(); ++i) member(members[i].type, w.members[index][i]);
+    // GLSL has no empty structs.
+    if (members.empty()) member(kFloat, "nothing");
+    w.line(0, syntax.close_struct);
+    if (is_shared) w.line(0, syntax.end_guard);
+}
 
 // Prints a struct after those that its members are made of. A struct of the engine is declared once, even if several
 // texts are pasted into a shader.
@@ -112,17 +117,8 @@ void print_struct(Writer& w, std::size_t index, const std::vector<bool>& shared,
         while (type.kind == Kind::Array) type = w.module.arrays[type.ref].element;
         if (type.kind == Kind::Struct) print_struct(w, type.ref, shared, printed);
     }
-    const Declared declared(w, Piece::Kind::Struct, w.structs[index]);
-    if (shared[index]) open_guard(w, "PATINA_" + w.structs[index], "");
-    const Syntax& syntax = *w.language.syntax;
-    const auto member = [&](Type type, std::string_view name) { w.line(1, w.member(type, name)); };
-    w.line(0, syntax.open_struct(w.structs[index]));
-    w.line(0, "{");
-    for (std::size_t i = 0; i < structure.members.size(); ++i) member(structure.members[i].type, w.members[index][i]);
-    // GLSL has no empty structs.
-    if (structure.members.empty()) member(kFloat, "nothing");
-    w.line(0, syntax.close_struct);
-    if (shared[index]) w.line(0, syntax.end_guard);
+    w.gap();
+    print_piece(w, Piece::Kind::Struct, w.structs[index], [&] { print_members(w, index, shared[index]); });
 }
 
 // Declares what the engine provides. Repeated declarations of a function are allowed.
@@ -156,25 +152,19 @@ void print_globals(Writer& w) {
     }
     for (std::size_t i = 0; i < w.module.blocks.size(); ++i) {
         if (!w.reachable.blocks[i]) continue;
-        const Declared declared(w, Piece::Kind::Uniform, w.blocks[i]);
-        w.language.block(w, w.module.blocks[i]);
+        w.gap();
+        print_piece(w, Piece::Kind::Uniform, w.blocks[i], [&] { w.language.block(w, w.module.blocks[i]); });
     }
     w.gap();
     for (std::uint32_t i = 0; i < w.module.globals.size(); ++i) {
         const Global& global = w.module.globals[i];
         if (!w.reachable.globals[i] || global.in_block() || global.is_foreign()) continue;
-        const std::size_t begin = w.text.size();
-        const int line = w.next_line;
-        if (global.is_keyword())
-            print_keyword(w, {i});
-        else
-            w.language.resource(w, {i});
-        if (w.text.size() > begin)
-            w.pieces.push_back({.kind = Piece::Kind::Uniform,
-                                .name = w.globals[i],
-                                .begin = begin,
-                                .end = w.text.size(),
-                                .line = line});
+        print_piece(w, Piece::Kind::Uniform, w.globals[i], [&] {
+            if (global.is_keyword())
+                print_keyword(w, {i});
+            else
+                w.language.resource(w, {i});
+        });
     }
 }
 
@@ -185,8 +175,6 @@ std::string_view function_name(std::string_view signature) {
 }
 
 void print_function(Writer& w, FunctionId id, const EntryPoint* entry) {
-    const Declared declared(w, entry ? Piece::Kind::Entry : Piece::Kind::Function,
-                            entry ? std::string(function_name(entry->signature)) : w.functions[id.index]);
     const auto print = [&] {
         const Function& function = w.module[id];
         print_comment(w, function.comment, function.origin);
@@ -195,10 +183,14 @@ void print_function(Writer& w, FunctionId id, const EntryPoint* entry) {
         else
             Body(w, id, entry).print();
     };
-    if (w.options.kept)
-        print_kept(w, id, entry, print);
-    else
-        print();
+    w.gap();
+    print_piece(w, entry ? Piece::Kind::Entry : Piece::Kind::Function,
+                entry ? std::string(function_name(entry->signature)) : w.functions[id.index], [&] {
+                    if (w.options.kept)
+                        print_kept(w, id, entry, print);
+                    else
+                        print();
+                });
 }
 
 // A shader that pasted text goes into has its own preamble.

@@ -36,12 +36,11 @@ void parse_file(Text text, Ast& ast, Diagnostics& diagnostics, Bodies bodies) {
 namespace {
 
 const ReadBody& read_body(const UnreadBody& body) {
-    std::call_once(body.once, [&] {
+    return body.read.get([&] {
         auto read = std::make_unique<ReadBody>();
         Parser(body.text, Lexer::Place::File, read->ast, read->diagnostics).function_body(read->statements);
-        body.read = std::move(read);
+        return read;
     });
-    return *body.read;
 }
 
 }  // namespace

@@ -7,9 +7,9 @@
 #pragma once
 
 #include <initializer_list>
-#include <mutex>
 #include <span>
 
+#include "compiler/base/made_once.h"
 #include "compiler/nodelang/lex.h"
 
 namespace patina::nodelang {
@@ -37,8 +37,7 @@ struct ReadBody {
 // A body that has been skipped. Most are never asked for.
 struct UnreadBody {
     Text text{};
-    mutable std::once_flag once{};
-    mutable std::unique_ptr<ReadBody> read{};
+    MadeOnce<ReadBody> read{};
 };
 
 class Parser {

@@ -97,13 +97,12 @@ std::optional<std::vector<Part>> parts_of(std::string_view text) {
 }  // namespace
 
 const Ast& Unread::ast() const {
-    std::call_once(once_, [this] {
+    return ast_.get([this] {
         auto ast = std::make_unique<Ast>();
         Diagnostics diagnostics;
         parse_file(text_, *ast, diagnostics, Bodies::WhenAsked);
-        ast_ = std::move(ast);
+        return ast;
     });
-    return *ast_;
 }
 
 bool split(Text file, std::deque<Unread>& into) {

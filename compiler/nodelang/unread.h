@@ -7,9 +7,8 @@
 #pragma once
 
 #include <deque>
-#include <memory>
-#include <mutex>
 
+#include "compiler/base/made_once.h"
 #include "compiler/nodelang/parse.h"
 
 namespace patina::nodelang {
@@ -26,8 +25,7 @@ public:
 private:
     std::string_view name_;
     Text text_;
-    mutable std::once_flag once_;
-    mutable std::unique_ptr<const Ast> ast_;  // most are never asked for
+    MadeOnce<Ast> ast_;  // most are never asked for
 };
 
 // Adds the declarations of a file. False, and nothing is added, if it is not written as above, or holds more than nodes

@@ -1,16 +1,14 @@
 // Reflection::schema(): the JSON Schema of what to_json() writes.
-#include <rapidjson/prettywriter.h>
-#include <rapidjson/stringbuffer.h>
-
 #include <concepts>
 #include <type_traits>
 
+#include "compiler/json/json_memory.h"
 #include "compiler/reflection/describe.h"
 
 namespace patina::reflection {
 namespace {
 
-using Writer = rapidjson::PrettyWriter<rapidjson::StringBuffer>;
+using Writer = JsonPages;
 
 void write(Writer& writer, const char* key, std::string_view text) {
     writer.Key(key);
@@ -166,7 +164,7 @@ private:
 namespace patina {
 
 std::string Reflection::schema() {
-    rapidjson::StringBuffer buffer;
+    JsonBuffer buffer;
     reflection::Writer writer(buffer);
     writer.SetIndent(' ', 2);
     writer.SetFormatOptions(rapidjson::kFormatSingleLineArray);

@@ -1,17 +1,15 @@
 // Reflection::to_json(): pretty-printed, with keys in the order of describe.h.
-#include <rapidjson/prettywriter.h>
-#include <rapidjson/stringbuffer.h>
-
 #include <concepts>
 
 #include "compiler/base/broken_text.h"
 #include "compiler/base/text.h"
+#include "compiler/json/json_memory.h"
 #include "compiler/reflection/describe.h"
 
 namespace patina::reflection {
 namespace {
 
-using Writer = rapidjson::PrettyWriter<rapidjson::StringBuffer>;
+using Writer = JsonPages;
 
 template <class T>
 bool is_left_out(const T& value, const T& usual) {
@@ -136,7 +134,7 @@ private:
 namespace patina {
 
 std::string Reflection::to_json() const {
-    rapidjson::StringBuffer buffer;
+    JsonBuffer buffer;
     reflection::Writer writer(buffer);
     writer.SetIndent(' ', 2);
     writer.SetFormatOptions(rapidjson::kFormatSingleLineArray);

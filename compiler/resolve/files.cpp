@@ -2,6 +2,7 @@
 
 #include <exception>
 #include <filesystem>
+#include <new>
 
 #include "compiler/base/disk.h"
 #include "compiler/base/file_names.h"
@@ -9,25 +10,34 @@
 namespace patina::graph {
 namespace {
 
-// Calls a function of the caller's. If it throws, returns what its result is without a value.
+// The result of a function of the program's. If it throws, that is a result without a value.
 template <class Call>
-auto guarded(std::string& why, Call call) -> decltype(call()) {
-    try {
-        return call();
-    } catch (const std::exception& exception) {
-        why = exception.what();
-    } catch (...) {
-    }
-    if (why.empty()) why = "the program's file system failed";
-    return {};
+auto answer_of(std::string& why, const Call& call) -> decltype(call()) {
+    decltype(call()) answer{};
+    succeeds([&] { answer = call(); }, why, "the program's file system failed");
+    return answer;
 }
 
 }  // namespace
 
+bool succeeds(const std::function<void()>& call, std::string& why, std::string_view unknown) {
+    try {
+        call();
+        return true;
+    } catch (const std::bad_alloc&) {
+        throw;
+    } catch (const std::exception& exception) {
+        why = exception.what();
+    } catch (...) {
+        why = unknown;
+    }
+    return false;
+}
+
 Files::Path Files::resolve(const std::string& from, const std::string& name) {
     Path made;
     if (system_.resolve)
-        made.path = guarded(made.why, [&] { return system_.resolve(from, name); });
+        made.path = answer_of(made.why, [&] { return system_.resolve(from, name); });
     else
         made.path = join_names(from, name);
     resolved_.push_back({.from = from, .name = name, .path = made});
@@ -39,7 +49,7 @@ const Files::Answer& Files::read(const std::string& path) {
     if (answer.is_read) return answer;
     answer.is_read = true;
     if (system_.read) {
-        answer.text = guarded(answer.why, [&] { return system_.read(path); });
+        answer.text = answer_of(answer.why, [&] { return system_.read(path); });
     } else {
         answer.text = read_from_disk(path, answer.why);
         std::error_code ignored;
@@ -53,7 +63,7 @@ const Files::Answer& Files::find(const std::string& path) {
     Answer& answer = answers_[path];
     if (answer.exists) return answer;
     if (system_.exists)
-        answer.exists = guarded(answer.why, [&] { return system_.exists(path); });
+        answer.exists = answer_of(answer.why, [&] { return system_.exists(path); });
     else
         answer.exists = system_.read ? read(path).text.has_value() : is_on_disk(path);
     return answer;

@@ -6,14 +6,21 @@
 //   const Files::Answer& rust = files.read("rust.subgraph.json");   // its text, or why there is none
 #pragma once
 
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "patina/options.h"
 
 namespace patina::graph {
+
+// Calls a function of the program's. False: it has thrown, and `why` says what, or is `unknown`. Its lack of memory is
+// ours, too: that exception goes on.
+bool succeeds(const std::function<void()>& call, std::string& why,
+              std::string_view unknown = "the program's function failed");
 
 class Files {
 public:

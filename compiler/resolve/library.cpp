@@ -100,24 +100,34 @@ void add_overlay_file(Library& library, const LibraryFile& file,
 }  // namespace
 
 const std::shared_ptr<Graph>& LibraryGraph::get() const {
-    std::call_once(once_, [this] {
-        const std::unique_ptr<Json> json = parse_json(sources_, base_, diagnostics_);
+    return read().graph;
+}
+
+const LibraryGraph::Read& LibraryGraph::read() const {
+    return read_.get([this] {
+        auto made = std::make_unique<Read>();
+        const std::unique_ptr<Json> json = parse_json(sources_, base_, made->diagnostics);
         const GraphKind kind = is_workflow(path_) ? GraphKind::Workflow : GraphKind::Lighting;
-        if (json) graph_ = read_graph(*json, path_, sources_, ast_, diagnostics_, kind);
+        if (json) made->graph = read_graph(*json, path_, sources_, made->ast, made->diagnostics, kind);
+        return made;
     });
-    return graph_;
 }
 
 const engines::Engine& LibraryEngine::get() const {
-    std::call_once(once_, [this] {
+    return read().engine;
+}
+
+const LibraryEngine::Read& LibraryEngine::read() const {
+    return read_.get([this] {
+        auto made = std::make_unique<Read>();
         const auto find = [&](std::string_view name) -> std::optional<std::uint32_t> {
             const auto found = files_.find(name);
             return found == files_.end() ? std::nullopt : std::optional(found->second);
         };
         if (const std::optional<std::uint32_t> base = find("engine.json"))
-            engine_ = engines::read_engine(sources_, *base, name_, find, printable_, diagnostics_);
+            made->engine = engines::read_engine(sources_, *base, name_, find, printable_, made->diagnostics);
+        return made;
     });
-    return engine_;
 }
 
 std::shared_ptr<const PassFile> LibraryEngine::passes(const std::string& path) const {

@@ -12,6 +12,7 @@
 #include <mutex>
 
 #include "compiler/base/diagnostics.h"
+#include "compiler/base/made_once.h"
 #include "compiler/engines/engine.h"
 #include "compiler/format/graph.h"
 #include "compiler/nodelang/embedded.h"
@@ -30,17 +31,21 @@ public:
     // Null if it cannot be read.
     const std::shared_ptr<Graph>& get() const;
     // The errors in the file.
-    const Diagnostics& diagnostics() const { return get(), diagnostics_; }
+    const Diagnostics& diagnostics() const { return read().diagnostics; }
     std::uint32_t base() const { return base_; }
 
 private:
+    struct Read {
+        nodelang::Ast ast;
+        Diagnostics diagnostics;
+        std::shared_ptr<Graph> graph;
+    };
+    const Read& read() const;
+
     const SourceMap& sources_;
     std::uint32_t base_;
     std::string path_;
-    mutable std::once_flag once_;
-    mutable nodelang::Ast ast_;
-    mutable Diagnostics diagnostics_;
-    mutable std::shared_ptr<Graph> graph_;
+    MadeOnce<Read> read_;
 };
 
 struct PassFile;  // session.h
@@ -54,19 +59,23 @@ public:
     void add_file(std::string_view name, std::uint32_t base) { files_.emplace(name, base); }
     const engines::Engine& get() const;
     // The errors in engine.json.
-    const Diagnostics& diagnostics() const { return get(), diagnostics_; }
+    const Diagnostics& diagnostics() const { return read().diagnostics; }
     // Its own passes for one of its paths, if a compilation has read them without an error; else null.
     std::shared_ptr<const PassFile> passes(const std::string& path) const;
     void keep_passes(const std::string& path, std::shared_ptr<const PassFile> file) const;
 
 private:
+    struct Read {
+        Diagnostics diagnostics;
+        engines::Engine engine;
+    };
+    const Read& read() const;
+
     const SourceMap& sources_;
     std::string name_;
     const engines::Printable& printable_;
     std::map<std::string, std::uint32_t, std::less<>> files_;  // of its folder, in the sources
-    mutable std::once_flag once_;
-    mutable Diagnostics diagnostics_;
-    mutable engines::Engine engine_;
+    MadeOnce<Read> read_;
     mutable std::mutex mutex_;
     mutable std::map<std::string, std::shared_ptr<const PassFile>> passes_;  // by path
 };

@@ -65,22 +65,6 @@ bool is_folder(const Session& session, const std::vector<std::string>& paths) {
 
 }  // namespace
 
-namespace {
-
-// A function that fails also ends the compilation.
-bool is_true(const std::function<bool()>& asked, std::string& why) {
-    try {
-        return asked();
-    } catch (const std::exception& exception) {
-        why = exception.what();
-    } catch (...) {
-        why = "the program's function failed";
-    }
-    return true;
-}
-
-}  // namespace
-
 Request::Request(const CompileOptions& options) {
     if (const CompileOptions::Passes* wanted = options.passes()) {
         path = wanted->path;
@@ -163,11 +147,21 @@ bool is_over_bytes(Session& session, Span where) {
 
 bool must_stop(Session& session) {
     const std::function<bool()>& asked = session.options.limits.cancelled;
+    if (session.stopped || !asked) return session.stopped;
     std::string why;
-    if (session.stopped || !asked || !is_true(asked, why)) return session.stopped;
+    bool is_wanted = true;  // a function that fails also ends the compilation
+    if (succeeds([&] { is_wanted = asked(); }, why) && !is_wanted) return false;
     session.stopped = true;
     session.diagnostics.report(Code::Cancelled, {}, why.empty() ? why : ": " + why);
     return true;
+}
+
+bool call_program(Session& session, const std::function<void()>& function) {
+    std::string why;
+    if (succeeds(function, why)) return true;
+    session.stopped = true;
+    session.diagnostics.report(Code::Cancelled, {}, ": " + why);
+    return false;
 }
 
 namespace {

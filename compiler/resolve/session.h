@@ -91,6 +91,9 @@ bool is_over_bytes(Session& session, Span where);
 // True if the compilation is to end: a budget is exceeded, or the program says so when it is asked here, which is
 // reported.
 bool must_stop(Session& session);
+// Calls a function of the program's. False: it has thrown, which ends the compilation as `cancelled` does, and is
+// reported.
+bool call_program(Session& session, const std::function<void()>& function);
 // Finds the requested path in the library, or reads the file that holds it. Reports errors.
 void find_path(Session& session);
 // "dir/x.graph.json" -> "x"

@@ -11,6 +11,7 @@
 #include <spirv-tools/libspirv.hpp>
 #include <spirv-tools/optimizer.hpp>
 
+#include "compiler/seam/seam.h"
 #include "compiler/validate/compile.h"
 
 namespace patina {
@@ -217,15 +218,17 @@ bool check_spirv(const Shader& shader, Validated& result) {
 }  // namespace
 
 Validated validate(const Shader& shader, HlslSamplers samplers) {
-    initialise_glslang();
-    Validated result;
-    const FrontEnd* language = front_end(shader);
-    if (language)
-        result.ok = compile(shader, *language, samplers, false, result) && check_spirv(shader, result);
-    else
-        result.diagnostics.push_back(
-            diagnostic(shader, "it was not checked, because glslang does not read this language"));
-    return result;
+    return guarded<Validated>(shader.file_name, [&](Trail&) {
+        initialise_glslang();
+        Validated result;
+        const FrontEnd* language = front_end(shader);
+        if (language)
+            result.ok = compile(shader, *language, samplers, false, result) && check_spirv(shader, result);
+        else
+            result.diagnostics.push_back(
+                diagnostic(shader, "it was not checked, because glslang does not read this language"));
+        return result;
+    });
 }
 
 std::vector<std::uint32_t> spirv_with_lines(const Shader& shader) {

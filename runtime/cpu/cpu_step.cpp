@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <thread>
 
 #include "runtime/cpu/fixed_state.h"
 #include "runtime/frame/frame_check.h"
 #include "runtime/frame/tiles.h"
+#include "runtime/jobs/shares.h"
 
 namespace patina::runtime {
 namespace {
@@ -215,10 +215,7 @@ CpuStages stages_for(int threads) {
 void shade(const CpuStep& step, CpuStages& stages) {
     const int threads = int(stages.fragments.size());
     const auto share = [&](int i) { shade_rows(step, fragment_stage(step, stages, std::size_t(i)), i, threads); };
-    std::vector<std::thread> others;
-    for (int i = 1; i < threads; i++) others.emplace_back(share, i);
-    share(0);
-    for (std::thread& other : others) other.join();
+    on_threads(threads, share);
 }
 
 }  // namespace patina::runtime

@@ -106,11 +106,11 @@ public:
     Replacement() = default;
     Replacement(const Replacement&) = delete;
     Replacement& operator=(const Replacement&) = delete;
+    // By the system's own calls: those of std::filesystem may need memory that is not there.
     ~Replacement() {
-        std::error_code ignored;
-        for (const Temporary& each : temporaries_) fs::remove(each.path, ignored);
+        for (const Temporary& each : temporaries_) ::unlink(each.path.c_str());
         // The deepest first. A folder that holds something else stays.
-        std::for_each(folders_.rbegin(), folders_.rend(), [&](const fs::path& each) { fs::remove(each, ignored); });
+        std::for_each(folders_.rbegin(), folders_.rend(), [&](const fs::path& each) { ::rmdir(each.c_str()); });
     }
 
     std::string add(const OutputFile& file, const std::string& destination) {
@@ -161,10 +161,12 @@ private:
     int open_temporary(const std::string& destination, const std::string& shown) {
         const std::string stem = (fs::path(destination).parent_path() / ".patina-").string() + std::to_string(getpid());
         for (;; ++count_) {
-            const std::string path = stem + "-" + std::to_string(count_);
-            const int descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+            // It is in the list before it is there: nothing that fails can leave it behind.
+            temporaries_.push_back({stem + "-" + std::to_string(count_), destination, shown});
+            const char* path = temporaries_.back().path.c_str();
+            const int descriptor = ::open(path, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+            if (descriptor < 0) temporaries_.pop_back();
             if (descriptor < 0 && errno == EEXIST) continue;
-            if (descriptor >= 0) temporaries_.push_back({path, destination, shown});
             return descriptor;
         }
     }

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <condition_variable>
+#include <exception>
 #include <mutex>
+#include <new>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -18,12 +21,29 @@ public:
 
     void run(std::size_t threads) {
         std::vector<std::thread> others;
-        for (std::size_t i = 1; i < std::min(threads, count_); i++) others.emplace_back([this] { work(); });
-        work();
+        try {
+            for (std::size_t i = 1; i < std::min(threads, count_); i++) others.emplace_back([this] { work_to_end(); });
+        } catch (const std::system_error&) {  // there are no more threads: those that are there do all
+        } catch (const std::bad_alloc&) {
+        }
+        work_to_end();
         for (std::thread& other : others) other.join();
+        if (failure_) std::rethrow_exception(failure_);
     }
 
 private:
+    // After an exception, no thread begins another piece.
+    void work_to_end() {
+        try {
+            work();
+        } catch (...) {
+            const std::lock_guard lock(mutex_);
+            if (!failure_) failure_ = std::current_exception();
+            next_ = count_;
+            room_.notify_all();
+        }
+    }
+
     void work() {
         const Work worker = make_worker_();
         std::unique_lock lock(mutex_);
@@ -61,6 +81,7 @@ private:
     std::vector<bool> is_made_;
     bool is_telling_ = false;
     std::size_t next_ = 0, told_ = 0;
+    std::exception_ptr failure_{};  // the first one
 };
 
 }  // namespace

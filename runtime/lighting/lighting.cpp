@@ -3,6 +3,8 @@
 
 #include <cmath>
 #include <cstdint>
+#include <exception>
+#include <new>
 
 #include "runtime/lighting/panorama.h"
 #include "runtime/lighting/split_sum.h"
@@ -55,9 +57,7 @@ runtime::Radiance chosen(runtime::Radiance radiance, const Options& options) {
     };
 }
 
-}  // namespace
-
-Environment prefilter(const Picture& picture, const Options& options) {
+Environment environment_of(const Picture& picture, const Options& options) {
     if (std::string error = check(picture, options); !error.empty()) return {.error = std::move(error)};
     runtime::Outcome<runtime::Panorama> around = runtime::panorama_of(image_of(picture), "");
     if (!around) return {.error = std::move(around.error)};
@@ -77,6 +77,40 @@ Environment prefilter(const Picture& picture, const Options& options) {
                                .roughness = runtime::roughness_of_level(int(i)),
                                .texels = std::move(map.levels[i].texels)});
     return made;
+}
+
+// Short enough to need no memory.
+constexpr const char* kNoMemory = "out of memory";
+
+// Of the exception that is being handled.
+Environment failed() {
+    Environment made;
+    try {
+        throw;
+    } catch (const std::bad_alloc&) {
+        made.error = kNoMemory;
+    } catch (const std::exception& exception) {
+        made.error = exception.what();
+    } catch (...) {
+        made.error = "a failure";
+    }
+    return made;
+}
+
+}  // namespace
+
+Environment prefilter(const Picture& picture, const Options& options) {
+    try {
+        try {
+            return environment_of(picture, options);
+        } catch (...) {
+            return failed();
+        }
+    } catch (...) {  // there was no memory for what the exception says
+        Environment made;
+        made.error = kNoMemory;
+        return made;
+    }
 }
 
 SplitSumTable split_sum_table() {

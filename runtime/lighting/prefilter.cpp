@@ -3,19 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <thread>
+
+#include "runtime/jobs/shares.h"
 
 namespace patina::runtime {
 namespace {
-
-// Runs `work` for 0 to 5, each on a thread.
-template <class Work>
-void on_each_face(const Work& work) {
-    std::vector<std::thread> threads;
-    for (int face = 1; face < 6; face++) threads.emplace_back(work, face);
-    work(0);
-    for (std::thread& thread : threads) thread.join();
-}
 
 std::size_t at(int size, int face, int x, int y) {
     return (std::size_t(face) * size + std::size_t(y)) * size + std::size_t(x);
@@ -24,7 +16,7 @@ std::size_t at(int size, int face, int x, int y) {
 // Runs `work` for each texel of a cube, each face on a thread.
 template <class Work>
 void each_texel(int size, const Work& work) {
-    on_each_face([&](int face) {
+    on_threads(6, [&](int face) {
         for (int y = 0; y < size; y++)
             for (int x = 0; x < size; x++) work(face, x, y);
     });
@@ -157,7 +149,7 @@ glm::vec3 Pyramid::reflected(glm::vec3 normal, float roughness) const {
 
 TextureLevel blurred(const Pyramid& pyramid, float roughness, int size, const PrefilterProgress& progress) {
     TextureLevel result{.width = size, .height = size, .texels = std::vector<float>(std::size_t(24) * size * size)};
-    on_each_face([&](int face) {
+    on_threads(6, [&](int face) {
         float* texel = result.texels.data() + std::size_t(4) * size * size * face;
         for (int y = 0; y < size; y++) {
             for (int x = 0; x < size; x++, texel += 4) {

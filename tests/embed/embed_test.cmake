@@ -96,6 +96,8 @@ run_and_find(RUN pkg-config --modversion patina PRINTS ${CMAKE_MATCH_1})
 # --- Python, which cannot load a library with sanitizers
 if(PYTHON AND NOT FLAGS MATCHES "sanitize")
   run_and_find(RUN ${PYTHON} -B -I ${WORK}/embed_python/main.py ${libraries}/libpatina.so PRINTS ${shaders} "// _Tint")
+  run_and_find(RUN ${PYTHON} -B -I ${WORK}/programs/module.py ${WORK}/embed_python ${libraries}/libpatina.so
+               PRINTS "the module works")
 endif()
 
 # --- what the libraries show

@@ -41,15 +41,14 @@ std::string key_of(const Compiler& compiler, const graph::Library& library, cons
 }  // namespace
 
 std::string Compiler::library_hash() const {
-    std::call_once(impl_->hash_once, [&] {
+    return impl_->hash.get([&] {
         const graph::Library& library = *impl_->library;
         Fields fields;
         fields.add(version()).add(source_hash());
         for (const std::uint32_t file : library.files)
             fields.add(library.sources.file(file)).add(library.sources.file_text(file));
-        impl_->hash = link::hash_text(fields.text()).text();
+        return std::make_unique<std::string>(link::hash_text(fields.text()).text());
     });
-    return impl_->hash;
 }
 
 std::string Compiler::cache_key(const std::string& path, const CompileOptions& options) const {

@@ -69,12 +69,12 @@ std::size_t size_of(const KeptRequest& kept) {
 }  // namespace
 
 Result compile_or_remember(const CompilerImpl& compiler, const Source& source, const CompileOptions& options,
-                           graph::Files& files) {
-    if (!may_be_kept(compiler, options)) return compile_source(compiler, source, options, files);
+                           graph::Files& files, Trail& trail) {
+    if (!may_be_kept(compiler, options)) return compile_source(compiler, source, options, files, trail);
     std::string key = key_of(source, options);
     const auto [known, is_asked_again] = compiler.requests.ask(key);
     if (known && is_as_before(*known, files) && !is_cancelled(options)) return known->result;
-    Result made = compile_source(compiler, source, options, files);
+    Result made = compile_source(compiler, source, options, files, trail);
     if (made.ok && (known || is_asked_again)) {
         KeptRequest now{.result = made, .answers = files.answers(), .resolved = files.resolved()};
         const std::size_t bytes = size_of(now);

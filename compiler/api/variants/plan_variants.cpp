@@ -125,27 +125,28 @@ void plan_listed(graph::Session& session, const graph::Material& material, const
 class Reachable {
 public:
     Reachable(const CompilerImpl& compiler, const std::string& path, const CompileOptions& options, graph::Files& files,
-              const std::vector<Axis>& axes, std::size_t most, std::function<void(std::size_t)> progress)
+              const std::vector<Axis>& axes, std::size_t most, std::function<bool(std::size_t)> progress, Trail& trail)
         : compiler_(compiler),
           source_{.path = path},
           options_(options),
           files_(files),
           axes_(axes),
           most_(most),
-          progress_(std::move(progress)) {
+          progress_(std::move(progress)),
+          trail_(trail) {
         options_.targets.clear();
         options_.keep_variants = true;
         options_.keep_programs = options_.hashes = false;
         options_.dump.clear();
     }
 
-    // False if there are more combinations than the limit, or the graph has errors.
+    // False if there are more combinations than the limit, the graph has errors, or the program stops it.
     bool walk(const VariantValues& chosen) {
         // No property is left, so there is nothing to find out by compiling.
         if (chosen.size() == axes_.size()) return add(chosen);
         CompileOptions options = options_;
         options.switches.insert(options.switches.end(), chosen.begin(), chosen.end());
-        const Result result = compile_source(compiler_, source_, options, files_);
+        const Result result = compile_source(compiler_, source_, options, files_, trail_);
         if (!result.ok) {
             diagnostics = result.diagnostics;
             return false;
@@ -169,8 +170,7 @@ private:
     bool add(const VariantValues& chosen) {
         if (combinations.size() == most_) return false;
         combinations.push_back(in_order(chosen));
-        progress_(combinations.size());
-        return true;
+        return progress_(combinations.size());
     }
     std::vector<const Axis*> read_in(const Reflection& reflection) const {
         std::vector<const Axis*> read;
@@ -197,20 +197,28 @@ private:
     graph::Files& files_;
     const std::vector<Axis>& axes_;
     std::size_t most_;
-    std::function<void(std::size_t)> progress_;
+    std::function<bool(std::size_t)> progress_;
+    Trail& trail_;
 };
+
+// Calls the program's function. False: it has thrown, which ends the work as `cancelled` does.
+bool tell(graph::Session& session, const std::function<void(const VariantPlan&)>& progress, const VariantPlan& made) {
+    if (!progress) return true;
+    return graph::call_program(session, [&] { progress(made); });
+}
 
 void plan_reachable(const CompilerImpl& compiler, graph::Session& session, const std::string& path,
                     const graph::Graph& graph, const std::vector<Axis>& axes, std::size_t limit,
-                    const std::function<void(const VariantPlan&)>& progress, VariantPlan& made) {
-    if (progress) progress(made);
-    Reachable reachable(compiler, path, session.options, session.files, axes, limit, [&](std::size_t count) {
+                    const std::function<void(const VariantPlan&)>& progress, Trail& trail, VariantPlan& made) {
+    if (!tell(session, progress, made)) return;
+    const auto told = [&](std::size_t count) {
         made.count = count;
-        if (progress) progress(made);
-    });
+        return tell(session, progress, made);
+    };
+    Reachable reachable(compiler, path, session.options, session.files, axes, limit, told, trail);
     const bool is_whole = reachable.walk({});
     made.diagnostics = std::move(reachable.diagnostics);
-    if (!made.diagnostics.empty()) return;
+    if (!made.diagnostics.empty() || session.stopped) return;
     if (is_whole) {
         made.picked = std::move(reachable.combinations);
         return;
@@ -229,7 +237,7 @@ void plan_reachable(const CompilerImpl& compiler, graph::Session& session, const
 }
 
 void plan(const CompilerImpl& compiler, graph::Session& session, const std::string& path, VariantsWanted wanted,
-          std::size_t limit, const std::function<void(const VariantPlan&)>& progress, VariantPlan& made) {
+          std::size_t limit, const std::function<void(const VariantPlan&)>& progress, Trail& trail, VariantPlan& made) {
     if (session.request.functions) {
         session.diagnostics.report(Code::NoProgram, {});
         return;
@@ -251,7 +259,7 @@ void plan(const CompilerImpl& compiler, graph::Session& session, const std::stri
         case VariantsWanted::All: return plan_all(session, graph, axes, limit, made);
         case VariantsWanted::Listed: return plan_listed(session, *file.material, axes, limit, made);
         case VariantsWanted::Reachable:
-            return plan_reachable(compiler, session, path, graph, axes, limit, progress, made);
+            return plan_reachable(compiler, session, path, graph, axes, limit, progress, trail, made);
     }
 }
 
@@ -283,16 +291,19 @@ VariantValues VariantPlan::combination(std::size_t index) const {
 
 VariantPlan Compiler::plan_variants(const std::string& path, VariantsWanted wanted, const CompileOptions& options,
                                     std::size_t limit, const std::function<void(const VariantPlan&)>& progress) const {
-    graph::Session session(*impl_->library, options);
-    VariantPlan made;
-    if (made.diagnostics = impl_->overlay_errors; !made.diagnostics.empty()) return made;
-    plan(*impl_, session, path, wanted, std::min(limit, kMostVariants), progress, made);
-    const std::vector<Diagnostic> own = to_public(session.diagnostics, session.sources);
-    made.diagnostics.insert(made.diagnostics.end(), own.begin(), own.end());
-    made.ok = std::none_of(made.diagnostics.begin(), made.diagnostics.end(),
-                           [](const Diagnostic& d) { return d.severity == Severity::Error; });
-    if (!made.ok) made.count = 0;
-    return made;
+    return guarded<VariantPlan>(path, [&](Trail& trail) {
+        graph::Session session(*impl_->library, options);
+        const Watched watched(trail, session.diagnostics);
+        VariantPlan made;
+        if (made.diagnostics = impl_->overlay_errors; !made.diagnostics.empty()) return made;
+        plan(*impl_, session, path, wanted, std::min(limit, kMostVariants), progress, trail, made);
+        const std::vector<Diagnostic> own = to_public(session.diagnostics, session.sources);
+        made.diagnostics.insert(made.diagnostics.end(), own.begin(), own.end());
+        made.ok = std::none_of(made.diagnostics.begin(), made.diagnostics.end(),
+                               [](const Diagnostic& d) { return d.severity == Severity::Error; });
+        if (!made.ok) made.count = 0;
+        return made;
+    });
 }
 
 }  // namespace patina

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <exception>
 #include <map>
 #include <set>
 
@@ -49,12 +48,12 @@ bool is_cancelled(const Result& result) {
 // Compiles, and collects the diagnostics and dependencies that the results share.
 class Gathering {
 public:
-    Gathering(const CompilerImpl& compiler, const std::string& path, graph::Files& files, VariantSet& set)
-        : compiler_(compiler), source_{.path = path}, files_(files), set_(set) {}
+    Gathering(const CompilerImpl& compiler, const std::string& path, graph::Files& files, Trail& trail, VariantSet& set)
+        : compiler_(compiler), source_{.path = path}, files_(files), trail_(trail), set_(set) {}
 
     // `values`: the combination; empty if the messages apply to all combinations, as they do if `is_first`.
     Result compile(const CompileOptions& options, const VariantValues& values, bool is_first) {
-        Result result = compile_source(compiler_, source_, options, files_);
+        Result result = compile_source(compiler_, source_, options, files_, trail_);
         for (Diagnostic& diagnostic : result.diagnostics) {
             if (!said_.insert(to_text(diagnostic)).second) continue;
             set_.diagnostics.push_back(diagnostic);
@@ -71,6 +70,7 @@ private:
     const CompilerImpl& compiler_;
     Source source_;
     graph::Files& files_;
+    Trail& trail_;
     VariantSet& set_;
     std::set<std::string> said_, read_;
 };
@@ -79,12 +79,12 @@ private:
 class Variants {
 public:
     Variants(const CompilerImpl& compiler, const std::string& path, const VariantPlan& plan, CompileOptions options,
-             const std::function<void(VariantProgram)>& finished)
+             const std::function<void(VariantProgram)>& finished, Trail& trail)
         : plan_(plan),
           options_(std::move(options)),
           finished_(finished),
           files_(options_.files),
-          gathering_(compiler, path, files_, made_) {
+          gathering_(compiler, path, files_, trail, made_) {
         options_.hashes = true;
         options_.keep_variants = false;
         // Files that hold all combinations are written once.
@@ -102,19 +102,22 @@ public:
         if (!made_.ok) return std::move(made_);
         const std::size_t count = options_.targets.empty() ? 0 : plan_.count;
         for (std::size_t i = 0; i < count; ++i) {
-            if (progress) progress(i);
+            if (progress && !call([&] { progress(i); })) return std::move(made_);
             if (!compile(i)) return std::move(made_);
         }
         if (count == 0 && !whole_.targets.empty()) compile_whole_alone();
         return std::move(made_);
     }
 
-    VariantSet stopped(const std::string& why) {
-        refuse(Code::Cancelled, ": " + why);
-        return std::move(made_);
-    }
-
 private:
+    // Calls a function of the program's. False: it has thrown, which ends the work.
+    template <class Call>
+    bool call(const Call& function) {
+        std::string why;
+        if (graph::succeeds(function, why)) return true;
+        refuse(Code::Cancelled, ": " + why);
+        return false;
+    }
     template <class... Words>
     void refuse(Code code, const Words&... words) {
         Diagnostics diagnostics;
@@ -136,16 +139,15 @@ private:
         if (!is_new) return true;
         forget_choice(result.reflection, plan_.axes);
         result.shaders.insert(result.shaders.end(), of_whole_.begin(), of_whole_.end());
-        deliver({.hash = found->first, .result = std::move(result)});
-        return true;
+        return deliver({.hash = found->first, .result = std::move(result)});
     }
 
-    void deliver(VariantProgram program) {
+    // False if no other combination is to be compiled.
+    bool deliver(VariantProgram program) {
         made_.programs.push_back({.hash = program.hash, .result = {}});
-        if (finished_)
-            finished_(std::move(program));
-        else
-            made_.programs.back() = std::move(program);
+        if (finished_) return call([&] { finished_(std::move(program)); });
+        made_.programs.back() = std::move(program);
+        return true;
     }
 
     void compile_whole(const Reflection& first) {
@@ -177,14 +179,9 @@ private:
 VariantSet Compiler::compile_variants(const std::string& path, const VariantPlan& plan, CompileOptions options,
                                       const std::function<void(std::size_t)>& progress,
                                       const std::function<void(VariantProgram)>& finished) const {
-    Variants variants(*impl_, path, plan, std::move(options), finished);
-    try {
-        return variants.make(progress);
-    } catch (const std::exception& exception) {
-        return variants.stopped(exception.what());
-    } catch (...) {
-        return variants.stopped("the program's function failed");
-    }
+    return guarded<VariantSet>(path, [&](Trail& trail) {
+        return Variants(*impl_, path, plan, std::move(options), finished, trail).make(progress);
+    });
 }
 
 }  // namespace patina

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "compiler/cli/commands/commands.h"
+#include "compiler/cli/failures/failures.h"
 #include "compiler/cli/files.h"
 #include "compiler/cli/outputs.h"
 #include "compiler/cli/picture_options.h"
@@ -123,7 +124,10 @@ void add_bake(Program& program) {
         const std::size_t count = arguments->graphs.size();
         for (std::size_t i = 0; i < count && exit != Exit::Machine; ++i) {
             show_progress(console, i, count, arguments->graphs[i]);
-            exit = worse(exit, bake_graph(outputs, console, *arguments, compiler, arguments->graphs[i], machine));
+            const std::string& graph = arguments->graphs[i];
+            exit = worse(exit, guarded(console, graph, [&] {
+                             return bake_graph(outputs, console, *arguments, compiler, graph, machine);
+                         }));
         }
         return exit;
     });

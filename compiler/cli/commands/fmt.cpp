@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "compiler/cli/commands/commands.h"
+#include "compiler/cli/failures/failures.h"
 #include "compiler/cli/files.h"
 #include "compiler/cli/outputs.h"
 
@@ -75,7 +76,9 @@ void add_fmt(Program& program) {
         Exit exit = Exit::Ok;
         for (std::size_t i = 0; i < arguments->files.size(); ++i) {
             show_progress(console, i, arguments->files.size(), arguments->files[i]);
-            exit = worse(exit, format_file(console, compiler, *arguments, arguments->files[i]));
+            const std::string& file = arguments->files[i];
+            exit =
+                worse(exit, guarded(console, file, [&] { return format_file(console, compiler, *arguments, file); }));
         }
         return exit;
     });

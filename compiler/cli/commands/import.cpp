@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "compiler/cli/commands/commands.h"
+#include "compiler/cli/failures/failures.h"
 #include "compiler/cli/json_text.h"
 #include "compiler/cli/outputs.h"
 #include "compiler/importers/importer.h"
@@ -250,7 +251,9 @@ void add_import(Program& program) {
         Exit exit = Exit::Ok;
         for (std::size_t i = 0; i < arguments->files.size(); ++i) {
             show_progress(console, i, arguments->files.size(), arguments->files[i]);
-            exit = worse(exit, import_file(console, *arguments, arguments->files[i], program.encode_picture));
+            const std::string& file = arguments->files[i];
+            exit = worse(exit, guarded(console, file,
+                                       [&] { return import_file(console, *arguments, file, program.encode_picture); }));
         }
         return exit;
     });

@@ -13,6 +13,7 @@
 
 #include "compiler/cli/commands/commands.h"
 #include "compiler/cli/eval/sweep.h"
+#include "compiler/cli/failures/failures.h"
 #include "compiler/cli/files.h"
 #include "compiler/cli/model_file.h"
 #include "compiler/cli/outputs.h"
@@ -429,13 +430,14 @@ void add_render(Program& program) {
         for (std::size_t i = 0; i < count && exit != Exit::Machine; ++i) {
             const std::string& graph = arguments->graphs[i / frames];
             show_progress(console, i, count, graph);
-            if (i % frames == 0) {
-                said.clear();
-                request = request_for(console, *arguments, graph);
-            }
-            const Exit done = request ? render_graph(outputs, console, *arguments, compiler, graph, *request,
-                                                     i % frames, said, machine)
-                                      : Exit::Wrong;
+            const Exit done = guarded(console, graph, [&] {
+                if (i % frames == 0) {
+                    said.clear();
+                    request = request_for(console, *arguments, graph);
+                }
+                if (!request) return Exit::Wrong;
+                return render_graph(outputs, console, *arguments, compiler, graph, *request, i % frames, said, machine);
+            });
             exit = worse(exit, done);
             if (done != Exit::Ok) i += frames - 1 - i % frames;  // the rest of a sequence would fail the same way
         }

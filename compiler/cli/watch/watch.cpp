@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <thread>
 
+#include "compiler/cli/failures/failures.h"
 #include "compiler/cli/files.h"
 #include "compiler/cli/watch/live_page.h"
 
@@ -114,11 +115,17 @@ void Watch::choose_subject(const std::vector<Input>& changed) {
 Watch::Made Watch::make(const Input& input, bool counts_costs) const {
     if (is_scene(input.path)) return {.compiled = {.ok = true}};  // which is drawn, and has no files
     const auto begin = std::chrono::system_clock::now();
-    Made made{.compiled = compile_graph(arguments_.compile, compiler_, input)};
+    Made made;
+    try {
+        made.compiled = compile_graph(arguments_.compile, compiler_, input);
+        if (counts_costs) measure_once(made.compiled);
+    } catch (...) {  // an error as others are: the graph is compiled again when it has changed
+        made.compiled.ok = false;
+        made.compiled.result.diagnostics = {describe_exception(input.path).error};
+    }
     std::vector<std::string>& files = made.compiled.result.dependencies;
     files.push_back(input.path);
     made.stamps = stamps_of(files, begin);
-    if (counts_costs) measure_once(made.compiled);
     return made;
 }
 
@@ -185,7 +192,12 @@ Exit Watch::draw() {
     request.graph = subject_;
     request.options.progress = [&](double share, std::string_view) { show_share(console_, share, subject_); };
     const auto begin = std::chrono::system_clock::now();
-    runtime::RenderOutcome drawn = runtime::render(compiler_, request, machine_);
+    runtime::RenderOutcome drawn;
+    try {
+        drawn = runtime::render(compiler_, request, machine_);
+    } catch (...) {
+        drawn.diagnostics = {describe_exception(subject_).error};
+    }
     end_progress(console_);
     // The compiler has said these already.
     std::erase_if(drawn.diagnostics,

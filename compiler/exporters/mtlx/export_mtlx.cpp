@@ -5,6 +5,7 @@
 #include "compiler/api/report.h"
 #include "compiler/exporters/mtlx/flatten.h"
 #include "compiler/exporters/mtlx/surface.h"
+#include "compiler/seam/seam.h"
 #include "patina/graph_view.h"
 
 namespace patina {
@@ -62,18 +63,18 @@ std::string document(graph::Session& session, Compilation& compilation, const st
     return write_document(root);
 }
 
-}  // namespace
-
-MtlxExport export_mtlx(const Compiler& compiler, const std::string& path, const MtlxOptions& options) {
+MtlxExport write(const Compiler& compiler, const std::string& path, const MtlxOptions& options, Trail& trail) {
     CompileOptions own;
     own.request = CompileOptions::Functions{"Mtlx"};  // no pass decides what the surface may read
     own.include_dirs = options.include_dirs;
     own.files = options.files;
     graph::Session session(CompilerAccess::library(compiler), own);
+    const Watched watched(trail, session.diagnostics);
     MtlxExport made;
     Result result;
+    std::string_view pass;
     if (const std::optional<std::uint32_t> base = graph::load_source(session, path, {})) {
-        Compilation compilation{.session = session, .source = *base, .path = path, .result = result};
+        Compilation compilation{.session = session, .source = *base, .path = path, .result = result, .pass = pass};
         if (accept(compilation) && read_material(compilation) && lower_material(compilation))
             made.text = document(session, compilation, options.folder);
     }
@@ -82,6 +83,12 @@ MtlxExport export_mtlx(const Compiler& compiler, const std::string& path, const 
     made.ok = !session.diagnostics.has_errors();
     if (!made.ok) made.text.clear();
     return made;
+}
+
+}  // namespace
+
+MtlxExport export_mtlx(const Compiler& compiler, const std::string& path, const MtlxOptions& options) {
+    return guarded<MtlxExport>(path, [&](Trail& trail) { return write(compiler, path, options, trail); });
 }
 
 }  // namespace patina

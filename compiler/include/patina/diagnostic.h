@@ -1,4 +1,5 @@
 // Errors and warnings, with their places. They are values: no function of the library throws because of its input.
+// Where a result has diagnostics, lack of memory is one of them, too (the code `out-of-memory`).
 //
 //   for (const patina::Diagnostic& d : result.diagnostics) std::puts(patina::to_text(d).c_str());
 #pragma once

@@ -27,7 +27,7 @@ struct MergeOptions {
 enum class MergeState {
     Clean,       // it holds the changes of both sides, and compiles if files that it names are there
     Conflicts,   // the text has conflict markers, or it is complete but a side does not compile by itself
-    Unreadable,  // one of the three is no graph and no scene: the text is OURS
+    Unreadable,  // one of the three is no graph and no scene, or there is no memory: the text is OURS
 };
 
 // What a merge makes.

@@ -42,7 +42,7 @@ struct Options {
     int face_size = 0;
     // The result is for a world in which ahead is +z, as in Unity and often with Direct3D; else ahead is -z.
     bool is_left_handed = false;
-    // Called on the calling thread with the share that is done, 0 to 1. It must not throw.
+    // Called on the calling thread with the share that is done, 0 to 1. What it throws ends the work, and is the error.
     std::function<void(double)> progress{};
 };
 
@@ -59,7 +59,8 @@ struct Level {
 
 // The surroundings as light.
 struct Environment {
-    // Empty if all is well. Else what is wrong with the picture or the options, in a sentence; the rest is empty then.
+    // Empty if all is well. Else what is wrong with the picture or the options, in a sentence, or "out of memory"; the
+    // rest is empty then.
     std::string error{};
     // The value of `ambientSH`: red, green and blue of radiance for each of the nine functions of the real basis
     // without the Condon-Shortley sign, order l(l+1)+m, on the axes of the world (Ramamoorthi and Hanrahan, "An
@@ -73,7 +74,7 @@ struct Environment {
 };
 
 // Computes the light of a picture. It takes a second or more, on up to six threads. The same picture gives the same
-// numbers each time.
+// numbers each time. No exception leaves it.
 PATINA_API Environment prefilter(const Picture& picture, const Options& options = {});
 
 // The texture `splitSumTable`. It is the same for all environments.
@@ -85,7 +86,7 @@ struct SplitSumTable {
     // second, for GGX with Smith's exact joint visibility (Karis, SIGGRAPH 2013).
     std::vector<float> texels{};
 };
-// It is computed when Patina is built: this only copies it.
+// It is computed when Patina is built: this only copies it. It throws std::bad_alloc if there is no memory for that.
 PATINA_API SplitSumTable split_sum_table();
 
 }  // namespace patina::lighting

@@ -44,7 +44,8 @@ inline const Target Target::Hlsl{{}, "hlsl"};
 //
 // Each function may be called from any thread that compiles, also from several at the same time. Within one compilation
 // each file is asked for once. A function may throw: the exception becomes the error `cannot-read` at the place that
-// names the file, with its what(), and the compilation goes on to find other errors.
+// names the file, with its what(), and the compilation goes on to find other errors; std::bad_alloc becomes the error
+// `out-of-memory`, which ends it.
 struct FileSystem {
     // The path of the file that `name` means in the file `from`, or, if `from` ends with '/', below that folder of
     // CompileOptions::include_dirs. A path is any text that the program wants: a URI, an id. It is given to `exists`

@@ -286,8 +286,10 @@ struct VariantProgram;
 struct VariantSet;
 enum class VariantsWanted;
 
-// The compiler with its node library. Its functions do not throw because of their input, and any number of threads may
-// call them at once.
+// The compiler with its node library. Any number of threads may call its functions at once. A function whose result has
+// diagnostics throws nothing: what is thrown inside of it is its error `out-of-memory` or `internal`. If there is not
+// even memory for that error, the result is not ok and has no diagnostics. All others, and the constructors, throw
+// std::bad_alloc and nothing else. After either, the compiler is as usable as before.
 class PATINA_API Compiler {
 public:
     // Loads the library. Keep the object: each one has a library of its own.
@@ -307,7 +309,8 @@ public:
     Result compile(const GraphBuilder& graph, const CompileOptions& options = {}) const;
 
     // Counts the combinations of a material's variants before anything is compiled; more than `limit` are refused.
-    // `progress` is called with the axes, and then with each new count for Reachable, which takes time.
+    // `progress` is called with the axes, and then with each new count for Reachable, which takes time. What it throws
+    // ends the work with the error `cancelled`.
     VariantPlan plan_variants(const std::string& path, VariantsWanted wanted, const CompileOptions& options,
                               std::size_t limit, const std::function<void(const VariantPlan&)>& progress = {}) const;
     // Compiles the combinations of a plan, with the path and options that it was made with.

@@ -13,7 +13,9 @@
 //
 // Texts are UTF-8. Texts that the library gives end with a zero byte and live as long as the object that gave them;
 // texts that it is given are copied or only read during the call. No function throws; none ends the program. A null
-// pointer where an object is wanted is PATINA_BAD_ARGUMENT, or an empty answer.
+// pointer where an object is wanted is PATINA_BAD_ARGUMENT, or an empty answer. So is a size that nothing can have: of
+// a text that is null and not empty, or beyond PTRDIFF_MAX bytes. After any status, all objects are as usable as
+// before.
 //
 // Threads: any number of them may compile with one compiler, and read one result. An object is freed once, when no
 // other thread uses it.
@@ -44,7 +46,7 @@ typedef enum patina_status {
     PATINA_OK = 0,             // all is well
     PATINA_HAS_ERRORS = 1,     // the graph, the options or a file has errors: the result's messages say which
     PATINA_WRONG_ABI = 2,      // the program was compiled for another version of this header
-    PATINA_BAD_ARGUMENT = 3,   // a pointer is null that must not be
+    PATINA_BAD_ARGUMENT = 3,   // a pointer is null that must not be, or a size or a word is impossible
     PATINA_OUT_OF_MEMORY = 4,  // there was not enough memory; no object was made
     PATINA_INTERNAL_ERROR = 5  // a mistake of the library; no object was made
 } patina_status;
@@ -75,8 +77,8 @@ PATINA_API void patina_compiler_free(patina_compiler* compiler);
 
 // --- files of the program's own
 
-// Where a compilation finds files. Each function may be null, and is called from the thread that compiles. It must
-// return: it must not jump out of the call.
+// Where a compilation finds files. Each function may be null, and is called from the thread that compiles. It must not
+// jump out of the call. If it is of C++, it may throw: that is an error of the compilation, with what() as its reason.
 typedef struct patina_callbacks {
     void* user;  // handed to each function
     // Gives the text of a file: calls patina_reply_text() if there is one, patina_reply_error() if it cannot be read,
@@ -92,7 +94,8 @@ typedef struct patina_callbacks {
     int (*cancelled)(void* user);
 } patina_callbacks;
 
-// Answers with a text, which is copied. It need not end with a zero byte.
+// Answers with a text, which is copied. It need not end with a zero byte. An impossible size is an answer that the text
+// cannot be read.
 PATINA_API void patina_reply_text(patina_reply* reply, const char* text, size_t size);
 // Answers that there is a text that cannot be given, and why: the error `cannot-read` at the place that names the file.
 PATINA_API void patina_reply_error(patina_reply* reply, const char* reason);
@@ -131,8 +134,9 @@ PATINA_API patina_status patina_compile_file(const patina_compiler* compiler, co
 // Room for a key, with its zero byte.
 #define PATINA_KEY_SIZE 33
 // Writes a key to `key`, which has room for PATINA_KEY_SIZE bytes: two compilations with one key give one result.
-// `text` is null for the text of the file that `path` names. It reads the graph and the files that this names, and
-// compiles nothing. A graph with errors has a key, too. PATINA_HAS_ERRORS: the options are wrong, and the key is empty.
+// `text` is null, and `size` 0, for the text of the file that `path` names. It reads the graph and the files that this
+// names, and compiles nothing. A graph with errors has a key, too. PATINA_HAS_ERRORS: the options are wrong, and the
+// key is empty.
 PATINA_API patina_status patina_cache_key(const patina_compiler* compiler, const char* path, const char* text,
                                           size_t size, const char* options, const patina_callbacks* callbacks,
                                           char* key);
@@ -169,6 +173,108 @@ PATINA_API const char* patina_result_reflection(const patina_result* result);
 PATINA_API size_t patina_result_dependency_count(const patina_result* result);
 // The path of one of them; null if there is no such file.
 PATINA_API const char* patina_result_dependency(const patina_result* result, size_t index);
+
+// --- variants
+
+// The combinations of a material's variants, before they are compiled.
+typedef struct patina_plan patina_plan;
+// Their programs. Each different one is there once.
+typedef struct patina_variants patina_variants;
+// The usual limit of their number.
+#define PATINA_VARIANT_LIMIT 1024
+
+// Counts the combinations, and compiles as little as that needs. `wanted`: "all", "listed", those under the graph's
+// "variants", or "reachable", without choices that change nothing; another word is PATINA_BAD_ARGUMENT. More than
+// `limit` combinations are an error. `options` and `callbacks` are as for patina_compile(); the plan keeps both, and
+// the callbacks may be called as long as it lives. A plan is made if the status is PATINA_OK or PATINA_HAS_ERRORS.
+PATINA_API patina_status patina_plan_variants(const patina_compiler* compiler, const char* path, const char* wanted,
+                                              size_t limit, const char* options, const patina_callbacks* callbacks,
+                                              patina_plan** plan);
+// The number of combinations; 0 if there are errors.
+PATINA_API size_t patina_plan_count(const patina_plan* plan);
+// A combination as a JSON object, { "_Mode": "Wet" }; null if there is none of this index.
+PATINA_API const char* patina_plan_combination(const patina_plan* plan, size_t index);
+// The variants as a JSON array, in the order of the graph: "property", its "values", and its "default".
+PATINA_API const char* patina_plan_axes(const patina_plan* plan);
+// As for a result.
+PATINA_API const char* patina_plan_messages(const patina_plan* plan);
+PATINA_API const char* patina_plan_diagnostics(const patina_plan* plan);  // the same
+// Frees a plan. What was compiled by it may live on. Null is allowed.
+PATINA_API void patina_plan_free(patina_plan* plan);
+
+// Compiles all combinations of a plan, by the compiler that made it.
+PATINA_API patina_status patina_compile_variants(const patina_compiler* compiler, const patina_plan* plan,
+                                                 patina_variants** variants);
+// The number of different programs; 0 if there are errors.
+PATINA_API size_t patina_variants_program_count(const patina_variants* variants);
+// The shaders and the reflection of a program. It lives as long as `variants` and is not freed; null if there is none
+// of this index. Its messages and its dependencies are those of all combinations, which `variants` has.
+PATINA_API const patina_result* patina_variants_program(const patina_variants* variants, size_t index);
+// The hash of a program: 32 hexadecimal digits; null if there is none of this index.
+PATINA_API const char* patina_variants_hash(const patina_variants* variants, size_t index);
+// The index of the program that a combination of the plan runs; (size_t)-1 if there is no such combination.
+PATINA_API size_t patina_variants_program_of(const patina_variants* variants, size_t combination);
+// As for a result.
+PATINA_API const char* patina_variants_messages(const patina_variants* variants);
+PATINA_API const char* patina_variants_diagnostics(const patina_variants* variants);               // the same
+PATINA_API size_t patina_variants_dependency_count(const patina_variants* variants);               // the same
+PATINA_API const char* patina_variants_dependency(const patina_variants* variants, size_t index);  // the same
+// Frees all of it. Null is allowed.
+PATINA_API void patina_variants_free(patina_variants* variants);
+
+// --- scenes
+
+// A scene that was read, complete and unchanging.
+typedef struct patina_scene patina_scene;
+
+// Reads a scene; its graphs are found, not compiled. Of the options only "includeDirs" and "limits" count. A scene is
+// made if the status is PATINA_OK or PATINA_HAS_ERRORS.
+PATINA_API patina_status patina_read_scene(const patina_compiler* compiler, const char* path, const char* options,
+                                           const patina_callbacks* callbacks, patina_scene** scene);
+// The scene as JSON: the keys and words of scene files, with the defaults filled in, colours as linear numbers, files
+// as paths that can be opened, and the values of "set" as texts: "0.2", "1,0,0", "Wet". Empty if there are errors.
+PATINA_API const char* patina_scene_json(const patina_scene* scene);
+// The number of its materials; 0 if there are errors.
+PATINA_API size_t patina_scene_material_count(const patina_scene* scene);
+// The path of a material's graph, for patina_compile_file(); null if there is none of this index.
+PATINA_API const char* patina_scene_graph(const patina_scene* scene, size_t material);
+// As for a result.
+PATINA_API const char* patina_scene_messages(const patina_scene* scene);
+PATINA_API const char* patina_scene_diagnostics(const patina_scene* scene);  // the same
+// Frees a scene. Null is allowed.
+PATINA_API void patina_scene_free(patina_scene* scene);
+
+// --- what the library has
+
+// A node.
+typedef struct patina_node {
+    const char* name;      // as "node" of a graph names it
+    const char* category;  // "Lighting/Distribution"
+    const char* doc;       // paragraphs, plain text
+    const char* file;      // where it is defined
+    const char* json;      // all of it, with its ports, as an object: NodeInfo in patina/patina.h
+} patina_node;
+// A rendering path.
+typedef struct patina_path {
+    const char* name;  // as "path" of the options names it
+    const char* doc;   // paragraphs, plain text
+    const char* file;  // where it is defined
+    const char* json;  // all of it, with its passes, as an object: PathInfo
+} patina_path;
+// An engine.
+typedef struct patina_engine {
+    const char* name;   // as "targets" of the options name it
+    const char* title;  // "Vulkan"
+    const char* doc;    // a sentence on the files that it gets
+    const char* json;   // all of it, with its languages and paths, as an object: EngineInfo
+} patina_engine;
+
+// Gives the list of all nodes, by category, then name. It lives as long as the compiler and is not freed.
+PATINA_API patina_status patina_nodes(const patina_compiler* compiler, const patina_node** nodes, size_t* count);
+// The same of the rendering paths, by name.
+PATINA_API patina_status patina_paths(const patina_compiler* compiler, const patina_path** paths, size_t* count);
+// The same of the engines, the default one first.
+PATINA_API patina_status patina_engines(const patina_compiler* compiler, const patina_engine** engines, size_t* count);
 
 #ifdef __cplusplus
 }  // extern "C"
