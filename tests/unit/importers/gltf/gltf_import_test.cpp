@@ -347,6 +347,11 @@ TEST(GltfImport, BrokenContainersAreRefusedAtTheirPlace) {
          "byte 16: the first chunk is not JSON"},
         {"chunk.glb", "glTF" + number(2) + number(22) + number(90) + "JSON{}",
          "byte 12: the first chunk shall have 90 bytes, and 2 are left"},
+        // tinygltf compares with the length of the file without the header of the second chunk.
+        {"second.glb",
+         "glTF" + number(2) + number(32 + size) + number(size) + "JSON" + text + number(8) + std::string("BIN\0", 4) +
+             "abcd",
+         "byte " + std::to_string(20 + size) + ": the next chunk shall have 8 bytes, and 4 are left"},
         {"text.gltf", "{ \"asset\": { \"version\": \"2.0\" },\n  \"nodes\": [ { ] ] }", "text.gltf:2:16: broken JSON"},
         {"claim.glb", claim, "buffers[0].byteLength: the buffer shall have 1000000000 bytes, and the chunk BIN has 4"},
         {"empty.gltf", "", "the file is empty"},
