@@ -4,7 +4,7 @@
 //
 //   Fuzzer fuzzer = kind.open(setup);
 //   Random random(1234);
-//   const std::string input = fuzzer.make(random);
+//   const Input input = fuzzer.make(random);
 //   const Verdict verdict = fuzzer.run(input, random);   // verdict.wrong: what is wrong; empty: nothing
 #pragma once
 
@@ -28,11 +28,17 @@ bool one_in(std::size_t count, Random& random);
 struct Verdict {
     bool is_accepted = false;
     std::string wrong{};  // empty: nothing
+    std::string said{};   // why it is refused, for those who look at one input
+};
+
+struct Input {
+    std::string bytes;
+    std::string path{};  // of the seed, for files that it names; empty: none
 };
 
 struct Fuzzer {
-    std::function<std::string(Random&)> make;
-    std::function<Verdict(const std::string& input, Random&)> run;
+    std::function<Input(Random&)> make;
+    std::function<Verdict(const Input& input, Random&)> run;
 };
 
 struct Setup {
@@ -48,9 +54,7 @@ struct Kind {
 std::vector<Kind> text_kinds(), picture_kinds(), model_kinds();
 
 // --- seeds
-struct Seed {
-    std::string path, bytes;
-};
+using Seed = Input;
 // The files of the user's folder, or of these folders of the project, that end so and have at most `most` bytes; in
 // the order of their paths.
 std::vector<Seed> seeds_in(const Setup& setup, std::span<const std::string_view> folders, std::string_view ending,
@@ -80,11 +84,12 @@ private:
     Tokens pool_;
 };
 // One of the seeds, changed in one of the ways for texts; sometimes cut off, as an editor saves it.
-std::string changed_text(std::span<const Seed> seeds, const TokenChanges& tokens, Random& random);
+Input changed_text(std::span<const Seed> seeds, const TokenChanges& tokens, Random& random);
 
 // --- what must hold of messages
 // Prints them in every form. What is wrong with them; empty: nothing. `must_have_line`: errors have a line, too.
 std::string wrong_with(std::span<const Diagnostic> diagnostics, bool is_ok, bool must_have_line = true);
+std::string first_error(std::span<const Diagnostic> diagnostics);
 // The library, which is loaded once.
 const Compiler& compiler();
 

@@ -49,8 +49,8 @@ double seconds_now() {
 
 std::string run_one(const Fuzzer& fuzzer, const Job& job, unsigned long number, Progress& progress) {
     Random random(static_cast<Random::result_type>(number));
-    const std::string input = fuzzer.make(random);
-    if (!job.keep.empty()) write_file(job.keep, input);
+    const Input input = fuzzer.make(random);
+    if (!job.keep.empty()) write_file(job.keep, input.bytes);
     const double begin = seconds_now();
     Verdict verdict;
     try {
@@ -61,6 +61,7 @@ std::string run_one(const Fuzzer& fuzzer, const Job& job, unsigned long number, 
     const double seconds = seconds_now() - begin;
     if (seconds > progress.slowest) progress.slowest = seconds, progress.slowest_number = number;
     progress.accepted += verdict.is_accepted;
+    if (!job.keep.empty() && !verdict.said.empty()) std::printf("%s\n", verdict.said.c_str());
     return verdict.wrong;
 }
 
@@ -80,17 +81,28 @@ void run_all(const Job& job, Progress& progress) {
     }
 }
 
+// The report of a sanitizer, or the last lines of what was said.
+std::string last_of(const std::string& log) {
+    constexpr std::size_t kMost = 3000;
+    const std::size_t report = std::min(log.find("==ERROR"), log.find("runtime error"));
+    if (report != log.npos) return log.substr(report - std::min<std::size_t>(report, 100), kMost) + "\n";
+    return log.size() < 300 ? log : log.substr(log.size() - 300);
+}
+
 // True if nothing failed.
 bool watch(const Job& job) {
     void* const shared = mmap(nullptr, sizeof(Progress), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
     if (shared == MAP_FAILED) return false;
     Progress& progress = *new (shared) Progress{.next = job.first};
     const double begin = seconds_now();
+    const fs::path log = job.setup.scratch / "log";
     while (progress.next < job.end) {
         std::fflush(stdout);
         const pid_t child = fork();
         if (child < 0) return false;
         if (child == 0) {
+            // Libraries complain of each file; a sanitizer's report comes last.
+            if (!std::freopen(log.c_str(), "w", stderr)) std::_Exit(1);
             run_all(job, progress);
             std::fflush(stdout);
             std::_Exit(0);
@@ -104,6 +116,7 @@ bool watch(const Job& job) {
                     is_late               ? "it takes more than a minute"
                     : WIFSIGNALED(status) ? strsignal(WTERMSIG(status))
                                           : "the process ends");
+        std::fputs(last_of(read_file(log)).c_str(), stdout);
         ++progress.next;
     }
     const unsigned long count = job.end - job.first;

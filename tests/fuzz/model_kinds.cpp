@@ -31,7 +31,7 @@ struct Texts {
     std::vector<Seed> seeds;
     TokenChanges tokens;
     explicit Texts(std::vector<Seed> all) : seeds(std::move(all)), tokens(seeds, kWords) {}
-    std::string make(Random& random) const { return changed_text(seeds, tokens, random); }
+    Input make(Random& random) const { return changed_text(seeds, tokens, random); }
 };
 
 // --- what an importer makes of it
@@ -40,7 +40,10 @@ std::string wrong_with(const Imported& made) {
     for (const importers::Remark& each : made.remarks)
         if (each.text.empty()) return "a remark without a text: " + each.part;
     if (!made.error.empty()) return made.graphs.empty() ? "" : "an error and graphs: " + made.error;
-    if (made.graphs.empty()) return "neither an error nor graphs";
+    const bool says_what_is_missing =
+        std::any_of(made.remarks.begin(), made.remarks.end(),
+                    [](const importers::Remark& each) { return each.kind == importers::Remark::Kind::LeftOut; });
+    if (made.graphs.empty() && !says_what_is_missing) return "neither an error nor graphs nor a remark";
     CompileOptions options{.targets = {}};
     options.accept_parts = true;
     options.files.read = [&](const std::string& path) -> std::optional<std::string> {
@@ -70,17 +73,17 @@ Verdict run_import(const std::string& path, const std::string& bytes, const impo
     const importers::Importer* importer = importers::importer_of(source);
     if (!importer) return {};
     const Imported made = importer->read(source, options);
-    return {.is_accepted = made.error.empty(), .wrong = wrong_with(made)};
+    return {.is_accepted = made.error.empty(), .wrong = wrong_with(made), .said = made.error};
 }
 
 Fuzzer imports(const Setup& setup, const std::string& name, std::vector<Seed> written, std::string_view ending) {
     std::vector<Seed> seeds = setup.seeds.empty() ? std::move(written) : seeds_in(setup, {}, ending, 1 << 20);
     auto all = std::make_shared<Texts>(std::move(seeds));
     const std::string path = (setup.scratch / name).string(), folder = setup.seeds.string();
-    const auto run = [path, folder](const std::string& text, Random& random) {
+    const auto run = [path, folder](const Input& input, Random& random) {
         importers::Options options;
         if (!folder.empty() && one_in(4, random)) options.include_dirs = {folder};
-        return run_import(path, text, options);
+        return run_import(path, input.bytes, options);
     };
     return {.make = [all](Random& random) { return all->make(random); }, .run = run};
 }
@@ -105,8 +108,8 @@ Fuzzer materials(const Setup& setup) {
     std::vector<Seed> seeds;
     for (const char* shader : {kStandard, kStandardSpecular, kLit, kComplexLit, kSimpleLit, kBakedLit, kUnlit}) {
         painted.shader = shader;
-        seeds.push_back({.path = {}, .bytes = painted.text()});
-        seeds.push_back({.path = {}, .bytes = painted.old_text()});
+        seeds.push_back({.bytes = painted.text()});
+        seeds.push_back({.bytes = painted.old_text()});
     }
     return imports(setup, "fuzz.mat", std::move(seeds), ".mat");
 }
@@ -125,8 +128,8 @@ Fuzzer shader_graphs(const Setup& setup) {
                       binary("SubtractNode"),
                       {.id = "tint", .kind = "PropertyNode", .slots = {{.id = 0, .is_input = false}}, .property = "p"}},
             .edges = {{"tint", 0, kind, 0}, {kind, 2, "SubtractNode", 0}, {"SubtractNode", 2, "BaseColor"}}};
-        seeds.push_back({.path = {}, .bytes = text.new_layout()});
-        seeds.push_back({.path = {}, .bytes = text.old_layout()});
+        seeds.push_back({.bytes = text.new_layout()});
+        seeds.push_back({.bytes = text.old_layout()});
     }
     Fuzzer made = imports(setup, "fuzz.shadergraph", std::move(seeds), ".shadergraph");
     return made;
@@ -272,20 +275,21 @@ Fuzzer gltf(const Setup& setup) {
     const std::string text =
         replaced(replaced(std::string(kScene), "BUFFER", data_uri("application/octet-stream", scene_buffer())),
                  "PICTURE", data_uri("image/png", small_png()));
-    seeds.push_back({.path = {}, .bytes = text});
+    seeds.push_back({.bytes = text});
     const std::string draco = draco_bytes();
-    seeds.push_back({.path = {}, .bytes = draco_model(draco)});
+    seeds.push_back({.bytes = draco_model(draco)});
     if (!setup.seeds.empty()) seeds = seeds_in(setup, {}, ".gltf", 1 << 20);
     auto all = std::make_shared<Texts>(std::move(seeds));
     const std::string path = (setup.scratch / "fuzz.gltf").string();
     const auto make = [all, draco, text](Random& random) {
-        if (one_in(8, random)) return draco_model(changed_bytes(draco, draco, random));
+        if (one_in(8, random)) return Input{.bytes = draco_model(changed_bytes(draco, draco, random))};
         if (one_in(8, random))
-            return replaced(std::string(kScene), "BUFFER",
-                            data_uri("application/octet-stream", changed_bytes(scene_buffer(), draco, random)));
+            return Input{
+                .bytes = replaced(std::string(kScene), "BUFFER",
+                                  data_uri("application/octet-stream", changed_bytes(scene_buffer(), draco, random)))};
         return all->make(random);
     };
-    return {.make = make, .run = [path](const std::string& bytes, Random&) { return run_model(path, bytes); }};
+    return {.make = make, .run = [path](const Input& input, Random&) { return run_model(path, input.bytes); }};
 }
 
 // The text with its buffer and its picture, which lie in the second chunk.
@@ -299,21 +303,23 @@ Fuzzer glb(const Setup& setup) {
                     fmt::format(R"("byteOffset": 332, "byteLength": 4}},
   {{"buffer": 0, "byteOffset": 336, "byteLength": {}}})",
                                 picture.size()));
-    auto all = std::make_shared<Texts>(std::vector<Seed>{{.path = {}, .bytes = text}});
-    std::vector<Seed> files = {{.path = {}, .bytes = container(text, buffer + picture)}};
+    auto all = std::make_shared<Texts>(std::vector<Seed>{{.bytes = text}});
+    std::vector<Seed> files = {{.bytes = container(text, buffer + picture)}};
     if (const auto baked = runtime::write_glb("plane", runtime::make_plane(1, 2), {}, {}))
-        files.push_back({.path = {}, .bytes = baked.value});
+        files.push_back({.bytes = baked.value});
     if (!setup.seeds.empty()) files = seeds_in(setup, {}, ".glb", 1 << 20);
     const std::string path = (setup.scratch / "fuzz.glb").string();
     const auto make = [all, files, picture, buffer](Random& random) {
         switch (below(random, 4)) {
-            case 0: return container(all->make(random), buffer + picture);
-            case 1: return container(all->seeds[0].bytes, buffer + changed_bytes(picture, buffer, random));
-            case 2: return container(all->seeds[0].bytes, changed_bytes(buffer, picture, random) + picture);
-            default: return changed_bytes(files[below(random, files.size())].bytes, buffer, random);
+            case 0: return Input{.bytes = container(all->make(random).bytes, buffer + picture)};
+            case 1:
+                return Input{.bytes = container(all->seeds[0].bytes, buffer + changed_bytes(picture, buffer, random))};
+            case 2:
+                return Input{.bytes = container(all->seeds[0].bytes, changed_bytes(buffer, picture, random) + picture)};
+            default: return Input{.bytes = changed_bytes(files[below(random, files.size())].bytes, buffer, random)};
         }
     };
-    return {.make = make, .run = [path](const std::string& bytes, Random&) { return run_model(path, bytes); }};
+    return {.make = make, .run = [path](const Input& input, Random&) { return run_model(path, input.bytes); }};
 }
 
 }  // namespace

@@ -101,13 +101,13 @@ std::string changed_lines(std::string text, std::string_view other, Random& rand
     return text;
 }
 
-std::string changed_text(std::span<const Seed> seeds, const TokenChanges& tokens, Random& random) {
+Input changed_text(std::span<const Seed> seeds, const TokenChanges& tokens, Random& random) {
     const std::size_t seed = below(random, seeds.size());
     std::string text = one_in(2, random)
                            ? tokens.make(seed, random)
                            : changed_lines(seeds[seed].bytes, seeds[below(random, seeds.size())].bytes, random);
     if (one_in(16, random)) text.resize(below(random, text.size() + 1));
-    return text;
+    return {.bytes = std::move(text), .path = seeds[seed].path};
 }
 
 }  // namespace patina::fuzz

@@ -50,7 +50,7 @@ std::vector<Seed> written_pictures(const Setup& setup, const std::string& ending
                                                  : output->write_image(OIIO::TypeDesc::FLOAT, pixels.data())) &&
                                 output->close();
         OIIO::geterror();
-        if (is_written) made.push_back({.path = path.string(), .bytes = read_file(path)});
+        if (is_written) made.push_back({.bytes = read_file(path)});
         fs::remove(path);
     }
     return made;
@@ -77,9 +77,9 @@ std::vector<Seed> dds_seeds() {
         for (const std::uint32_t mask : {0xff0000u, 0xff00u, 0xffu, 0xff000000u}) made += little_endian(mask);
         return made + little_endian(0x1000) + std::string(16, '\0');
     };
-    return {{{}, head + rest(0x41, std::string(4, '\0'), 32) + std::string(64, '\x40')},
-            {{}, head + rest(4, "DXT1", 0) + std::string(8, '\x5a')},
-            {{}, head + rest(4, "DXT5", 0) + std::string(16, '\x5a')}};
+    return {{head + rest(0x41, std::string(4, '\0'), 32) + std::string(64, '\x40')},
+            {head + rest(4, "DXT1", 0) + std::string(8, '\x5a')},
+            {head + rest(4, "DXT5", 0) + std::string(16, '\x5a')}};
 }
 std::vector<Seed> psd_seeds() {
     const auto file = [](int channels, int compression, const std::string& pixels) {
@@ -90,7 +90,7 @@ std::vector<Seed> psd_seeds() {
     std::string packed;
     for (int row = 0; row < 12; ++row) packed += big_endian(2, 2);
     for (int row = 0; row < 12; ++row) packed += "\xfd\x40";  // four times one byte
-    return {{{}, file(3, 0, std::string(48, '\x40'))}, {{}, file(3, 1, packed)}};
+    return {{file(3, 0, std::string(48, '\x40'))}, {file(3, 1, packed)}};
 }
 
 std::uint32_t crc_of(std::string_view bytes) {
@@ -131,10 +131,11 @@ Fuzzer pictures(const Setup& setup, const char (&ending)[count], std::vector<See
         std::string bytes =
             changed_bytes((*all)[below(random, all->size())].bytes, (*all)[below(random, all->size())].bytes, random);
         if (is_png && !one_in(4, random)) mend_checksums(bytes);
-        return bytes;
+        return Input{.bytes = std::move(bytes)};
     };
     const std::string path = (setup.scratch / ("fuzz" + std::string(ending))).string();
-    const auto run = [path](const std::string& bytes, Random&) -> Verdict {
+    const auto run = [path](const Input& input, Random&) -> Verdict {
+        const std::string& bytes = input.bytes;
         write_file(path, bytes);
         const auto loaded = runtime::load_image(path);
         std::string wrong = wrong_with(loaded, path);
@@ -189,14 +190,15 @@ Fuzzer tables(const Setup& setup) {
     const auto brdf = [](const runtime::DirectionPair&) { return std::array<double, 3>{0.5, 0.25, 1}; };
     runtime::write_merl(path, runtime::sampled_table(brdf, 4, 4, 6));
     const std::string seed = read_file(path);
-    const auto run = [path](const std::string& bytes, Random&) -> Verdict {
+    const auto run = [path](const Input& input, Random&) -> Verdict {
+        const std::string& bytes = input.bytes;
         write_file(path, bytes);
         const auto table = runtime::read_merl(path);
         if (table) runtime::as_texture(table.value);
         const bool says_where = bool(table) || table.error.find(path) != std::string::npos;
         return {.is_accepted = bool(table), .wrong = says_where ? "" : table.error};
     };
-    return {.make = [seed](Random& random) { return changed_bytes(seed, seed, random); }, .run = run};
+    return {.make = [seed](Random& random) { return Input{.bytes = changed_bytes(seed, seed, random)}; }, .run = run};
 }
 
 // Only a file whose numbers fit its fingerprint is taken, so nearly all that is changed must be refused.
@@ -213,8 +215,11 @@ Fuzzer kept_maps(const Setup& setup) {
     fs::create_directories(path.parent_path());
     runtime::MapCache().write(name, kept);
     const std::string seed = read_file(path);
-    const auto make = [seed](Random& random) { return one_in(50, random) ? seed : changed_bytes(seed, seed, random); };
-    const auto run = [name, path, seed](const std::string& bytes, Random&) -> Verdict {
+    const auto make = [seed](Random& random) {
+        return Input{.bytes = one_in(50, random) ? seed : changed_bytes(seed, seed, random)};
+    };
+    const auto run = [name, path, seed](const Input& input, Random&) -> Verdict {
+        const std::string& bytes = input.bytes;
         write_file(path, bytes);
         const bool is_taken = runtime::MapCache().read(name).has_value();
         return {.is_accepted = is_taken, .wrong = is_taken && bytes != seed ? "a changed file is taken" : ""};

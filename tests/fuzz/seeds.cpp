@@ -27,7 +27,7 @@ std::vector<Seed> seeds_in(const Setup& setup, std::span<const std::string_view>
         if (!fs::is_directory(root)) continue;
         for (const auto& each : fs::recursive_directory_iterator(root)) {
             if (!each.is_regular_file() || !each.path().string().ends_with(ending)) continue;
-            Seed seed{.path = each.path().string(), .bytes = read_file(each.path())};
+            Seed seed{.bytes = read_file(each.path()), .path = each.path().string()};
             if (!seed.bytes.empty() && seed.bytes.size() <= most) made.push_back(std::move(seed));
         }
     }

@@ -16,9 +16,10 @@
 namespace patina::fuzz {
 namespace {
 
-constexpr std::string_view kGraphFolders[] = {"examples", "tests/graphs", "tests/diagnostics", "nodes/models"};
-constexpr std::string_view kSceneFolders[] = {"examples", "tests/diagnostics", "tests/snapshots"};
-constexpr std::string_view kNodeFolders[] = {"nodes", "examples", "tests/diagnostics"};
+constexpr std::string_view kGraphFolders[] = {"examples", "tests/graphs", "tests/diagnostics/unknown-key",
+                                              "nodes/models"};
+constexpr std::string_view kSceneFolders[] = {"examples", "tests/snapshots", "tests/examples"};
+constexpr std::string_view kNodeFolders[] = {"nodes", "examples", "tests/graphs"};
 constexpr std::string_view kPassFolders[] = {"nodes/passes"};
 
 constexpr std::string_view kWords[] = {"0",
@@ -82,7 +83,7 @@ struct Texts {
     std::vector<Seed> seeds;
     TokenChanges tokens;
     explicit Texts(std::vector<Seed> all) : seeds(std::move(all)), tokens(seeds, kWords) {}
-    std::string make(Random& random) const { return changed_text(seeds, tokens, random); }
+    Input make(Random& random) const { return changed_text(seeds, tokens, random); }
 };
 std::shared_ptr<const Texts> texts(const Setup& setup, std::span<const std::string_view> folders,
                                    std::string_view ending) {
@@ -112,11 +113,11 @@ std::string wrong_with(const Result& result, Random& random) {
 
 // --- graphs, scenes, node files, pass files
 
-Verdict run_graph(const std::string& text, Random& random) {
-    const std::string path = (std::filesystem::path(PATINA_SOURCE) / "examples/graphs/fuzz.graph.json").string();
+Verdict run_graph(const Input& input, Random& random) {
+    const std::string &path = input.path, &text = input.bytes;
     CompileOptions options;
     if (one_in(4, random)) options.targets = compiler().targets("unity");
-    if (one_in(4, random)) options.request = PassesRequest{.path = one_in(2, random) ? "deferred" : "forward-plus"};
+    if (one_in(4, random)) options.request = PassesRequest{.path = one_in(2, random) ? "deferred" : "forward-add"};
     options.accept_parts = one_in(2, random);
     const Result result = compiler().compile_text(path, text, options);
     std::string wrong = wrong_with(result, random);
@@ -124,7 +125,7 @@ Verdict run_graph(const std::string& text, Random& random) {
     if (wrong.empty()) wrong = fuzz::wrong_with(formatted.diagnostics, formatted.ok);
     if (wrong.empty() && formatted.ok && compiler().format(path, formatted.text).text != formatted.text)
         wrong = "formatted twice, it is another text";
-    return {.is_accepted = result.ok, .wrong = std::move(wrong)};
+    return {.is_accepted = result.ok, .wrong = std::move(wrong), .said = first_error(result.diagnostics)};
 }
 
 Fuzzer graphs(const Setup& setup) {
@@ -134,30 +135,48 @@ Fuzzer graphs(const Setup& setup) {
 
 Fuzzer scenes(const Setup& setup) {
     auto all = texts(setup, kSceneFolders, ".scene.json");
-    const auto run = [](const std::string& text, Random&) -> Verdict {
-        const std::string path = (std::filesystem::path(PATINA_SOURCE) / "examples/scenes/fuzz.scene.json").string();
-        CompileOptions options{.files = with_file(path, text)};
+    const auto run = [](const Input& input, Random&) -> Verdict {
+        const std::string& path = input.path;
+        CompileOptions options{.files = with_file(path, input.bytes)};
         const SceneResult scene = compiler().read_scene(path, options);
         if (std::string wrong = fuzz::wrong_with(scene.diagnostics, scene.ok); !wrong.empty())
             return {.wrong = std::move(wrong)};
-        if (!scene.ok) return {};
+        if (!scene.ok) return {.said = first_error(scene.diagnostics)};
         const runtime::WorldFile world = runtime::make_world(scene.scene);
         return {.is_accepted = world.ok, .wrong = fuzz::wrong_with(world.diagnostics, world.ok)};
     };
     return {.make = [all](Random& random) { return all->make(random); }, .run = run};
 }
 
+// Each node of a file alone, with its comment: a user's file has one node.
+std::vector<Seed> single_nodes(std::span<const Seed> files) {
+    std::vector<Seed> made;
+    for (const Seed& file : files) {
+        std::string before;
+        for (std::size_t at = 0; at < file.bytes.size();) {
+            const std::size_t end = std::min(file.bytes.find("\n}\n", at), file.bytes.size() - 1);
+            std::string block = file.bytes.substr(at, end + 3 - at);
+            at = end + 3;
+            const bool is_node = block.find("\n[node(") != block.npos || block.starts_with("[node(");
+            if (!is_node) before += block;
+            if (is_node && block.size() + before.size() < 6000)
+                made.push_back({.bytes = before + block, .path = file.path});
+        }
+    }
+    return made;
+}
+
 Fuzzer node_files(const Setup& setup) {
-    auto all = texts(setup, kNodeFolders, ".node.hlsl");
-    const auto run = [](const std::string& text, Random& random) -> Verdict {
-        CompileOptions options{.files = with_file("fuzz.node.hlsl", text)};
+    auto all = std::make_shared<Texts>(single_nodes(seeds_in(setup, kNodeFolders, ".node.hlsl")));
+    const auto run = [](const Input& input, Random& random) -> Verdict {
+        CompileOptions options{.files = with_file("fuzz.node.hlsl", input.bytes)};
         const NodeFileResult checked = compiler().check_node_file("fuzz.node.hlsl", options);
         std::string wrong = fuzz::wrong_with(checked.diagnostics, checked.ok);
         const std::string graph =
             R"({ "patina": 1, "workflow": "unlit", "nodes": [{ "id": "n", "node": "./fuzz.node.hlsl" }],)"
             R"( "surface": { "color": "n" } })";
         if (wrong.empty()) wrong = wrong_with(compiler().compile_text("fuzz.graph.json", graph, options), random);
-        return {.is_accepted = checked.ok, .wrong = std::move(wrong)};
+        return {.is_accepted = checked.ok, .wrong = std::move(wrong), .said = first_error(checked.diagnostics)};
     };
     return {.make = [all](Random& random) { return all->make(random); }, .run = run};
 }
@@ -174,8 +193,8 @@ constexpr std::string_view kToon = R"json({
 })json";
 
 // All shaders that other compilers take, too.
-Verdict run_pass_file(const std::string& text, Random& random) {
-    CompileOptions options{.files = with_file("mine.pass.hlsl", text)};
+Verdict run_pass_file(const Input& input, Random& random) {
+    CompileOptions options{.files = with_file("mine.pass.hlsl", input.bytes)};
     options.request = PassesRequest{.path = "mine.pass.hlsl"};
     options.keep_programs = true;
     const Result result =
@@ -185,7 +204,7 @@ Verdict run_pass_file(const std::string& text, Random& random) {
         const Validated validated = validate(shader);
         if (wrong.empty() && !validated.ok) wrong = validated.log + shader.text;
     }
-    return {.is_accepted = result.ok, .wrong = std::move(wrong)};
+    return {.is_accepted = result.ok, .wrong = std::move(wrong), .said = first_error(result.diagnostics)};
 }
 
 Fuzzer pass_files(const Setup& setup) {
@@ -205,23 +224,23 @@ constexpr std::string_view kOptions[] = {
 
 Fuzzer options(const Setup&) {
     std::vector<Seed> seeds;
-    for (const std::string_view each : kOptions) seeds.push_back({.path = {}, .bytes = std::string(each)});
+    for (const std::string_view each : kOptions) seeds.push_back({.bytes = std::string(each)});
     auto all = std::make_shared<Texts>(std::move(seeds));
     patina_compiler* made = nullptr;
     patina_compiler_create(PATINA_C_ABI, nullptr, 0, &made);
     const std::shared_ptr<patina_compiler> library(made, patina_compiler_free);
-    const auto run = [library](const std::string& text, Random&) -> Verdict {
+    const auto run = [library](const Input& input, Random&) -> Verdict {
         patina_result* result = nullptr;
-        const patina_status status =
-            patina_compile(library.get(), "a.graph.json", kToon.data(), kToon.size(), text.c_str(), nullptr, &result);
+        const patina_status status = patina_compile(library.get(), "a.graph.json", kToon.data(), kToon.size(),
+                                                    input.bytes.c_str(), nullptr, &result);
         const std::shared_ptr<patina_result> owner(result, patina_result_free);
         if (status != PATINA_OK && status != PATINA_HAS_ERRORS) return {.wrong = patina_status_text(status)};
         const std::string_view messages = patina_result_messages(result), json = patina_result_diagnostics(result);
         if (json.find("\"internal\"") != json.npos) return {.wrong = std::string(messages)};
         if (status == PATINA_HAS_ERRORS && messages.empty()) return {.wrong = "errors without a message"};
         char key[PATINA_KEY_SIZE];
-        const patina_status keyed =
-            patina_cache_key(library.get(), "a.graph.json", kToon.data(), kToon.size(), text.c_str(), nullptr, key);
+        const patina_status keyed = patina_cache_key(library.get(), "a.graph.json", kToon.data(), kToon.size(),
+                                                     input.bytes.c_str(), nullptr, key);
         if (keyed != PATINA_OK && keyed != PATINA_HAS_ERRORS) return {.wrong = patina_status_text(keyed)};
         return {.is_accepted = status == PATINA_OK};
     };
@@ -235,12 +254,12 @@ Fuzzer reflections(const Setup& setup) {
     constexpr std::string_view kFolders[] = {"examples/graphs", "examples/surfaces"};
     for (const Seed& graph : seeds_in(setup, kFolders, ".graph.json")) {
         const Result result = compiler().compile_text(graph.path, graph.bytes, {.targets = {Target::Glsl}});
-        if (result.ok) seeds.push_back({.path = graph.path, .bytes = result.reflection.to_json()});
+        if (result.ok) seeds.push_back({.bytes = result.reflection.to_json()});
         if (seeds.size() == 12) break;
     }
     auto all = std::make_shared<Texts>(std::move(seeds));
-    const auto run = [](const std::string& text, Random&) -> Verdict {
-        const ReadReflection read = Reflection::from_json(text, "fuzz.reflect.json");
+    const auto run = [](const Input& input, Random&) -> Verdict {
+        const ReadReflection read = Reflection::from_json(input.bytes, "fuzz.reflect.json");
         std::string wrong = fuzz::wrong_with(read.diagnostics, read.ok);
         if (wrong.empty() && read.ok) {
             const std::string written = read.reflection.to_json();
@@ -271,17 +290,17 @@ Fuzzer merges(const Setup& setup) {
         };
         std::string made = one_in(8, random) ? std::string() : side();
         for (int i = 0; i < 2; ++i) (made += kBetween) += side();
-        return made;
+        return Input{.bytes = std::move(made), .path = all->seeds[seed].path};
     };
-    const auto run = [](const std::string& input, Random& random) -> Verdict {
+    const auto run = [](const Input& input, Random& random) -> Verdict {
         std::vector<std::string> sides;
-        for (std::size_t at = 0; at <= input.size();) {
-            const std::size_t end = std::min(input.find(kBetween, at), input.size());
-            sides.push_back(input.substr(at, end - at));
+        for (std::size_t at = 0; at <= input.bytes.size();) {
+            const std::size_t end = std::min(input.bytes.find(kBetween, at), input.bytes.size());
+            sides.push_back(input.bytes.substr(at, end - at));
             at = end + 1;
         }
         sides.resize(3);
-        MergeOptions options{.path = std::string(PATINA_SOURCE) + "/examples/graphs/fuzz.graph.json"};
+        const MergeOptions options{.path = input.path};
         const MergeResult merged = merge_graphs(compiler(), {"base.json", sides[0]}, {"ours.json", sides[1]},
                                                 {"theirs.json", sides[2]}, options);
         const bool is_clean = merged.state == MergeState::Clean;
@@ -304,8 +323,8 @@ Fuzzer snapshots(const Setup& setup) {
     constexpr std::string_view kFolders[] = {"tests", "examples"};
     auto all = texts(setup, kFolders, ".snapshot.json");
     const std::string path = (setup.scratch / "fuzz.snapshot.json").string();
-    const auto run = [path](const std::string& text, Random&) -> Verdict {
-        write_file(path, text);
+    const auto run = [path](const Input& input, Random&) -> Verdict {
+        write_file(path, input.bytes);
         const runtime::ReadSnapshot read = runtime::read_snapshot(path);
         if (!read.file) return {.wrong = fuzz::wrong_with({&read.error, 1}, false)};
         if (runtime::variations(*read.file).size() > runtime::kMostVariations) return {.wrong = "too many variations"};

@@ -10,16 +10,40 @@ using Tokens = std::vector<std::string>;
 
 constexpr std::string_view kOperators = " ++ += -= *= /= == != <= >= && || ";
 
-// Words, numbers, quoted words, and every other character alone; comments are left out.
+bool is_digit(char c) {
+    return c >= '0' && c <= '9';
+}
+
+enum class TokenKind { Quoted, Word, Other };
+TokenKind kind_of(const std::string& token) {
+    if (token[0] == '"') return TokenKind::Quoted;
+    const bool is_number = token[0] == '-' && token.size() > 1 && is_digit(token[1]);
+    return is_number || std::isalnum(static_cast<unsigned char>(token[0])) ? TokenKind::Word : TokenKind::Other;
+}
+
+// Words, numbers, quoted words, documentation, and every other character alone; other comments are left
+// out.
 std::vector<std::string> tokens_of(const std::string& text) {
     std::vector<std::string> tokens;
     for (std::size_t at = 0; at < text.size();) {
         const auto is_word = [&](std::size_t i) {
             return std::isalnum(static_cast<unsigned char>(text[i])) || text[i] == '_' || text[i] == '.';
         };
+        // A sign stands before a number, and not behind a value.
+        const auto is_sign = [&](std::size_t i) {
+            const bool is_behind = !tokens.empty() && (kind_of(tokens.back()) != TokenKind::Other ||
+                                                       tokens.back() == ")" || tokens.back() == "]");
+            return text[i] == '-' && i + 1 < text.size() && is_digit(text[i + 1]) && !is_behind;
+        };
+        const auto is_exponent = [&](std::size_t from, std::size_t i) {
+            return (text[i] == '-' || text[i] == '+') && (text[i - 1] == 'e' || text[i - 1] == 'E') &&
+                   (is_digit(text[from]) || text[from] == '-');
+        };
         std::size_t end = at + 1;
         if (text.compare(at, 2, "//") == 0) {
-            at = std::min(text.find('\n', at), text.size());
+            end = std::min(text.find('\n', at), text.size());
+            if (text.compare(at, 3, "///") == 0) tokens.push_back(text.substr(at, end - at));
+            at = end;
             continue;
         }
         if (std::isspace(static_cast<unsigned char>(text[at]))) {
@@ -29,8 +53,8 @@ std::vector<std::string> tokens_of(const std::string& text) {
         if (text[at] == '"') {
             while (end < text.size() && text[end] != '"') end += text[end] == '\\' ? 2 : 1;
             end = std::min(end + 1, text.size());
-        } else if (is_word(at)) {
-            while (end < text.size() && is_word(end)) ++end;
+        } else if (is_word(at) || is_sign(at)) {
+            while (end < text.size() && (is_word(end) || is_exponent(at, end))) ++end;
         } else if (at + 1 < text.size() && kOperators.find(" " + text.substr(at, 2) + " ") != std::string_view::npos) {
             ++end;
         }
@@ -43,16 +67,15 @@ std::vector<std::string> tokens_of(const std::string& text) {
 std::string joined(const std::vector<std::string>& tokens) {
     std::string text;
     for (const std::string& token : tokens) {
+        const bool is_doc = token.starts_with("///");
+        if (is_doc && !token.starts_with("///<")) text += "\n";
         text += token;
-        text += token == ";" || token == "{" || token == "}" ? "\n" : token == "[" || token == "]" ? "" : " ";
+        text += is_doc                                         ? "\n"
+                : token == ";" || token == "{" || token == "}" ? "\n"
+                : token == "[" || token == "]"                 ? ""
+                                                               : " ";
     }
     return text;
-}
-
-enum class TokenKind { Quoted, Word, Other };
-TokenKind kind_of(const std::string& token) {
-    if (token[0] == '"') return TokenKind::Quoted;
-    return std::isalnum(static_cast<unsigned char>(token[0])) ? TokenKind::Word : TokenKind::Other;
 }
 
 auto at(Tokens& tokens, std::size_t index) {

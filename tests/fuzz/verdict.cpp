@@ -29,6 +29,12 @@ std::string wrong_with(std::span<const Diagnostic> diagnostics, bool is_ok, bool
     return is_ok ? "it is ok, and has errors: " + to_text(diagnostics[0]) : "neither ok nor an error";
 }
 
+std::string first_error(std::span<const Diagnostic> diagnostics) {
+    for (const Diagnostic& each : diagnostics)
+        if (each.severity == Severity::Error) return to_text(each);
+    return {};
+}
+
 const Compiler& compiler() {
     static const Compiler made;
     return made;
