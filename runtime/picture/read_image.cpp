@@ -13,6 +13,7 @@
 
 #include "runtime/files/files.h"
 #include "runtime/picture/image.h"
+#include "runtime/picture/memory_reader.h"
 #include "runtime/picture/picture_kind.h"
 #include "runtime/picture/reason.h"
 
@@ -110,7 +111,7 @@ Outcome<Image> load_image(const std::string& path) {
 }
 
 Outcome<Image> decode_image(const std::string& path, std::string_view bytes) {
-    OIIO::Filesystem::IOMemReader reader(const_cast<char*>(bytes.data()), bytes.size());  // it only reads
+    MemoryReader reader(bytes);
     return checked_image(path, bytes, &reader);
 }
 

@@ -7,10 +7,12 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <random>
 
 #include "runtime/lighting/environment_file.h"
 #include "runtime/picture/image.h"
+#include "runtime/picture/memory_reader.h"
 #include "runtime/picture/picture_kind.h"
 #include "runtime/picture/stated_space.h"
 #include "runtime/values/textures.h"
@@ -192,6 +194,25 @@ TEST_F(PictureFile, IsRefusedIfAChunkClaimsMoreThanThereIs) {
     // A kind that is asked for bytes of another one.
     const std::string_view webp("RIFF\0\0\0\0WEBP", 12);
     EXPECT_EQ(damage_of(*picture_kind(webp), "RI"), "without its end");
+}
+
+// OpenImageIO's own reader takes a place before the first byte, to which a damaged BMP moves it.
+TEST_F(PictureFile, IsReadWithinTheBoundsOfItsMemory) {
+    const std::vector<char> exact = {'a', 'b', 'c', 'd'};
+    MemoryReader reader({exact.data(), exact.size()});
+    constexpr std::int64_t kLeast = std::numeric_limits<std::int64_t>::min(), kMost = -(kLeast + 1);
+    char to[8] = {};
+    for (const std::int64_t place : {kLeast, std::int64_t(-4), std::int64_t(-1), std::int64_t(4), kMost}) {
+        EXPECT_EQ(reader.pread(to, sizeof to, place), 0u) << place;
+        EXPECT_EQ(reader.seek(place), place == 4) << place;
+        EXPECT_EQ(reader.read(to, sizeof to), 0u) << place;
+        ASSERT_TRUE(reader.seek(0));
+    }
+    EXPECT_EQ(reader.pread(to, std::size_t(-1), 1), 3u);
+    EXPECT_EQ(std::string(to, 3), "bcd");
+    EXPECT_EQ(reader.read(to, 3), 3u);
+    EXPECT_EQ(reader.read(to, 3), 1u);
+    EXPECT_EQ(to[0], 'd');
 }
 
 // A directory that lists the same pieces 60000 times: each list is read once.
