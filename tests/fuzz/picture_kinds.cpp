@@ -230,19 +230,19 @@ Fuzzer kept_maps(const Setup& setup) {
 }  // namespace
 
 std::vector<Kind> picture_kinds() {
-    return {{"png", "pictures: PNG, with checksums that fit", 300, 50000, png},
-            {"jpeg", "pictures: JPEG", 300, 50000, jpeg},
-            {"webp", "pictures: WebP", 300, 50000, webp},
-            {"exr", "pictures: OpenEXR", 200, 10000, exr},
-            {"hdr", "pictures: Radiance HDR", 300, 50000, hdr},
-            {"tiff", "pictures: TIFF", 300, 50000, tiff},
-            {"tga", "pictures: TGA", 300, 50000, tga},
-            {"bmp", "pictures: BMP", 300, 50000, bmp},
-            {"gif", "pictures: GIF", 300, 50000, gif},
-            {"dds", "pictures: DDS", 300, 50000, dds},
-            {"psd", "pictures: Photoshop", 300, 50000, psd},
+    return {{"png", "pictures: PNG, with checksums that fit", 300, 100000, png},
+            {"jpeg", "pictures: JPEG", 300, 100000, jpeg},
+            {"webp", "pictures: WebP", 300, 100000, webp},
+            {"exr", "pictures: OpenEXR", 200, 20000, exr},
+            {"hdr", "pictures: Radiance HDR", 300, 100000, hdr},
+            {"tiff", "pictures: TIFF", 300, 100000, tiff},
+            {"tga", "pictures: TGA", 300, 100000, tga},
+            {"bmp", "pictures: BMP", 300, 100000, bmp},
+            {"gif", "pictures: GIF", 300, 100000, gif},
+            {"dds", "pictures: DDS", 300, 100000, dds},
+            {"psd", "pictures: Photoshop", 300, 100000, psd},
             {"merl", "tables of reflectances", 300, 100000, tables},
-            {"map", "prefiltered environments that are kept", 300, 20000, kept_maps}};
+            {"map", "prefiltered environments that are kept", 300, 100000, kept_maps}};
 }
 
 }  // namespace patina::fuzz
