@@ -111,8 +111,8 @@ void show_source(std::string& text, const Diagnostic& d, bool colors) {
     for (int i = 0; i < 3 && rest > place && rest < size && is_inner_byte(d.source_line[rest]); ++i) --rest;
     const ShownLine line(std::string_view(d.source_line).substr(cut, rest - cut));
     const std::size_t from = line.begin_at(place - cut), to = line.end_before(end - cut);
-    // The place may be the cell behind the last character, so that one counts as a part of the line.
-    const std::size_t extent = line.cells() + 1;
+    // The place may be the cell behind the last character: then that one is a part of the line.
+    const std::size_t extent = std::max(line.cells(), from + 1);
     std::size_t first = from > kShown * 3 / 4 ? from - kShown / 2 : 0;
     first = std::min(first, extent - std::min(extent, kShown));
     std::string shown;

@@ -205,7 +205,7 @@ TEST_F(PictureFile, IsReadWithinTheBoundsOfItsMemory) {
     for (const std::int64_t place : {kLeast, std::int64_t(-4), std::int64_t(-1), std::int64_t(4), kMost}) {
         EXPECT_EQ(reader.pread(to, sizeof to, place), 0u) << place;
         EXPECT_EQ(reader.seek(place), place == 4) << place;
-        EXPECT_EQ(reader.read(to, sizeof to), 0u) << place;
+        EXPECT_EQ(reader.tell(), place == 4 ? 4 : 0) << place;  // one that is not there changes nothing
         ASSERT_TRUE(reader.seek(0));
     }
     EXPECT_EQ(reader.pread(to, std::size_t(-1), 1), 3u);
