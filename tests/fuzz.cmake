@@ -1,11 +1,14 @@
-# Files that no author would write: whatever they hold, the compiler reports errors and does not crash.
-add_executable(fuzz_pass_files_test fuzz/pass_files_test.cpp)
-target_link_libraries(fuzz_pass_files_test PRIVATE patina_options patina patina_validate GTest::gtest GTest::gtest_main)
-target_compile_definitions(fuzz_pass_files_test PRIVATE PATINA_PASSES="${CMAKE_SOURCE_DIR}/nodes/passes")
-add_test(NAME fuzz_pass_files_quick COMMAND fuzz_pass_files_test --gtest_filter=*.Quick)
-add_test(NAME fuzz_pass_files COMMAND fuzz_pass_files_test --gtest_filter=-*.Quick)
-set_tests_properties(fuzz_pass_files PROPERTIES LABELS slow)
-
-# Takes a folder of shader graphs, which are not in this project.
-add_executable(fuzz_shader_graphs EXCLUDE_FROM_ALL fuzz/shader_graphs.cpp)
-target_link_libraries(fuzz_shader_graphs PRIVATE patina_options patina patina_importers)
+# Files that no author would write: whatever they hold, they are read or refused at a place, and nothing crashes.
+add_executable(fuzz fuzz/main.cpp fuzz/model_kinds.cpp fuzz/mutate.cpp fuzz/picture_kinds.cpp fuzz/seeds.cpp
+               fuzz/text_kinds.cpp fuzz/tokens.cpp fuzz/verdict.cpp)
+target_link_libraries(fuzz PRIVATE patina_options patina patina_importers patina_runtime patina_validate
+                      GTest::gtest PkgConfig::OIIO)
+target_include_directories(fuzz PRIVATE ${CMAKE_SOURCE_DIR})
+target_compile_definitions(fuzz PRIVATE PATINA_SOURCE="${CMAKE_SOURCE_DIR}")
+# `build/fuzz all 100000` makes so many of each kind. The preset `asan` builds it with sanitizers.
+add_test(NAME fuzz_quick COMMAND fuzz all quick)
+foreach(kind IN ITEMS graph scene node pass options reflection merge snapshot png jpeg webp exr hdr tiff tga bmp gif dds psd
+        merl map gltf glb mtlx mat shadergraph)
+  add_test(NAME fuzz_${kind} COMMAND fuzz ${kind} slow)
+  set_tests_properties(fuzz_${kind} PROPERTIES LABELS slow TIMEOUT 7200)  # sanitizers make it ten times slower
+endforeach()

@@ -111,7 +111,7 @@ struct Bench {
     }
 
     // False, with an error, for a value that only a renderer can provide.
-    bool is_whole(Diagnostics& diagnostics) const {
+    bool is_whole(Diagnostics& diagnostics, Span at) const {
         const auto read = [&](const ir::Function& made) {
             return std::find_if(made.insts.begin(), made.insts.end(),
                                 [](const ir::Inst& inst) { return inst.op == ir::Op::Global; });
@@ -122,7 +122,7 @@ struct Bench {
         for (const ir::Function* made : functions) {
             const auto found = read(*made);
             if (found == made->insts.end()) continue;
-            diagnostics.report(Code::SemanticNotHere, {}, module.globals[found->data].name, "an evaluation of one node")
+            diagnostics.report(Code::SemanticNotHere, at, module.globals[found->data].name, "an evaluation of one node")
                 .note("a renderer provides it: use `patina render --node`, `patina trace` or `patina eval --model`");
             return false;
         }
@@ -176,9 +176,9 @@ std::vector<EvalOutput> split_outputs(const ir::Module& module, const Typed& val
 }
 
 // Runs the code emitted for `value`, unless emitting failed.
-Evaluation evaluated(Bench& bench, const Typed& value, Precision precision, Diagnostics& diagnostics) {
+Evaluation evaluated(Bench& bench, const Typed& value, Precision precision, Diagnostics& diagnostics, Span at) {
     Evaluation evaluation;
-    if (!value.ok() || !bench.is_whole(diagnostics)) return evaluation;
+    if (!value.ok() || !bench.is_whole(diagnostics, at)) return evaluation;
     tolerance_of(bench.module, evaluation.relative, evaluation.absolute);
     const std::vector<double> flat = bench.run(value, precision);
     evaluation.outputs = split_outputs(bench.module, value, flat);
@@ -298,14 +298,15 @@ Evaluation evaluate_call(const EvaluationContext& context, const nodelang::Funct
     Bench bench(context, diagnostics, NoGraph::Asked::Node);
     return evaluated(bench,
                      emit::call(bench.emitter, function, context.declarations, arguments, bench.scope, span, false),
-                     precision, diagnostics);
+                     precision, diagnostics, span);
 }
 
 Evaluation evaluate_expression(const EvaluationContext& context, const Expr& expr, Precision precision,
                                Diagnostics& diagnostics) {
     Bench bench(context, diagnostics, NoGraph::Asked::Expression);
     const Typed value = emit::expression(bench.emitter, expr, bench.scope);
-    return evaluated(bench, emit::primary(bench.emitter, value, bench.scope, expr.span), precision, diagnostics);
+    return evaluated(bench, emit::primary(bench.emitter, value, bench.scope, expr.span), precision, diagnostics,
+                     expr.span);
 }
 
 void check_functions(const EvaluationContext& context, const nodelang::Ast& ast, Diagnostics& diagnostics,

@@ -4,6 +4,7 @@
 #include <set>
 #include <tuple>
 
+#include "compiler/api/messages/source_line.h"
 #include "compiler/base/broken_text.h"
 #include "compiler/base/near_file.h"
 #include "compiler/base/text.h"
@@ -40,78 +41,24 @@ std::string_view word(Severity severity) {
     return {};
 }
 
-// Of a longer line (a whole graph on one), only the part around the place is shown.
-constexpr std::size_t kShown = 110;
-
-// A line as a terminal shows it, one column for each character: whole characters, blanks for control characters, and
-// U+FFFD for bytes that are not UTF-8. `columns[i]` is the column of byte i; the last entry is the end.
-struct ShownLine {
-    std::vector<std::string> cells;
-    std::vector<std::size_t> columns;
-};
-
-ShownLine show(std::string_view line) {
-    ShownLine shown;
-    for (std::size_t at = 0; at < line.size();) {
-        std::size_t length = 1;
-        while (at + length < line.size() && length < 4 &&
-               (static_cast<unsigned char>(line[at + length]) & 0xC0u) == 0x80u)
-            ++length;
-        std::size_t bad = 0;
-        if (!is_utf8(line.substr(at, length), bad)) length = 1;
-        const std::string_view character = line.substr(at, length);
-        const bool is_control = static_cast<unsigned char>(character[0]) < 0x20 || character[0] == 0x7f;
-        shown.columns.insert(shown.columns.end(), length, shown.cells.size());
-        shown.cells.push_back(is_control ? " " : as_utf8(character));
-        at += length;
-    }
-    shown.columns.push_back(shown.cells.size());
-    return shown;
-}
-
-void show_source(std::string& text, const Diagnostic& d, bool colors) {
-    if (d.source_line.empty() || d.column < 1) return;
-    // Cut out a part that contains the shown characters, however long the line is.
-    constexpr std::size_t kBytes = 4 * kShown;
-    const std::size_t place = std::min(static_cast<std::size_t>(d.column) - 1, d.source_line.size());
-    std::size_t begin = place - std::min(place, kBytes);
-    while (begin < place && (static_cast<unsigned char>(d.source_line[begin]) & 0xC0u) == 0x80u) ++begin;
-    const ShownLine line = show(std::string_view(d.source_line).substr(begin, place - begin + kBytes));
-    const std::size_t end = d.end_line > d.line ? d.source_line.size() + 1 : static_cast<std::size_t>(d.end_column);
-    const auto column_of = [&](std::size_t byte) { return line.columns[std::min(byte, line.columns.size() - 1)]; };
-    const std::size_t from = column_of(place - begin);
-    const std::size_t to = column_of(std::max(end, place + 1) - 1 - begin);
-    std::size_t first = from > kShown * 3 / 4 ? from - kShown / 2 : 0;
-    first = std::min(first, line.cells.size() - std::min(line.cells.size(), kShown));
-    const std::size_t last = std::min(line.cells.size(), first + kShown);
-    std::string shown;
-    for (std::size_t i = first; i < last; ++i) shown += line.cells[i];
-    const std::size_t width = std::clamp<std::size_t>(to - std::min(to, from), 1, kShown - (from - first));
-    text += fmt::format("{:>5} | {}\n", d.line, shown);
-    text += fmt::format("{:>5} | {:>{}}", "", "", from - first);
-    if (colors) text += "\x1b[1;32m";
-    text += "^" + std::string(width - 1, '~');
-    if (colors) text += "\x1b[0m";
-    text += "\n";
-}
-
 void write_text(std::string& text, const Diagnostic& d, bool colors) {
     const auto paint = [&](const char* code) { return colors ? code : ""; };
     const char* color = d.severity == Severity::Error     ? "\x1b[1;31m"
                         : d.severity == Severity::Warning ? "\x1b[1;35m"
                                                           : "\x1b[1;36m";
-    const std::string place = d.line > 0 ? fmt::format("{}:{}:{}", d.file, d.line, d.column) : d.file;
+    const std::string place =
+        d.line > 0 ? fmt::format("{}:{}:{}", printable(d.file), d.line, d.column) : printable(d.file);
     if (!d.file.empty()) text += fmt::format("{}{}:{} ", paint("\x1b[1m"), place, paint("\x1b[0m"));
-    text += fmt::format("{}{}:{} {}", paint(color), word(d.severity), paint("\x1b[0m"), d.message);
+    text += fmt::format("{}{}:{} {}", paint(color), word(d.severity), paint("\x1b[0m"), printable(d.message));
     // To a reader, these are not nodes.
     constexpr std::string_view kParts[] = {"surface", "vertex", "outputs", "properties", "inputs"};
     const bool is_part = std::find(std::begin(kParts), std::end(kParts), d.node) != std::end(kParts);
-    const std::string node = is_part ? d.node : d.node.empty() ? "" : fmt::format("node '{}'", d.node);
+    const std::string node = is_part ? d.node : d.node.empty() ? "" : fmt::format("node '{}'", printable(d.node));
     if (!node.empty()) {
         text += d.port.empty() ? fmt::format(" ({})", node)
-                               : fmt::format(" ({}{} '{}')", node, is_part ? "" : ", port", d.port);
+                               : fmt::format(" ({}{} '{}')", node, is_part ? "" : ", port", printable(d.port));
     }
-    if (!d.code.empty()) text += fmt::format(" [{}]", d.code);
+    if (!d.code.empty()) text += fmt::format(" [{}]", printable(d.code));
     text += "\n";
     show_source(text, d, colors);
     for (const Diagnostic& note : d.notes) write_text(text, note, colors);

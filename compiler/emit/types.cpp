@@ -58,6 +58,8 @@ Type type(Emitter& emitter, const TypeName& name, const Scope& scope) {
             base = structure(emitter, *decl, *scope.declarations);
         } else if (scope.declarations->enumeration(name.name)) {
             base = ir::kInt;
+        } else if (name.name.empty()) {
+            return Type::error();  // that it is missing has been reported
         } else {
             std::vector<std::string_view> known = {"bool",   "int",    "uint",   "half",     "float",   "float2",
                                                    "float3", "float4", "floatN", "float3x3", "float4x4"};

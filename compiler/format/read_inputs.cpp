@@ -93,7 +93,8 @@ std::vector<Input> read_inputs(Reading& reading, const Json& array, UniqueNames&
     if (!expect(reading, array, Json::Kind::Array, "a list of inputs")) return inputs;
     for (const Json& element : array.elements) {
         if (!expect(reading, element, Json::Kind::Object, "an input")) continue;
-        inputs.push_back(read_input(reading, element, names, of_workflow));
+        Input input = read_input(reading, element, names, of_workflow);
+        if (!input.name.empty()) inputs.push_back(std::move(input));  // one without a name has been reported
     }
     return inputs;
 }

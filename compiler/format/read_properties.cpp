@@ -245,7 +245,8 @@ std::vector<Property> read_properties(Reading& reading, const Json& array, Uniqu
         Property property = read_property(reading, element, names);
         const bool is_second = std::any_of(properties.begin(), properties.end(),
                                            [&](const Property& first) { return first.name == property.name; });
-        if (!is_second) properties.push_back(std::move(property));  // a second one has been reported
+        // A second one has been reported, and so has one without a name.
+        if (!is_second && !property.name.empty()) properties.push_back(std::move(property));
     }
     return properties;
 }

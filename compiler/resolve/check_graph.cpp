@@ -210,7 +210,8 @@ const NodeFile* load_node_file(Session& session, const std::string& path, Span w
     }
     if (session.diagnostics.error_count() != errors) return nullptr;
     if (!file->node) {
-        session.diagnostics.report(Code::NoNodeInFile, where, "[node]")
+        // Without a graph that names it, the place is the file.
+        session.diagnostics.report(Code::NoNodeInFile, where ? where : Span{*base, *base}, "[node]")
             .note({*base, *base}, "write [node(\"Category/Title\")] before a function");
         return nullptr;
     }

@@ -4,11 +4,12 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <cstring>
 #include <exception>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 
+#include "runtime/files/bytes.h"
 #include "runtime/files/files.h"
 #include "runtime/gltf/gltf_draco.h"
 
@@ -20,41 +21,46 @@ namespace fs = std::filesystem;
 // The container's own limit for a .glb is 4 GB; a file of that size takes several times as much memory.
 constexpr std::uintmax_t kMostBytes = std::uintmax_t{2} << 30;
 
-bool has_header_of_glb(const std::vector<unsigned char>& bytes) {
-    return bytes.size() >= 12 && std::memcmp(bytes.data(), "glTF", 4) == 0;
+// A .glb begins with 12 bytes: its mark, its version and its size. Each chunk begins with its size and its kind.
+constexpr std::size_t kHeader = 12, kChunkHeader = 8;
+
+std::string_view text_of(const std::vector<unsigned char>& bytes) {
+    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
-std::uint32_t number_at(const std::vector<unsigned char>& bytes, std::size_t at) {
-    return bytes[at] | bytes[at + 1] << 8 | bytes[at + 2] << 16 | std::uint32_t{bytes[at + 3]} << 24;
+bool has_header_of_glb(const Bytes& bytes) {
+    return bytes.has(0, kHeader) && bytes.says(0, "glTF");
+}
+
+// The text of a .glb: its first chunk.
+std::optional<std::string_view> text_chunk(const Bytes& bytes) {
+    const auto size = bytes.little_endian(kHeader, 4);
+    return size && bytes.says(kHeader + 4, "JSON") ? bytes.part(kHeader + kChunkHeader, *size) : std::nullopt;
 }
 
 // The container with another text in its first chunk, which is padded to four bytes.
-std::vector<unsigned char> with_text(const std::vector<unsigned char>& glb, std::size_t old_size, std::string text) {
+std::vector<unsigned char> with_text(std::string_view glb, std::size_t old_size, std::string text) {
     text.resize((text.size() + 3) / 4 * 4, ' ');
-    const std::size_t rest = glb.size() - 20 - old_size;
-    std::vector<unsigned char> made(20 + text.size() + rest);
-    std::memcpy(made.data(), glb.data(), 20);
-    std::memcpy(made.data() + 20, text.data(), text.size());
-    std::memcpy(made.data() + 20 + text.size(), glb.data() + 20 + old_size, rest);
+    std::string made(glb);
+    made.replace(kHeader + kChunkHeader, old_size, text);
     const auto put = [&](std::size_t at, std::size_t number) {
-        for (std::size_t i = 0; i < 4; ++i) made[at + i] = static_cast<unsigned char>(number >> (8 * i));
+        for (std::size_t i = 0; i < 4; ++i) made[at + i] = static_cast<char>(number >> (8 * i));
     };
     put(8, made.size());
-    put(12, text.size());
-    return made;
+    put(kHeader, text.size());
+    return {made.begin(), made.end()};
 }
 
 // Both forms of a file, as tinygltf can read it (gltf_draco.h).
 std::vector<unsigned char> readable(std::vector<unsigned char> bytes) {
-    if (!has_header_of_glb(bytes)) {
-        const std::string text = without_draco_indices({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    const Bytes all(text_of(bytes));
+    if (!has_header_of_glb(all)) {
+        const std::string text = without_draco_indices(text_of(bytes));
         return {text.begin(), text.end()};
     }
-    if (bytes.size() < 20 || number_at(bytes, 12) > bytes.size() - 20) return bytes;  // tinygltf reports it
-    const std::size_t size = number_at(bytes, 12);
-    const std::string_view text(reinterpret_cast<const char*>(bytes.data() + 20), size);
+    const std::string_view text = text_chunk(all).value_or("");
     if (std::string changed = without_draco_indices(text); changed != text)
-        return with_text(bytes, size, std::move(changed));
+        return with_text(text_of(bytes), text.size(), std::move(changed));
     return bytes;
 }
 
@@ -90,25 +96,30 @@ bool read_whole(std::vector<unsigned char>* out, std::string* why, const std::st
 }
 
 // What is wrong with the container of a .glb, and where; empty: nothing. (glTF 2.0, section 4.4.)
-std::string container_mistake(const std::vector<unsigned char>& bytes) {
-    constexpr std::size_t kHeader = 12, kChunkHeader = 8;
-    if (bytes.empty()) return "the file is empty";
-    if (bytes.size() < kHeader && std::memcmp(bytes.data(), "glTF", std::min<std::size_t>(bytes.size(), 4)) == 0)
-        return fmt::format("the file has {} bytes, less than the header of a .glb: it is cut off", bytes.size());
-    const bool is_text = bytes[0] == '{' || bytes[0] == '[' || bytes[0] <= ' ' || bytes[0] == 0xef;
+std::string container_mistake(std::string_view all) {
+    const Bytes bytes(all);
+    if (all.empty()) return "the file is empty";
+    if (all.size() < kHeader && bytes.says(0, std::string_view("glTF").substr(0, all.size())))
+        return fmt::format("the file has {} bytes, less than the header of a .glb: it is cut off", all.size());
+    const auto first = static_cast<unsigned char>(all[0]);
+    const bool is_text = first == '{' || first == '[' || first <= ' ' || first == 0xef;
     if (!has_header_of_glb(bytes))
         return is_text ? "" : "byte 0: it begins neither with 'glTF', as a .glb does, nor with '{', as a .gltf does";
-    if (number_at(bytes, 4) != 2)
-        return fmt::format("byte 4: version {} of the container is not read, only 2", number_at(bytes, 4));
-    const std::size_t stated = number_at(bytes, 8);
-    if (stated > bytes.size())
-        return fmt::format("byte 8: the file shall have {} bytes, and has {}: it is cut off", stated, bytes.size());
-    if (stated < kHeader + kChunkHeader) return fmt::format("byte 8: {} bytes hold no chunk", stated);
-    const std::size_t text = number_at(bytes, kHeader);
-    if (std::memcmp(bytes.data() + kHeader + 4, "JSON", 4) != 0) return "byte 16: the first chunk is not JSON";
-    if (text > stated - kHeader - kChunkHeader)
-        return fmt::format("byte 12: the first chunk shall have {} bytes, and {} are left", text,
-                           stated - kHeader - kChunkHeader);
+    const std::uint64_t version = *bytes.little_endian(4, 4), stated = *bytes.little_endian(8, 4);
+    if (version != 2) return fmt::format("byte 4: version {} of the container is not read, only 2", version);
+    if (stated > all.size())
+        return fmt::format("byte 8: the file shall have {} bytes, and has {}: it is cut off", stated, all.size());
+    const Bytes chunks(all.substr(0, stated));
+    if (!chunks.has(kHeader, kChunkHeader)) return fmt::format("byte 8: {} bytes hold no chunk", stated);
+    if (!chunks.says(kHeader + 4, "JSON")) return "byte 16: the first chunk is not JSON";
+    // tinygltf forgets the header of the second chunk when it compares sizes.
+    for (std::uint64_t at = kHeader; chunks.has(at, kChunkHeader);) {
+        const std::uint64_t held = *chunks.little_endian(at, 4), left = chunks.size() - at - kChunkHeader;
+        if (held > left)
+            return fmt::format("byte {}: the {} chunk shall have {} bytes, and {} are left", at,
+                               at == kHeader ? "first" : "next", held, left);
+        at += kChunkHeader + held;
+    }
     return {};
 }
 
@@ -155,7 +166,8 @@ Outcome<tinygltf::Model> open_gltf(const std::string& path) {
     std::string why, warning;
     if (std::string error = no_file(path); !error.empty()) return Failure{std::move(error)};
     if (!read_whole(&bytes, &why, path, nullptr)) return Failure{"cannot read " + one_line(why)};
-    if (std::string mistake = container_mistake(bytes); !mistake.empty()) return Failure{path + ": " + mistake};
+    if (std::string mistake = container_mistake(text_of(bytes)); !mistake.empty())
+        return Failure{path + ": " + mistake};
     bytes = readable(std::move(bytes));
     tinygltf::TinyGLTF reader;
     reader.SetImageLoader(keep_picture, nullptr);
@@ -164,7 +176,7 @@ Outcome<tinygltf::Model> open_gltf(const std::string& path) {
     tinygltf::Model model;
     bool is_read = false;
     try {
-        is_read = has_header_of_glb(bytes)
+        is_read = has_header_of_glb(Bytes(text_of(bytes)))
                       ? reader.LoadBinaryFromMemory(&model, &why, &warning, bytes.data(),
                                                     static_cast<unsigned int>(bytes.size()), folder)
                       : reader.LoadASCIIFromString(&model, &why, &warning, reinterpret_cast<const char*>(bytes.data()),
@@ -177,7 +189,7 @@ Outcome<tinygltf::Model> open_gltf(const std::string& path) {
         if (why.starts_with("File not found : "))
             return Failure{path + ": the file '" + why.substr(17) + "' cannot be read"};
         if (const std::string mistake = short_chunk(why); !mistake.empty()) return Failure{path + ": " + mistake};
-        if (const std::string place = located(why); !place.empty() && !has_header_of_glb(bytes))
+        if (const std::string place = located(why); !place.empty() && !has_header_of_glb(Bytes(text_of(bytes))))
             return Failure{path + place};
         return Failure{path + " is not a glTF file that can be read: " + (why.empty() ? "it is broken" : why)};
     }

@@ -1,5 +1,7 @@
 #include "runtime/gltf/gltf_mesh.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -152,11 +154,12 @@ private:
             for (std::size_t i = 0; i < sums.size(); ++i) {
                 for (int k = 0; k < 4; ++k) {
                     if (share[i][k] == 0) continue;
-                    const auto index = static_cast<std::size_t>(which[i][k]);
-                    if (index >= joints.size())
-                        return where + ".attributes.JOINTS_" + set + ": joint " + std::to_string(index) +
+                    // An accessor of floats can hold any number.
+                    const float index = which[i][k];
+                    if (!(index >= 0 && index < static_cast<float>(joints.size())))
+                        return where + ".attributes.JOINTS_" + set + ": joint " + fmt::format("{}", index) +
                                ", and the skin has " + std::to_string(joints.size());
-                    sums[i] += share[i][k] * joints[index];
+                    sums[i] += share[i][k] * joints[static_cast<std::size_t>(index)];
                 }
             }
         }

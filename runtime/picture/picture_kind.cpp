@@ -5,29 +5,37 @@
 #include <cctype>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <vector>
+
+#include "runtime/files/bytes.h"
 
 namespace patina::runtime {
 namespace {
 
 using namespace std::string_view_literals;
 
-std::uint32_t big_endian(std::string_view bytes, std::size_t at, std::size_t count) {
-    std::uint32_t made = 0;
-    for (std::size_t i = 0; i < count; ++i) made = made << 8 | static_cast<unsigned char>(bytes[at + i]);
-    return made;
+// Length, name, data, checksum: the checksum is of name and data (PNG specification, annex D).
+struct PngChunk {
+    std::string_view name{}, checked{};
+    std::uint64_t checksum = 0;
+    std::size_t end = 0;
+};
+std::optional<PngChunk> png_chunk(const Bytes& bytes, std::size_t at) {
+    const auto length = bytes.big_endian(at, 4);
+    const auto checked = length ? bytes.part(at + 4, *length + 4) : std::nullopt;
+    const auto checksum = checked ? bytes.big_endian(at + 4 + checked->size(), 4) : std::nullopt;
+    if (!checksum) return std::nullopt;
+    return PngChunk{
+        .name = checked->substr(0, 4), .checked = *checked, .checksum = *checksum, .end = at + 8 + checked->size()};
 }
+constexpr std::size_t kPngHeader = 8;
 
-// Chunks: length, name, data, checksum. The last one is IEND.
+// The last chunk is IEND.
 bool is_whole_png(std::string_view bytes) {
-    constexpr std::size_t kHeader = 8;
-    for (std::size_t at = kHeader; at + 12 <= bytes.size();) {
-        if (bytes.substr(at + 4, 4) == "IEND") return true;
-        const std::size_t length = big_endian(bytes, at, 4);
-        if (length > bytes.size() - at - 12) return false;
-        at += 12 + length;
-    }
-    return false;
+    std::optional<PngChunk> chunk = png_chunk(Bytes(bytes), kPngHeader);
+    while (chunk && chunk->name != "IEND") chunk = png_chunk(Bytes(bytes), chunk->end);
+    return chunk.has_value();
 }
 
 constexpr std::array<std::uint32_t, 256> kCrc = [] {
@@ -45,39 +53,40 @@ std::uint32_t crc_of(std::string_view bytes) {
     return ~crc;
 }
 
-// Of the chunks that a picture needs: their names begin with a capital. The checksum is of name and data (PNG
-// specification, annex D).
+// Of the chunks that a picture needs: their names begin with a capital.
 bool is_intact_png(std::string_view bytes) {
-    for (std::size_t at = 8; at + 12 <= bytes.size();) {
-        const std::size_t length = big_endian(bytes, at, 4);
-        const bool is_needed = (bytes[at + 4] & 0x20) == 0;
-        if (is_needed && crc_of(bytes.substr(at + 4, length + 4)) != big_endian(bytes, at + 8 + length, 4))
-            return false;
-        if (bytes.substr(at + 4, 4) == "IEND") return true;
-        at += 12 + length;
+    std::optional<PngChunk> chunk = png_chunk(Bytes(bytes), kPngHeader);
+    while (chunk) {
+        const bool is_needed = (chunk->name[0] & 0x20) == 0;
+        if (is_needed && crc_of(chunk->checked) != chunk->checksum) return false;
+        if (chunk->name == "IEND") return true;
+        chunk = png_chunk(Bytes(bytes), chunk->end);
     }
     return true;
 }
 
 // Segments with a length, up to the first that begins the picture; the mark of the end is after that. A preview inside
 // of a segment has an end of its own.
-bool is_whole_jpeg(std::string_view bytes) {
+bool is_whole_jpeg(std::string_view all) {
+    const Bytes bytes(all);
     std::size_t at = 2;
-    while (at + 4 <= bytes.size() && bytes[at] == '\xff' && bytes[at + 1] != '\xda') {
-        if (bytes[at + 1] == '\xff') {
+    while (bytes.says(at, "\xff") && !bytes.says(at + 1, "\xda")) {
+        if (bytes.says(at + 1, "\xff")) {
             ++at;  // padding
             continue;
         }
-        at += 2 + big_endian(bytes, at + 2, 2);
+        const auto length = bytes.big_endian(at + 2, 2);
+        if (!length) return false;
+        at += 2 + static_cast<std::size_t>(*length);
     }
-    return at < bytes.size() && bytes.find("\xff\xd9", at) != bytes.npos;
+    return at < all.size() && all.find("\xff\xd9", at) != all.npos;
 }
 
-// The length is little-endian, and does not count the first eight bytes.
-bool is_whole_webp(std::string_view bytes) {
-    std::uint32_t length = 0;
-    for (std::size_t i = 8; i-- > 4;) length = length << 8 | static_cast<unsigned char>(bytes[i]);
-    return length <= bytes.size() - 8;
+// The length does not count the first eight bytes.
+bool is_whole_webp(std::string_view all) {
+    const Bytes bytes(all);
+    const auto length = bytes.little_endian(4, 4);
+    return length && bytes.has(8, *length);
 }
 
 // The first directory of a TIFF lists where its pieces of pixels begin and how long they are. Those who decode them
@@ -85,7 +94,7 @@ bool is_whole_webp(std::string_view bytes) {
 class TiffDirectory {
 public:
     explicit TiffDirectory(std::string_view bytes)
-        : bytes_(bytes), is_big_endian_(bytes[0] == 'M'), is_large_(number(2, 2) == kLarge) {}
+        : bytes_(bytes), is_big_endian_(bytes.starts_with('M')), is_large_(number(2, 2) == kLarge) {}
 
     bool has_all_pieces() {
         const std::uint64_t at = is_large_ ? number(8, 8) : number(4, 4);
@@ -93,11 +102,12 @@ public:
         std::vector<std::uint64_t> begins, lengths;
         for (std::uint64_t i = 0; is_good_ && i < count; ++i) {
             const std::uint64_t entry = at + (is_large_ ? 8 : 2) + i * size, tag = number(entry, 2);
-            if (tag == kStripOffsets || tag == kTileOffsets) begins = values(entry);
-            if (tag == kStripLengths || tag == kTileLengths) lengths = values(entry);
+            // A second list is a mistake of the file; reading it again and again takes long.
+            if (begins.empty() && (tag == kStripOffsets || tag == kTileOffsets)) begins = values(entry);
+            if (lengths.empty() && (tag == kStripLengths || tag == kTileLengths)) lengths = values(entry);
         }
         for (std::size_t i = 0; i < begins.size() && i < lengths.size(); ++i)
-            is_good_ = is_good_ && has(begins[i], lengths[i]);
+            is_good_ = is_good_ && bytes_.has(begins[i], lengths[i]);
         return is_good_;
     }
 
@@ -105,16 +115,10 @@ private:
     static constexpr std::uint64_t kLarge = 43, kStripOffsets = 273, kStripLengths = 279, kTileOffsets = 324,
                                    kTileLengths = 325;
 
-    bool has(std::uint64_t at, std::uint64_t count) const {
-        return count <= bytes_.size() && at <= bytes_.size() - count;
-    }
-
     std::uint64_t number(std::uint64_t at, std::uint64_t size) {
-        std::uint64_t made = 0;
-        is_good_ = is_good_ && has(at, size);
-        for (std::uint64_t i = 0; is_good_ && i < size; ++i)
-            made = made << 8 | static_cast<unsigned char>(bytes_[at + (is_big_endian_ ? i : size - 1 - i)]);
-        return made;
+        const auto made = is_big_endian_ ? bytes_.big_endian(at, size) : bytes_.little_endian(at, size);
+        is_good_ = is_good_ && made;
+        return is_good_ ? *made : 0;
     }
 
     // In the entry itself if there is room.
@@ -130,7 +134,7 @@ private:
         return made;
     }
 
-    std::string_view bytes_;
+    Bytes bytes_;
     bool is_good_ = true;  // false: something lies behind the end of the file
     bool is_big_endian_, is_large_;
 };

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <exception>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -12,6 +13,7 @@
 
 #include "runtime/files/files.h"
 #include "runtime/picture/image.h"
+#include "runtime/picture/memory_reader.h"
 #include "runtime/picture/picture_kind.h"
 #include "runtime/picture/reason.h"
 
@@ -80,6 +82,9 @@ Outcome<Image> checked_image(const std::string& path, std::string_view bytes, OI
         return read_image(path, proxy);
     } catch (const std::bad_alloc&) {
         return unreadable(path, "there is not enough memory for its pixels");
+    } catch (const std::exception&) {
+        // OpenImageIO asks for as much memory as a header says: std::length_error.
+        return unreadable(path, "its header and its pixels do not fit together");
     }
 }
 
@@ -106,7 +111,7 @@ Outcome<Image> load_image(const std::string& path) {
 }
 
 Outcome<Image> decode_image(const std::string& path, std::string_view bytes) {
-    OIIO::Filesystem::IOMemReader reader(const_cast<char*>(bytes.data()), bytes.size());  // it only reads
+    MemoryReader reader(bytes);
     return checked_image(path, bytes, &reader);
 }
 
@@ -114,13 +119,17 @@ PictureNotes load_notes(const std::string& path) {
     PictureNotes notes;
     std::error_code ignored;
     if (!std::filesystem::is_regular_file(path, ignored)) return notes;
-    const auto input = OIIO::ImageInput::open(path);
-    if (!input) {
-        OIIO::geterror();  // or it would be the next file's
-        return notes;
+    try {
+        const auto input = OIIO::ImageInput::open(path);
+        if (!input) {
+            OIIO::geterror();  // or it would be the next file's
+            return notes;
+        }
+        for (const OIIO::ParamValue& each : input->spec().extra_attribs)
+            if (each.type() == OIIO::TypeDesc::STRING) notes[each.name().string()] = each.get_string();
+    } catch (const std::exception&) {
+        return {};  // of a damaged header
     }
-    for (const OIIO::ParamValue& each : input->spec().extra_attribs)
-        if (each.type() == OIIO::TypeDesc::STRING) notes[each.name().string()] = each.get_string();
     return notes;
 }
 

@@ -6,6 +6,7 @@
 #include <cctype>
 #include <cmath>
 #include <cstdint>
+#include <exception>
 #include <fstream>
 #include <map>
 
@@ -69,9 +70,7 @@ StatedSpace of_chunks(const std::map<std::string, std::string>& chunks, const OI
     return gama == chunks.end() ? StatedSpace{} : of_gama(gama->second);
 }
 
-}  // namespace
-
-StatedSpace stated_space(const std::string& path) {
+StatedSpace stated_in(const std::string& path) {
     const auto input = OIIO::ImageInput::open(path);
     if (!input) {
         OIIO::geterror();  // or it would be the next file's
@@ -83,6 +82,16 @@ StatedSpace stated_space(const std::string& path) {
     constexpr int kExifSrgb = 1;
     if (spec.get_int_attribute("Exif:ColorSpace") == kExifSrgb) return {ColorSpace::Srgb, "its Exif data"};
     return {};
+}
+
+}  // namespace
+
+StatedSpace stated_space(const std::string& path) {
+    try {
+        return stated_in(path);
+    } catch (const std::exception&) {
+        return {};  // OpenImageIO throws for some damaged headers
+    }
 }
 
 }  // namespace patina::runtime

@@ -143,6 +143,10 @@ Imported import_model(const Context& context, const runtime::GltfModel& model, c
         context.report.add(Remark::Kind::LeftOut, "nodes", "none of them shows triangles, so there is no scene",
                            context.root.find("nodes"));
     }
+    if (!wanted.empty()) {
+        if (const std::string mistake = scene_mistake(model, camera); !mistake.empty())
+            return {.error = fmt::format("{}: {}", context.path, mistake)};
+    }
     std::set<std::string> scenes;
     for (const Variant& variant : wanted) {
         SceneWish wish{.name = variant.index && options.variant.empty() ? stem + ", " + variant.name : stem,

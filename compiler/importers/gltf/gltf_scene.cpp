@@ -22,7 +22,8 @@ using runtime::ModelLight;
 using runtime::ModelPart;
 
 // What a scene's keys take (compiler/format).
-constexpr float kFarthest = 1e6f, kBrightest = 1e6f, kNarrowest = 1, kWidest = 170;
+constexpr float kFarthest = 1e6f, kFarthestEnd = 1e7f, kBrightest = 1e6f, kNarrowest = 1, kWidest = 170;
+constexpr float kNearest = 1e-4f, kLeastHeight = 1e-3f;
 constexpr float kPi = std::numbers::pi_v<float>;
 
 // Rounding errors of a product of matrices are no part of a position.
@@ -72,37 +73,60 @@ std::optional<glm::vec3> roll_of(const ModelCamera& camera) {
     return is_upright ? std::nullopt : std::optional(own);
 }
 
-Value camera_value(const Extent& extent, const ModelCamera* camera) {
-    std::vector<Member> members;
-    if (!camera) {
-        constexpr float kFov = 30;
-        const runtime::Framing framing = runtime::framing_of(extent.middle, extent.radius, kFov);
-        // Three digits of the distance are enough for a view.
-        const float distance = glm::length(framing.position - framing.target);
-        const int decimals = 3 - static_cast<int>(std::floor(std::log10(distance)));
-        members.push_back({"position", vector(framing.position, decimals)});
-        members.push_back({"target", vector(framing.target, decimals)});
-        members.push_back({"fov", number(kFov)});
-        members.push_back({"near", rounded(framing.near_plane, decimals + 1)});
-        members.push_back({"far", rounded(framing.far_plane, decimals - 1)});
-        return object(members);
-    }
+// What is seen from where. `decimals`: as many as a view needs.
+struct View {
+    glm::vec3 position{0}, target{0};
+    float near_plane = 0, far_plane = 0;
+    int decimals = kDecimals;
+};
+constexpr float kFramedFov = 30;
+
+// From a place before the model, if the file has no camera.
+View framed(const Extent& extent) {
+    const runtime::Framing framing = runtime::framing_of(extent.middle, extent.radius, kFramedFov);
+    // Three digits of the distance are enough for a view.
+    const float distance = glm::length(framing.position - framing.target);
+    const bool has_distance = distance > 0 && std::isfinite(distance);
+    return {.position = framing.position,
+            .target = framing.target,
+            .near_plane = framing.near_plane,
+            .far_plane = framing.far_plane,
+            .decimals = has_distance ? 3 - static_cast<int>(std::floor(std::log10(distance))) : kDecimals};
+}
+
+View view_of(const Extent& extent, const ModelCamera* camera) {
+    if (!camera) return framed(extent);
     const glm::vec3 position(camera->camera_to_world[3]), forward = forward_of(camera->camera_to_world);
     // The target is as far as the model, so that a person who moves the camera turns around it.
     const float distance = std::max(glm::dot(extent.middle - position, forward), 1.0f);
-    members.push_back({"position", vector(position)});
-    members.push_back({"target", vector(position + forward * distance)});
-    if (const std::optional<glm::vec3> up = roll_of(*camera)) members.push_back({"up", vector(*up)});
-    if (camera->is_orthographic)
-        members.push_back({"orthographic", number(camera->height)});
-    else
-        members.push_back({"fov", rounded(std::clamp(camera->fov, kNarrowest, kWidest), 4)});
-    const float near_plane = std::max(camera->near_plane, 1e-4f);
+    View view{.position = position, .target = position + forward * distance};
+    // The float nearest to 0.0001 is less than that.
+    view.near_plane = std::clamp(camera->near_plane, std::nextafter(kNearest, 1.0f), kFarthest);
     // Without an end of its own the view ends behind the model.
     const float behind = 2 * (glm::length(extent.middle - position) + extent.radius);
-    const float far_plane = camera->far_plane > near_plane ? camera->far_plane : std::max(behind, 2 * near_plane);
-    members.push_back({"near", number(near_plane)});
-    members.push_back({"far", number(far_plane)});
+    view.far_plane = camera->far_plane > view.near_plane ? camera->far_plane : std::max(behind, 2 * view.near_plane);
+    view.far_plane = std::min(view.far_plane, kFarthestEnd);
+    return view;
+}
+
+Value camera_value(const Extent& extent, const ModelCamera* camera) {
+    const View view = view_of(extent, camera);
+    std::vector<Member> members = {{"position", vector(view.position, view.decimals)},
+                                   {"target", vector(view.target, view.decimals)}};
+    if (!camera) {
+        members.push_back({"fov", number(kFramedFov)});
+        members.push_back({"near", rounded(view.near_plane, view.decimals + 1)});
+        members.push_back({"far", rounded(view.far_plane, view.decimals - 1)});
+        return object(members);
+    }
+    if (const std::optional<glm::vec3> up = roll_of(*camera)) members.push_back({"up", vector(*up)});
+    if (camera->is_orthographic)
+        members.push_back(
+            {"orthographic", number(std::clamp(camera->height, std::nextafter(kLeastHeight, 1.0f), kFarthest))});
+    else
+        members.push_back({"fov", rounded(std::clamp(camera->fov, kNarrowest, kWidest), 4)});
+    members.push_back({"near", number(view.near_plane)});
+    members.push_back({"far", number(view.far_plane)});
     return object(members);
 }
 
@@ -194,6 +218,27 @@ std::string scene_text(const Context& context, const GltfModel& model, const Sce
     if (!materials.empty()) members.push_back({"materials", list(materials)});
     if (!objects.empty()) members.push_back({"objects", list(objects)});
     return write_scene("", members);
+}
+
+std::string scene_mistake(const GltfModel& model, const ModelCamera* camera) {
+    const auto is_far = [](const glm::vec3& place) {
+        return !(std::abs(place.x) <= kFarthest && std::abs(place.y) <= kFarthest && std::abs(place.z) <= kFarthest);
+    };
+    const View view = view_of(extent_of(model), camera);
+    if (is_far(view.position) || is_far(view.target))
+        return fmt::format(
+            "the camera {} more than {:.0f} away from the origin, which no scene can say: scale the model",
+            camera ? "is or looks" : "that sees all of it is", kFarthest);
+    if (view.near_plane < kNearest || view.far_plane < kLeastHeight || view.far_plane > kFarthestEnd)
+        return fmt::format("the view would be {:g} to {:g} deep, and a scene's is {:g} to {:g}: scale the model",
+                           view.near_plane, view.far_plane, 1e-4, kFarthestEnd);
+    for (const ModelLight& light : model.lights)
+        if (light.kind != ModelLight::Kind::Directional && is_far(glm::vec3(light.light_to_world[3])))
+            return fmt::format(
+                "the light at the node '{}' is more than {:.0f} away from the origin, which no scene can "
+                "say: scale the model",
+                light.node, kFarthest);
+    return {};
 }
 
 const ModelCamera* find_camera(const GltfModel& model, const std::string& name) {

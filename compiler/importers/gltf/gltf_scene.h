@@ -19,6 +19,9 @@ struct SceneWish {
 
 std::string scene_text(const Context& context, const runtime::GltfModel& model, const SceneWish& wish);
 
+// Why a scene cannot show the model through this camera (null: one that sees all of it); empty: it can.
+std::string scene_mistake(const runtime::GltfModel& model, const runtime::ModelCamera* camera);
+
 // Remarks on what scene_text() makes of cameras and lights.
 void report_view(const Context& context, const runtime::GltfModel& model, const runtime::ModelCamera* camera);
 

@@ -162,6 +162,19 @@ TEST(CApi, GivesErrorsOfTheGraphAsValues) {
     EXPECT_STREQ(patina_result_reflection(result.handle), "");
 }
 
+// What is missing is missed one byte behind the end of a line, however long that line is.
+TEST(CApi, SaysWhatIsWrongAtTheEndOfALongLine) {
+    const Compiler compiler;
+    Files files;
+    for (const std::size_t length : {1u, 80u, 109u, 110u, 111u, 400u, 70000u}) {
+        Result result;
+        compile(result, compiler, nullptr, files.callbacks(),
+                "{ \"patina\": 1, \"workflow\": \"unlit\", \"name\": \"" + std::string(length, 'x'));
+        EXPECT_EQ(result.status, PATINA_HAS_ERRORS) << length;
+        EXPECT_TRUE(result.says("mine.graph.json:1:")) << patina_result_messages(result.handle);
+    }
+}
+
 TEST(CApi, SaysWhereTheOptionsAreWrong) {
     const Compiler compiler;
     Files files;

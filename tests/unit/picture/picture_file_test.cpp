@@ -7,10 +7,12 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <random>
 
 #include "runtime/lighting/environment_file.h"
 #include "runtime/picture/image.h"
+#include "runtime/picture/memory_reader.h"
 #include "runtime/picture/picture_kind.h"
 #include "runtime/picture/stated_space.h"
 #include "runtime/values/textures.h"
@@ -154,6 +156,74 @@ const std::string kPngHeader = "\x89PNG\r\n\x1a\n";
 std::string png_of(std::uint32_t width, std::uint32_t height) {
     return kPngHeader + chunk("IHDR", number(width, true) + number(height, true) + std::string("\x08\x06\0\0\0", 5)) +
            chunk("IDAT", std::string("\x78\x9c\x63\x60\x60\x60\0\0", 8)) + chunk("IEND", "");
+}
+
+// Each size that a file states is compared with its length before anything is read by it. The bytes lie in memory of
+// exactly their length, so that a sanitizer sees a read behind them.
+TEST_F(PictureFile, IsRefusedIfAChunkClaimsMoreThanThereIs) {
+    const std::string png = png_of(1, 1);
+    const auto expect_cut = [&](const std::string& name, const std::string& bytes) {
+        const std::vector<char> exact(bytes.begin(), bytes.end());
+        const std::string_view view(exact.data(), exact.size());
+        EXPECT_NE(picture_fault(name, view).find("without its end"), std::string::npos) << name;
+        if (const PictureKind* kind = picture_kind(view)) {
+            EXPECT_EQ(damage_of(*kind, view), "without its end") << name;
+        }
+    };
+    // Of IEND, and of the chunk before it.
+    for (const std::uint32_t length : {1u, 0x20u, 0x7fffffffu, 0x80000000u, 0xfffffff0u, 0xfffffff4u, 0xffffffffu}) {
+        for (const std::string chunk : {"IEND", "IDAT", "IHDR"}) {
+            std::string bytes = png;
+            bytes.replace(bytes.find(chunk) - 4, 4, number(length, true));
+            if (bytes != png) expect_cut("a.png", bytes);
+        }
+    }
+    // Every piece of the file is as long as it says.
+    for (std::size_t size = 8; size < png.size(); ++size) expect_cut("a.png", png.substr(0, size));
+    expect_cut("a.webp", "RIFF" + number(0xffffffffu, false) + "WEBP");
+    expect_cut("a.webp", "RIFF" + number(5, false) + "WEBP");
+    expect_cut("a.jpg", "\xff\xd8\xff");
+    expect_cut("a.jpg", std::string("\xff\xd8\xff\xe0\xff", 5));
+    expect_cut("a.jpg", std::string("\xff\xd8\xff\xe0\xff\xff\xff\xd9", 8));
+    // TIFF: the directory, and the list of pieces that it names. Offsets of 64 bits, whose sums do not fit.
+    expect_cut("a.tif", "II*" + std::string(1, '\0') + number(0xfffffff0u, false));
+    const std::string large = std::string("II+\0\x08\0\0\0", 8);
+    expect_cut("a.tif", large + std::string(8, '\xff'));
+    const std::string entry = number(273, false, 2) + number(16, false, 2) + std::string(8, '\xff') + number(16, false);
+    expect_cut("a.tif", large + number(16, false) + number(0, false) + number(1, false) + number(0, false) + entry);
+    // A kind that is asked for bytes of another one.
+    const std::string_view webp("RIFF\0\0\0\0WEBP", 12);
+    EXPECT_EQ(damage_of(*picture_kind(webp), "RI"), "without its end");
+}
+
+// OpenImageIO's own reader takes a place before the first byte, to which a damaged BMP moves it.
+TEST_F(PictureFile, IsReadWithinTheBoundsOfItsMemory) {
+    const std::vector<char> exact = {'a', 'b', 'c', 'd'};
+    MemoryReader reader({exact.data(), exact.size()});
+    constexpr std::int64_t kLeast = std::numeric_limits<std::int64_t>::min(), kMost = -(kLeast + 1);
+    char to[8] = {};
+    for (const std::int64_t place : {kLeast, std::int64_t(-4), std::int64_t(-1), std::int64_t(4), kMost}) {
+        EXPECT_EQ(reader.pread(to, sizeof to, place), 0u) << place;
+        EXPECT_EQ(reader.seek(place), place == 4) << place;
+        EXPECT_EQ(reader.tell(), place == 4 ? 4 : 0) << place;  // one that is not there changes nothing
+        ASSERT_TRUE(reader.seek(0));
+    }
+    EXPECT_EQ(reader.pread(to, std::size_t(-1), 1), 3u);
+    EXPECT_EQ(std::string(to, 3), "bcd");
+    EXPECT_EQ(reader.read(to, 3), 3u);
+    EXPECT_EQ(reader.read(to, 3), 1u);
+    EXPECT_EQ(to[0], 'd');
+}
+
+// A directory that lists the same pieces 60000 times: each list is read once.
+TEST_F(PictureFile, OfTiffWithRepeatedListsIsReadOnce) {
+    constexpr std::uint32_t kEntries = 60000, kPieces = 200000;
+    std::string bytes = "II*" + std::string(1, '\0') + number(8, false) + number(kEntries, false, 2);
+    const std::uint32_t list = 8 + 2 + 12 * kEntries + 4;
+    for (std::uint32_t i = 0; i < kEntries; ++i)
+        bytes += number(273, false, 2) + number(4, false, 2) + number(kPieces, false) + number(list, false);
+    bytes += number(0, false) + std::string(4 * kPieces, '\0');
+    EXPECT_EQ(picture_fault("a.tif", bytes), "");
 }
 
 long peak_kilobytes() {

@@ -6,6 +6,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 
 #include "runtime/gltf/gltf_file.h"
 #include "runtime/gltf/gltf_model.h"
@@ -228,6 +229,21 @@ TEST(Gltf, SkinsFollowTheirJoints) {
     expect_near(made.vertices[made.indices[1]].position, {1, 2, 0});
     expect_near(made.vertices[made.indices[2]].position, {0, 2, 0});  // half of the way from 1 to 3
     expect_near(places(path).at(1).position, {1, 2, 0});
+}
+
+// Joints can be floats, which are checked before they become an index.
+TEST(Gltf, JointsThatAreNoneAreRefused) {
+    for (const float wrong : {-1.0f, 1.0f, 1e30f, -1e30f, std::nanf(""), std::numeric_limits<float>::infinity()}) {
+        File file;
+        const int positions = file.points(kTriangle);
+        const int joints = file.floats({0, 0, 0, 0, wrong, 0, 0, 0, 0, 0, 0, 0}, "VEC4", 4);
+        const int weights = file.floats({1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0}, "VEC4", 4);
+        const std::string path =
+            file.save(mesh(at("POSITION", positions) + "," + at("JOINTS_0", joints) + "," + at("WEIGHTS_0", weights)) +
+                      R"(,"skins":[{"joints":[1]}],"extensionsUsed":["KHR_mesh_quantization"],)" +
+                      R"("nodes":[{"mesh":0,"skin":0},{"name":"a"}])");
+        EXPECT_NE(read_model(path).error.find("and the skin has 1"), std::string::npos) << wrong;
+    }
 }
 
 TEST(Gltf, HasCamerasAndLights) {

@@ -86,6 +86,38 @@ TEST(GltfImport, TheFirstCameraIsTheScenes) {
               std::string::npos);
 }
 
+// What a scene's keys do not take: numbers are brought within their limits where the picture stays the same, and the
+// file is refused where it does not.
+TEST(GltfImport, AViewThatNoSceneCanSayIsRefused) {
+    const auto with_camera = [](const std::string& place, const std::string& lens) {
+        return import(save_gltf(
+            {.nodes = R"([{"mesh":0,"children":[1]},{"name":"front","camera":0,"translation":)" + place + "}]",
+             .more = R"("cameras":[)" + lens + "]"}));
+    };
+    const std::string lens = R"({"type":"perspective","perspective":{"yfov":0.5,"znear":1e-20,"zfar":1e20}})";
+    const SceneCamera camera = scene_of(with_camera("[0,0,5]", lens)).camera;
+    EXPECT_NEAR(camera.near_plane, 1e-4, 1e-6);
+    EXPECT_NEAR(camera.far_plane, 1e7, 1);
+    const SceneCamera flat = scene_of(with_camera("[0,0,5]", R"({"type":"orthographic","orthographic":{"xmag":1e-20,
+        "ymag":1e-20,"znear":0,"zfar":9}})"))
+                                 .camera;
+    EXPECT_NEAR(flat.orthographic.value_or(0), 1e-3, 1e-6);
+    EXPECT_NE(with_camera("[0,0,5e7]", lens).error.find("away from the origin"), std::string::npos);
+    EXPECT_NE(with_camera("[0,0,1e38]", lens).error.find("away from the origin"), std::string::npos);
+    for (const char* scale : {"1e8", "1e-20"}) {
+        const Imported made = import(
+            save_gltf({.nodes = std::string(R"([{"mesh":0,"scale":[)") + scale + "," + scale + "," + scale + "]}]"}));
+        EXPECT_NE(made.error.find(": scale the model"), std::string::npos) << scale << made.error;
+        EXPECT_TRUE(made.graphs.empty());
+    }
+    const Imported lit =
+        import(save_gltf({.nodes = R"([{"mesh":0,"children":[1]},{"name":"lamp","translation":[0,9e9,0],
+        "extensions":{"KHR_lights_punctual":{"light":0}}}])",
+                          .more = R"("extensions":{"KHR_lights_punctual":{"lights":
+        [{"type":"point"}]}})"}));
+    EXPECT_NE(lit.error.find("the light at the node 'lamp'"), std::string::npos) << lit.error;
+}
+
 // A turn of 30 degrees about the view, which is along -z: what was up is (-sin 30, cos 30, 0).
 TEST(GltfImport, ACameraKeepsItsRoll) {
     const std::string path =
@@ -347,6 +379,11 @@ TEST(GltfImport, BrokenContainersAreRefusedAtTheirPlace) {
          "byte 16: the first chunk is not JSON"},
         {"chunk.glb", "glTF" + number(2) + number(22) + number(90) + "JSON{}",
          "byte 12: the first chunk shall have 90 bytes, and 2 are left"},
+        // tinygltf compares with the length of the file without the header of the second chunk.
+        {"second.glb",
+         "glTF" + number(2) + number(32 + size) + number(size) + "JSON" + text + number(8) + std::string("BIN\0", 4) +
+             "abcd",
+         "byte " + std::to_string(20 + size) + ": the next chunk shall have 8 bytes, and 4 are left"},
         {"text.gltf", "{ \"asset\": { \"version\": \"2.0\" },\n  \"nodes\": [ { ] ] }", "text.gltf:2:16: broken JSON"},
         {"claim.glb", claim, "buffers[0].byteLength: the buffer shall have 1000000000 bytes, and the chunk BIN has 4"},
         {"empty.gltf", "", "the file is empty"},
