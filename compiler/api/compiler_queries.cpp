@@ -269,6 +269,7 @@ SceneResult Compiler::read_scene(const std::string& path, const CompileOptions& 
     }
     result.diagnostics = to_public(session.diagnostics, session.sources);
     result.dependencies = std::move(session.dependencies);
+    result.missing.assign(session.missing.begin(), session.missing.end());
     result.ok = !session.diagnostics.has_errors();
     return result;
 }

@@ -8,6 +8,7 @@
 #include <deque>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <unordered_map>
 
@@ -66,7 +67,8 @@ struct Session {
     Diagnostics diagnostics;
     nodelang::Ast ast;
     std::vector<std::string> dependencies;
-    bool stopped = false;  // an error has been reported, and no further work is wanted
+    std::set<std::string> missing;  // files that were looked for and are not there
+    bool stopped = false;           // an error has been reported, and no further work is wanted
     std::optional<Files> own_files;
     Files& files;
     std::deque<CheckedGraph> checked;

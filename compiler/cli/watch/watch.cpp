@@ -115,8 +115,10 @@ Watch::Made Watch::make(const Input& input, bool counts_costs) const {
     if (is_scene(input.path)) return {.compiled = {.ok = true}};  // which is drawn, and has no files
     const auto begin = std::chrono::system_clock::now();
     Made made{.compiled = compile_graph(arguments_.compile, compiler_, input)};
-    std::vector<std::string>& files = made.compiled.result.dependencies;
+    const Result& result = made.compiled.result;
+    std::vector<std::string> files = result.dependencies;
     files.push_back(input.path);
+    files.insert(files.end(), result.missing.begin(), result.missing.end());
     made.stamps = stamps_of(files, begin);
     if (counts_costs) measure_once(made.compiled);
     return made;
