@@ -20,7 +20,7 @@
 # several configurations, its name has a generator expression in it.
 
 # The step that joins the lists of the graphs: cmake -D LISTS=(file that lists them) -D FOLDER=(where they are; the joined
-# one is named outputs there) -P patina-shaders.cmake
+# one is named outputs there) -D TARGETS=(for make: the folder with CMake's files of targets) -P patina-shaders.cmake
 if(CMAKE_SCRIPT_MODE_FILE STREQUAL CMAKE_CURRENT_LIST_FILE)
   file(STRINGS "${LISTS}" lists ENCODING UTF-8)
   set(text "")
@@ -29,6 +29,19 @@ if(CMAKE_SCRIPT_MODE_FILE STREQUAL CMAKE_CURRENT_LIST_FILE)
     string(APPEND text "${lines}")
   endforeach()
   file(WRITE "${FOLDER}/outputs" "${text}")
+  # For make, CMake adds what a graph reads now to all that it ever read. One of these files that is gone would be a reason
+  # to compile in every build. So CMake forgets what it knows of this target, and reads the dependency files anew.
+  if(TARGETS)
+    get_filename_component(name "${FOLDER}" NAME)
+    file(GLOB known "${TARGETS}/*.dir/compiler_depend.internal")
+    foreach(file IN LISTS known)
+      file(READ "${file}" text)
+      string(FIND "${text}" "${name}/" place)
+      if(NOT place EQUAL -1)
+        file(REMOVE "${file}")
+      endif()
+    endforeach()
+  endif()
   return()
 endif()
 
@@ -141,11 +154,16 @@ function(patina_add_shaders target)
   if(NOT "${before}" STREQUAL "${lines}")  # else the file keeps its time
     file(WRITE "${names}" "${lines}")
   endif()
+  set(targets "")
+  if(CMAKE_GENERATOR MATCHES "Makefiles")
+    set(targets "-DTARGETS=${CMAKE_CURRENT_BINARY_DIR}/CMakeFiles")
+  endif()
   add_custom_command(
     OUTPUT "${own}/outputs"
-    COMMAND "${CMAKE_COMMAND}" -D "LISTS=${names}" -D "FOLDER=${own}" -P "${PATINA_SHADERS_SCRIPT}"
+    COMMAND "${CMAKE_COMMAND}" -D "LISTS=${names}" -D "FOLDER=${own}" "${targets}" -P "${PATINA_SHADERS_SCRIPT}"
     DEPENDS ${lists} "${names}"
     COMMENT "Listing the outputs of ${target}"
+    COMMAND_EXPAND_LISTS
     VERBATIM)
   set(all "")
   if(arg_ALL)
