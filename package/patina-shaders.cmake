@@ -1,5 +1,6 @@
 # Compiles material graphs when a project is built: each graph is a step of its own, which is done again when the graph,
-# a file that it reads, its options or Patina itself has changed.
+# a file that it reads, its options or Patina itself has changed, when a file appears that it would read instead, and
+# when one of its outputs was deleted or edited.
 #
 #   find_package(patina REQUIRED)
 #   patina_add_shaders(shaders FOLDER art OPTIONS -t glsl --path deferred)
@@ -8,23 +9,39 @@
 # patina_add_shaders(TARGET
 #   [FOLDER folder]       all graphs (*.graph.json) in this folder and below; the output gets the same folders
 #   [GRAPHS graph...]     these graphs; their files are directly in the output folder
-#   [OUTPUT folder]       where the files go; default: ${CMAKE_CURRENT_BINARY_DIR}/TARGET
-#   [OPTIONS option...]   of 'patina compile'; paths in them are full ones
+#   [OUTPUT folder]       where the files go; default: ${CMAKE_CURRENT_BINARY_DIR}/TARGET. If a tree has several
+#                         configurations, each has a folder of its own there, unless a generator expression says where
+#   [OPTIONS option...]   of 'patina compile', also as generator expressions; paths in them are full ones
 #   [DEPENDS file...]     more files that all graphs are made again for
 #   [ALL])                build it by default
 #
 # The property PATINA_OUTPUTS of TARGET is a text file that lists the paths of all files that were made, one a line. It
-# gets a new time whenever a graph has been compiled: let a step that reads the shaders depend on it.
+# gets a new time whenever a graph has been compiled: let a step that reads the shaders depend on it. If a tree has
+# several configurations, its name has a generator expression in it.
 
-# The step that joins the lists of the graphs: cmake -D LISTS=(file that lists them) -D OUTPUT=... -P patina-shaders.cmake
+# The step that joins the lists of the graphs: cmake -D LISTS=(file that lists them) -D FOLDER=(where they are; the joined
+# one is named outputs there) -D TARGETS=(for make: the folder with CMake's files of targets) -P patina-shaders.cmake
 if(CMAKE_SCRIPT_MODE_FILE STREQUAL CMAKE_CURRENT_LIST_FILE)
   file(STRINGS "${LISTS}" lists ENCODING UTF-8)
   set(text "")
   foreach(list IN LISTS lists)
-    file(READ "${list}" lines)
+    file(READ "${FOLDER}/${list}" lines)
     string(APPEND text "${lines}")
   endforeach()
-  file(WRITE "${OUTPUT}" "${text}")
+  file(WRITE "${FOLDER}/outputs" "${text}")
+  # For make, CMake adds what a graph reads now to all that it ever read. One of these files that is gone would be a reason
+  # to compile in every build. So CMake forgets what it knows of this target, and reads the dependency files anew.
+  if(TARGETS)
+    get_filename_component(name "${FOLDER}" NAME)
+    file(GLOB known "${TARGETS}/*.dir/compiler_depend.internal")
+    foreach(file IN LISTS known)
+      file(READ "${file}" text)
+      string(FIND "${text}" "${name}/" place)
+      if(NOT place EQUAL -1)
+        file(REMOVE "${file}")
+      endif()
+    endforeach()
+  endif()
   return()
 endif()
 
@@ -50,7 +67,28 @@ function(patina_add_shaders target)
   if(NOT arg_OUTPUT)
     set(arg_OUTPUT ${target})
   endif()
-  get_filename_component(output "${arg_OUTPUT}" ABSOLUTE BASE_DIR "${CMAKE_CURRENT_BINARY_DIR}")
+  set(output "${arg_OUTPUT}")
+  if(NOT output MATCHES "^[$]<")
+    get_filename_component(output "${output}" ABSOLUTE BASE_DIR "${CMAKE_CURRENT_BINARY_DIR}")
+  endif()
+  # Configurations of one tree may have other options: each has its own files.
+  set(own "${CMAKE_CURRENT_BINARY_DIR}/${target}.patina")
+  set(names "${own}/lists")
+  get_property(is_multi_config GLOBAL PROPERTY GENERATOR_IS_MULTI_CONFIG)
+  if(is_multi_config)
+    string(APPEND own "/$<CONFIG>")
+    if(NOT output MATCHES "[$]<")
+      string(APPEND output "/$<CONFIG>")
+    endif()
+  endif()
+  # A generator expression may give several options, "$<$<CONFIG:Debug>:-D;shadows>", or none.
+  set(options "")
+  foreach(option IN LISTS arg_OPTIONS)
+    if(NOT option MATCHES "[$]<")
+      string(REPLACE ";" "\\;" option "${option}")
+    endif()
+    string(APPEND options ";${option}")
+  endforeach()
 
   # --- the graphs, each with its path below the output folder
   set(graphs "")
@@ -86,8 +124,8 @@ function(patina_add_shaders target)
   endforeach()
 
   # --- a step for each
-  set(own "${CMAKE_CURRENT_BINARY_DIR}/${target}.patina")
   set(lists "")
+  set(lines "")
   foreach(graph place IN ZIP_LISTS graphs places)
     set(list "${own}/${place}.outputs")
     if(list IN_LIST lists)
@@ -95,33 +133,37 @@ function(patina_add_shaders target)
                           "too: give them to two targets with an OUTPUT each, or name their FOLDER")
     endif()
     list(APPEND lists "${list}")
+    string(APPEND lines "${place}.outputs\n")
     get_filename_component(below "${place}" DIRECTORY)
-    get_filename_component(list_folder "${list}" DIRECTORY)
-    file(MAKE_DIRECTORY "${list_folder}")
     add_custom_command(
       OUTPUT "${list}"
       COMMAND "${PATINA_EXECUTABLE}" compile "${graph}" --output "${output}/${below}" --quiet --depfile
-              --list-outputs "${list}" ${arg_OPTIONS}
+              --depend-on-outputs --list-outputs "${list}" "${options}"
       DEPENDS "${graph}" "${PATINA_EXECUTABLE}" ${arg_DEPENDS}
       DEPFILE "${list}.d"
       COMMENT "Compiling ${place}"
+      COMMAND_EXPAND_LISTS
       VERBATIM)
   endforeach()
 
   # --- one list of all
-  string(REPLACE ";" "\n" lines "${lists}")
   set(before "")
-  if(EXISTS "${own}/lists")
-    file(READ "${own}/lists" before)
+  if(EXISTS "${names}")
+    file(READ "${names}" before)
   endif()
-  if(NOT "${before}" STREQUAL "${lines}\n")  # else the file keeps its time
-    file(WRITE "${own}/lists" "${lines}\n")
+  if(NOT "${before}" STREQUAL "${lines}")  # else the file keeps its time
+    file(WRITE "${names}" "${lines}")
+  endif()
+  set(targets "")
+  if(CMAKE_GENERATOR MATCHES "Makefiles")
+    set(targets "-DTARGETS=${CMAKE_CURRENT_BINARY_DIR}/CMakeFiles")
   endif()
   add_custom_command(
     OUTPUT "${own}/outputs"
-    COMMAND "${CMAKE_COMMAND}" -D "LISTS=${own}/lists" -D "OUTPUT=${own}/outputs" -P "${PATINA_SHADERS_SCRIPT}"
-    DEPENDS ${lists} "${own}/lists"
+    COMMAND "${CMAKE_COMMAND}" -D "LISTS=${names}" -D "FOLDER=${own}" "${targets}" -P "${PATINA_SHADERS_SCRIPT}"
+    DEPENDS ${lists} "${names}"
     COMMENT "Listing the outputs of ${target}"
+    COMMAND_EXPAND_LISTS
     VERBATIM)
   set(all "")
   if(arg_ALL)

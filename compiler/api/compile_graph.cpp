@@ -29,6 +29,7 @@ Result compile_for_engine(const CompilerImpl& compiler, const Source& source, co
     }
     result.diagnostics = to_public(session.diagnostics, session.sources, compiler.library->sources, source.path);
     result.dependencies = std::move(session.dependencies);
+    result.missing.assign(session.missing.begin(), session.missing.end());
     result.ok = !session.diagnostics.has_errors();
     if (!result.ok) {
         result.shaders.clear();

@@ -1,6 +1,7 @@
 #include "compiler/api/compile_targets.h"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 
 #include "compiler/api/report.h"
@@ -22,6 +23,7 @@ void join(Result& into, Result from) {
     for (std::string& file : from.dependencies)
         if (std::find(into.dependencies.begin(), into.dependencies.end(), file) == into.dependencies.end())
             into.dependencies.push_back(std::move(file));
+    into.missing = joined(into.missing, from.missing);
     for (Dump& dump : from.dumps) into.dumps.push_back(std::move(dump));
     if (!into.ok) into.shaders.clear();
 }
@@ -105,6 +107,12 @@ Result refused(Diagnostic why) {
 }
 
 }  // namespace
+
+std::vector<std::string> joined(const std::vector<std::string>& a, const std::vector<std::string>& b) {
+    std::vector<std::string> both;
+    std::set_union(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(both));
+    return both;
+}
 
 void without_switches(std::vector<std::pair<std::string, std::string>>& given, const Reflection& of_path) {
     std::erase_if(given, [&](const auto& each) {

@@ -16,6 +16,9 @@ using CompileForEngine = std::function<Result(const CompileOptions&)>;
 // passes.
 Result compile_targets(const graph::Library& library, const CompileOptions& options, const CompileForEngine& compile);
 
+// Two sorted lists as one, each path once.
+std::vector<std::string> joined(const std::vector<std::string>& a, const std::vector<std::string>& b);
+
 // Removes the switches of the reflection's path from the given values.
 void without_switches(std::vector<std::pair<std::string, std::string>>& given, const Reflection& of_path);
 

@@ -272,6 +272,7 @@ SceneResult read_scene_file(graph::Session& session, const std::string& path) {
     }
     result.diagnostics = to_public(session.diagnostics, session.sources);
     result.dependencies = std::move(session.dependencies);
+    result.missing.assign(session.missing.begin(), session.missing.end());
     result.ok = !session.diagnostics.has_errors();
     return result;
 }

@@ -231,6 +231,7 @@ GraphView view(const Compiler& compiler, const std::string& path, const CompileO
     }
     view.diagnostics = to_public(session.diagnostics, session.sources);
     view.dependencies = std::move(session.dependencies);
+    view.missing.assign(session.missing.begin(), session.missing.end());
     view.ok = !session.diagnostics.has_errors();
     return view;
 }

@@ -253,4 +253,12 @@ const char* patina_result_dependency(const patina_result* result, size_t index) 
     return result && index < result->result.dependencies.size() ? result->result.dependencies[index].c_str() : nullptr;
 }
 
+size_t patina_result_missing_count(const patina_result* result) {
+    return result ? result->result.missing.size() : 0;
+}
+
+const char* patina_result_missing(const patina_result* result, size_t index) {
+    return result && index < result->result.missing.size() ? result->result.missing[index].c_str() : nullptr;
+}
+
 }  // extern "C"

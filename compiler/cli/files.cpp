@@ -1,6 +1,5 @@
 #include "compiler/cli/files.h"
 
-#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -11,32 +10,7 @@
 #include "compiler/cli/failures/failures.h"
 
 namespace patina::cli {
-namespace {
-
 namespace fs = std::filesystem;
-
-std::string escaped(std::string_view path) {
-    std::string text;
-    for (char c : path) {
-        if (c == ' ' || c == '#') text += '\\';
-        if (c == '$') text += '$';
-        text += c;
-    }
-    return text;
-}
-
-bool has_line_break(std::string_view path) {
-    return path.find('\n') != path.npos;
-}
-
-runtime::Failure no_rule(std::string_view path) {
-    std::string shown;
-    for (const char c : path) shown += c == '\n' ? std::string("\\n") : std::string(1, c);
-    return {"--depfile: there is a line break in the name '" + shown +
-            "', which make and Ninja cannot read: rename it, or leave out --depfile"};
-}
-
-}  // namespace
 
 std::optional<std::string> read_file(const std::string& path, std::string& error) {
     work_on_file(path);
@@ -64,17 +38,6 @@ bool is_scene(std::string_view path) {
 std::string join_path(std::string_view folder, std::string_view name) {
     if (folder.empty() || folder == ".") return std::string(name);
     return (fs::path(folder) / fs::path(name)).string();
-}
-
-runtime::Outcome<std::string> make_rule(std::string_view target, std::span<const std::string> dependencies) {
-    if (has_line_break(target)) return no_rule(target);
-    if (const auto odd = std::ranges::find_if(dependencies, has_line_break); odd != dependencies.end())
-        return no_rule(*odd);
-    std::string rule = escaped(target) + ":";
-    for (const std::string& dependency : dependencies) rule += " \\\n  " + escaped(dependency);
-    rule += "\n";
-    for (const std::string& dependency : dependencies) rule += escaped(dependency) + ":\n";
-    return rule;
 }
 
 }  // namespace patina::cli

@@ -234,6 +234,12 @@ void describe(Fields& f, Given<Fields, Reflection::Shifts>& s) {
 }
 
 template <class Fields>
+void describe(Fields& f, Given<Fields, WrittenFile>& w) {
+    f.key("file", w.file, "its name");
+    f.key("hash", w.hash, "FNV-1a of its bytes, 64 bits");
+}
+
+template <class Fields>
 void describe(Fields& f, Given<Fields, Reflection>& r) {
     const Reflection usual{};
     f.version("patina", Reflection::kVersion, "the version of this format");
@@ -256,6 +262,7 @@ void describe(Fields& f, Given<Fields, Reflection>& r) {
     f.key("passes", r.passes, "in the order in which they are drawn");
     f.optional("functions", r.functions, usual.functions, "for an engine's own shaders; there are no passes then");
     f.key("hlslShifts", r.hlsl_shifts, "by set: what glslang adds to HLSL registers to get bindings");
+    f.optional("files", r.files, usual.files, "that were written with it; a file with another hash is of another run");
     f.meta(r.meta);
 }
 

@@ -42,6 +42,7 @@ std::string first_that_exists(Session& session, const std::vector<std::string>& 
     for (const std::string& path : paths) {
         const Files::Answer& answer = session.files.find(path);
         if (*answer.exists) return path;
+        session.missing.insert(path);
         if (!answer.why.empty()) session.diagnostics.report(Code::CannotRead, where, path, answer.why);
     }
     return {};
@@ -52,6 +53,7 @@ std::string first_with_text(Session& session, const std::vector<std::string>& pa
     for (const std::string& path : paths) {
         const Files::Answer& answer = session.files.read(path);
         if (answer.text || !answer.why.empty()) return path;
+        session.missing.insert(path);
     }
     return {};
 }
@@ -122,6 +124,7 @@ std::optional<std::uint32_t> load_source(Session& session, const std::string& pa
         return {};
     }
     if (!answer.text) {
+        session.missing.insert(path);
         DiagnosticRecord& record = session.diagnostics.report(Code::MissingFile, where, path);
         const std::string advice = session.files.is_disk() ? near_file(path) : std::string();
         if (!advice.empty()) record.note(advice);
@@ -248,7 +251,10 @@ void find_path(Session& session) {
         std::string advice =
             is_file ? "name a file with passes NAME.pass.hlsl" : Diagnostics::suggestion(wanted, known);
         const std::string file = wanted + ".pass.hlsl";
-        if (session.files.read(file).text) advice = fmt::format("did you mean '{}{}'?", is_file ? "" : "./", file);
+        if (session.files.read(file).text)
+            advice = fmt::format("did you mean '{}{}'?", is_file ? "" : "./", file);
+        else
+            session.missing.insert(file);
         session.diagnostics.report(Code::UnknownWord, {}, wanted, "a rendering path").note(std::move(advice));
         return;
     }

@@ -8,6 +8,7 @@
 #include <deque>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <unordered_map>
 
@@ -75,6 +76,7 @@ struct Session {
     std::deque<Property> file_properties;  // textures that are files named at a port
     link::KeptResults* kept = nullptr;     // what the compiler keeps; null: everything is made anew
     std::vector<std::string> active;       // paths of the sub-graphs that are being loaded, to find recursion
+    std::set<std::string> missing;         // files that were looked for and are not there
 };
 
 // The path of the file that `name` in the file `from` means. Empty if there is none. Reports at `where` if the caller's

@@ -1,6 +1,11 @@
 """Compiles material graphs with Patina.
 
-In WORKSPACE (the prefix that Patina is installed to):
+In MODULE.bazel (the prefix that Patina is installed to):
+
+    bazel_dep(name = "patina")
+    local_path_override(module_name = "patina", path = "/usr/local/share/patina/bazel")
+
+In WORKSPACE, if the project has no modules:
 
     local_repository(name = "patina", path = "/usr/local/share/patina/bazel")
 

@@ -14,9 +14,12 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <set>
 #include <vector>
 
 #include "patina/patina.h"
+#include "runtime/files/folder_lock.h"
+#include "runtime/files/leftovers.h"
 
 namespace patina::runtime {
 namespace {
@@ -113,13 +116,26 @@ public:
         std::for_each(folders_.rbegin(), folders_.rend(), [&](const fs::path& each) { ::rmdir(each.c_str()); });
     }
 
+    std::string make_folder(const OutputFile& file, const fs::path& folder) {
+        std::error_code failure;
+        std::vector<fs::path> missing;
+        for (fs::path at = folder; !fs::exists(at, failure) && at.has_relative_path(); at = at.parent_path())
+            missing.push_back(at);
+        folders_.insert(folders_.end(), missing.rbegin(), missing.rend());
+        fs::create_directories(folder, failure);
+        if (!failure) return "";
+        return cannot_make(file.path, failure.message());
+    }
+
     std::string add(const OutputFile& file, const std::string& destination) {
-        if (std::string error = make_folder(file, fs::path(destination).parent_path()); !error.empty()) return error;
         struct stat there {};
         const bool is_there = ::stat(destination.c_str(), &there) == 0;
         // Renaming would replace a file that is protected from writing, too.
         if (is_there && ::access(destination.c_str(), W_OK) != 0) return cannot_write(file.path, std::strerror(errno));
-        if (is_there && !file.is_stamp && holds(destination, there, file.bytes)) return "";
+        if (is_there && holds(destination, there, file.bytes)) {
+            if (file.is_stamp) touched_.push_back({.destination = destination, .shown = file.path});
+            return "";
+        }
         const int descriptor = open_temporary(destination, file.path);
         if (descriptor < 0) return cannot_write(file.path, std::strerror(errno));
         if (is_there) take_over(descriptor, there);
@@ -136,33 +152,25 @@ public:
         }
         temporaries_.clear();
         folders_.clear();
+        for (const Temporary& each : touched_) {
+            if (::utimensat(AT_FDCWD, each.destination.c_str(), nullptr, 0) != 0)
+                return cannot_write(each.shown, std::strerror(errno));
+        }
         return "";
     }
 
 private:
     struct Temporary {
-        std::string path, destination;
-        std::string shown;  // the destination as the user names it
+        std::string path{}, destination{};
+        std::string shown{};  // the destination as the user names it
     };
 
-    std::string make_folder(const OutputFile& file, const fs::path& folder) {
-        std::error_code failure;
-        std::vector<fs::path> missing;
-        for (fs::path at = folder; !fs::exists(at, failure) && at.has_relative_path(); at = at.parent_path())
-            missing.push_back(at);
-        folders_.insert(folders_.end(), missing.rbegin(), missing.rend());
-        fs::create_directories(folder, failure);
-        if (!failure) return "";
-        return cannot_make(file.path, failure.message());
-    }
-
-    // A new file next to the destination, so that it can be renamed. The name is short: that of the destination may
-    // have the greatest length that there is.
+    // A new file next to the destination, so that it can be renamed.
     int open_temporary(const std::string& destination, const std::string& shown) {
-        const std::string stem = (fs::path(destination).parent_path() / ".patina-").string() + std::to_string(getpid());
+        const fs::path folder = fs::path(destination).parent_path();
         for (;; ++count_) {
             // It is in the list before it is there: nothing that fails can leave it behind.
-            temporaries_.push_back({stem + "-" + std::to_string(count_), destination, shown});
+            temporaries_.push_back({(folder / temporary_name(count_)).string(), destination, shown});
             const char* path = temporaries_.back().path.c_str();
             const int descriptor = ::open(path, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
             if (descriptor < 0) temporaries_.pop_back();
@@ -178,7 +186,8 @@ private:
     }
 
     std::vector<Temporary> temporaries_;
-    std::vector<fs::path> folders_;  // that were made, from the outside to the inside
+    std::vector<Temporary> touched_;  // files that get another time and no other bytes
+    std::vector<fs::path> folders_;   // that were made, from the outside to the inside
     unsigned count_ = 0;
 };
 
@@ -236,19 +245,32 @@ std::string no_file(const std::string& path) {
 }
 
 std::string write_files(std::span<const OutputFile> files) {
+    FolderLocks locks;  // outlive the temporary files
     Replacement replacement;
-    std::vector<std::pair<const OutputFile*, Destination>> streams;
+    std::vector<std::pair<const OutputFile*, Destination>> whole, streams;
+    std::set<std::string> folders;
     for (const OutputFile& file : files) {
         Destination to = destination_of(file.path);
         if (!to.error.empty()) return cannot_write(file.path, to.error);
         switch (to.kind) {
             case Destination::Kind::Folder: return cannot_write(file.path, "it is a folder");
-            case Destination::Kind::File:
-                if (std::string error = replacement.add(file, to.path); !error.empty()) return error;
+            case Destination::Kind::File: {
+                const fs::path folder = fs::path(to.path).parent_path();
+                if (folders.insert(folder.string()).second) {
+                    if (std::string error = replacement.make_folder(file, folder); !error.empty()) return error;
+                }
+                whole.emplace_back(&file, std::move(to));
                 break;
+            }
             case Destination::Kind::Stream:
             case Destination::Kind::Descriptor: streams.emplace_back(&file, std::move(to)); break;
         }
+    }
+    // Also which files keep their bytes is decided when nobody else can change them.
+    if (std::string error = locks.take(folders); !error.empty()) return cannot_write(files.front().path, error);
+    for (const std::string& folder : folders) remove_leftovers(folder, locks.has(folder));
+    for (const auto& [file, to] : whole) {
+        if (std::string error = replacement.add(*file, to.path); !error.empty()) return error;
     }
     // What has gone into a pipe cannot be taken back: it goes when nothing else can be in the way.
     for (const auto& [file, to] : streams) {

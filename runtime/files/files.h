@@ -1,9 +1,10 @@
 // The room `files`: how output files are written. It does not know what is in them.
 //
-// Files are whole or not there: they are written under temporary names in their folders, and renamed when all of them
-// are there. Nobody else can have such a name, because opening the file fails if there is one already. Of a symbolic
-// link the target is replaced, not the link. A file that is replaced keeps its permissions. What is not a regular file
-// (a device, a FIFO, /dev/stdout) is written to and stays what it is. A file that holds the bytes already is left alone
+// Files are whole or not there: they are written under temporary names in their folders, and renamed in their order
+// when all of them are there. Nobody else can have such a name, because opening the file fails if there is one already.
+// Their folders are locked meanwhile (folder_lock.h), so files of two processes do not mix. Of a symbolic link the
+// target is replaced, not the link. A file that is replaced keeps its permissions. What is not a regular file (a
+// device, a FIFO, /dev/stdout) is written to and stays what it is. A file that holds the bytes already is left alone
 // with its time, so that a build does not do again what depends on it.
 //
 //   std::string error = write_files(std::vector<OutputFile>{{.path = "out/rust.png", .bytes = png}});

@@ -62,7 +62,7 @@ struct RenderOutcome {
     DataSummary values{};                     // of the picture; of a preview: of what the object covers
     std::vector<Diagnostic> diagnostics;      // of the compiler and of glslang; warnings too
     std::string error;                        // what else went wrong: a word of the request, a file, the device
-    std::vector<std::string> dependencies{};  // files that were read: the scene, its graphs, textures
+    std::vector<std::string> dependencies{};  // files that were read, or looked for and not found
     std::vector<DrawnShader> shaders{};       // each text once, in the order of the materials and their passes
     std::string device{}, driver{};           // what drew the picture
     std::size_t draws = 0;                    // steps that drew the image, shadow maps among them

@@ -346,6 +346,7 @@ private:
         report(made->diagnostics);
         if (!made->error.empty()) outcome_.error = made->error;
         add_dependencies(made->compiled.dependencies);
+        add_dependencies(made->compiled.missing);
         add_dependencies(made->loaded.files);
         if (made->ok) finish(material, *made);
         ok_ &= made->ok;

@@ -282,6 +282,7 @@ WorldFile make_world(const SceneFile& scene, const EnvironmentProgress& progress
 WorldFile read_world(const Compiler& compiler, const std::string& path, const CompileOptions& options,
                      const EnvironmentProgress& progress) {
     SceneResult read = compiler.read_scene(path, options);
+    read.dependencies.insert(read.dependencies.end(), read.missing.begin(), read.missing.end());
     if (!read.ok) {
         return {.diagnostics = std::move(read.diagnostics), .dependencies = std::move(read.dependencies)};
     }

@@ -19,7 +19,7 @@ struct WorldFile {
     bool ok = false;
     World world{};
     std::vector<Diagnostic> diagnostics{};
-    std::vector<std::string> dependencies{};  // files that were read; pictures of objects and materials are not yet
+    std::vector<std::string> dependencies{};  // read, or not found; pictures of objects and materials are not yet
 };
 
 WorldFile read_world(const Compiler& compiler, const std::string& path, const CompileOptions& options,

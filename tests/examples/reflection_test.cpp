@@ -275,6 +275,27 @@ TEST(ReflectionJson, KeysThatThisVersionDoesNotKnowAreSkipped) {
     EXPECT_TRUE(Reflection::from_json(json).ok);
 }
 
+// The compiler writes no files: who does lists them.
+TEST(ReflectionJson, FilesThatWereWrittenWithItAreListed) {
+    Reflection reflection = compiler().compile_file("examples/graphs/rusted_steel.graph.json").reflection;
+    EXPECT_TRUE(reflection.files.empty());
+    reflection.files = {{.file = "a.glsl", .hash = file_hash("a")}, {.file = "none.spv", .hash = file_hash("")}};
+    const std::string json = reflection.to_json();
+    const ReadReflection read = Reflection::from_json(json);
+    ASSERT_TRUE(read.ok);
+    ASSERT_EQ(read.reflection.files.size(), 2u);
+    EXPECT_EQ(read.reflection.files[0].file, "a.glsl");
+    EXPECT_EQ(read.reflection.files[0].hash, reflection.files[0].hash);
+    EXPECT_EQ(read.reflection.to_json(), json);
+}
+
+// The examples of its authors.
+TEST(ReflectionJson, TheHashOfAFileIsFnv1a) {
+    EXPECT_EQ(file_hash(""), "cbf29ce484222325");
+    EXPECT_EQ(file_hash("a"), "af63dc4c8601ec8c");
+    EXPECT_EQ(file_hash("foobar"), "85944171f73967e8");
+}
+
 TEST(ReflectionJson, TheSchemaIsTheOneInTheDocs) {
     EXPECT_EQ(file("docs/reflection.schema.json"), Reflection::schema())
         << "run patina schema --reflection -o docs/reflection.schema.json";

@@ -61,12 +61,13 @@ std::string text_of(const std::optional<Budget::Limit>& limit) {
 }
 
 std::string text_of(const Result& result) {
-    const auto& [ok, diagnostics, shaders, reflection, dependencies, nodes, budget, dumps, program] = result;
+    const auto& [ok, diagnostics, shaders, reflection, dependencies, missing, nodes, budget, dumps, program] = result;
     const auto& [instructions, textures] = budget;
     std::string all = fmt::format("ok: {}\n{}{}{}", ok, reflection.to_json(), text_of(instructions), text_of(textures));
     for (const Diagnostic& diagnostic : diagnostics) all += text_of(diagnostic);
     for (const Shader& shader : shaders) all += text_of(shader);
     for (const std::string& file : dependencies) all += "file " + file + "\n";
+    for (const std::string& file : missing) all += "missing " + file + "\n";
     for (const std::string& node : nodes) all += "node " + node + "\n";
     for (const auto& [stage, text] : dumps) all += "dump " + stage + "\n" + text;
     EXPECT_EQ(program, nullptr);  // it keeps nothing, and nobody has asked for it

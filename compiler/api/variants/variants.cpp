@@ -62,6 +62,7 @@ public:
         for (const std::string& file : result.dependencies) {
             if (read_.insert(file).second) set_.dependencies.push_back(file);
         }
+        set_.missing = joined(set_.missing, result.missing);
         set_.ok = set_.ok && result.ok;
         return result;
     }

@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <map>
 #include <memory>
 #include <set>
 
 #include "compiler/cli/commands/commands.h"
 #include "compiler/cli/compile/compiled.h"
+#include "compiler/cli/compile/depfile.h"
 #include "compiler/cli/files.h"
 #include "compiler/cli/outputs.h"
 #include "patina/output_name.h"
@@ -39,24 +41,38 @@ struct Run {
     const Compiler& compiler;
     Outputs outputs{console};
     ShaderNames shader_names{};
-    std::string written{};                 // the paths of all outputs, a line each
-    std::set<std::string> dependencies{};  // of all graphs
+    std::vector<std::string> written{};               // the paths of all outputs
+    std::set<std::string> dependencies{}, missing{};  // of all graphs
 };
 
-Exit write(Run& run, const Input& input, const std::string& target, std::span<const std::string> dependencies,
-           OutputFiles files) {
-    if (run.arguments.depfile && run.arguments.output_list.empty()) {
-        const std::string name = output_name(input.path) + run.arguments.kind + ".d";
-        runtime::Outcome<std::string> rule = make_rule(target, dependencies);
-        if (!rule) {
-            complain(run.console, Complaint::CannotWrite, {rule.error});
-            return Exit::Wrong;
-        }
-        files.add(join_path(folder_of(run.arguments, input), name), std::move(rule.value));
+std::vector<std::string> listed(const std::set<std::string>& paths) {
+    return {paths.begin(), paths.end()};
+}
+
+// Adds the file that says when `target` is to be made again. False: it cannot, which has been reported.
+bool add_depfile(Run& run, OutputFiles& files, const std::string& path, const std::string& target,
+                 std::span<const std::string> dependencies) {
+    runtime::Outcome<std::string> rule = make_rule(target, dependencies);
+    if (!rule) {
+        complain(run.console, Complaint::CannotWrite, {rule.error});
+        return false;
     }
-    if (!run.outputs.write(input.path, files, dependencies)) return Exit::Wrong;
-    for (const runtime::OutputFile& file : files.files) run.written += file.path + "\n";
-    run.dependencies.insert(dependencies.begin(), dependencies.end());
+    files.add(path, std::move(rule.value));
+    return true;
+}
+
+Exit write(Run& run, const Input& input, const std::string& target, const FilesRead& read, OutputFiles files) {
+    if (run.arguments.depfile && run.arguments.output_list.empty()) {
+        const std::string folder = folder_of(run.arguments, input);
+        std::vector<std::string> dependencies = read.dependencies;
+        std::ranges::move(folders_to_watch(read.missing, {}, {&folder, 1}), std::back_inserter(dependencies));
+        const std::string name = output_name(input.path) + run.arguments.kind + ".d";
+        if (!add_depfile(run, files, join_path(folder, name), target, dependencies)) return Exit::Wrong;
+    }
+    if (!run.outputs.write(input.path, files, read.dependencies)) return Exit::Wrong;
+    for (const runtime::OutputFile& file : files.files) run.written.push_back(file.path);
+    run.dependencies.insert(read.dependencies.begin(), read.dependencies.end());
+    run.missing.insert(read.missing.begin(), read.missing.end());
     say(run.console, files);
     return Exit::Ok;
 }
@@ -64,7 +80,7 @@ Exit write(Run& run, const Input& input, const std::string& target, std::span<co
 Exit compile_variants(Run& run, const Input& input) {
     const CompileArguments& arguments = run.arguments;
     OutputFiles files;
-    std::vector<std::string> dependencies;
+    FilesRead read;
     const std::string folder = folder_of(arguments, input);
     const Exit exit = make_variants(
         run.console, run.compiler, input.path, arguments.variants, options_of(arguments), folder,
@@ -74,10 +90,10 @@ Exit compile_variants(Run& run, const Input& input) {
             report(run.console, diagnostics);
             return ok && has_own_names(run.console, input.path, std::span(&shader, 1), run.shader_names);
         },
-        files, dependencies);
+        files, read);
     if (exit != Exit::Ok) return exit;
     const std::string manifest = files.files.back().path;
-    return write(run, input, manifest, dependencies, std::move(files));
+    return write(run, input, manifest, read, std::move(files));
 }
 
 Exit finish(Run& run, const Input& input, Compiled& made) {
@@ -86,42 +102,35 @@ Exit finish(Run& run, const Input& input, Compiled& made) {
         print("// " + input.path + ": " + dump.stage + "\n" + dump.text + (dump.text.ends_with('\n') ? "" : "\n"));
     if (!made.ok || !has_own_names(run.console, input.path, made.result.shaders, run.shader_names)) return Exit::Wrong;
     if (!run.arguments.writes()) return Exit::Ok;
-    return write(run, input, made.reflection, made.result.dependencies, std::move(made.files));
+    const FilesRead read{.dependencies = std::move(made.result.dependencies),
+                         .missing = std::move(made.result.missing)};
+    return write(run, input, made.reflection, read, std::move(made.files));
 }
 
-// Without symbolic links.
-std::filesystem::path folder_itself(const std::filesystem::path& folder) {
-    std::error_code ignored;
-    return std::filesystem::canonical(folder.empty() ? "." : folder, ignored);
-}
-
-// Adds what the graphs were found in, for the dependency file of the list: a list of files, and folders, which get
-// another time when a graph is added or removed. A folder that this command writes to would never be older than what is
-// made of it.
-void add_places(Run& run, const Inputs& inputs) {
+// What the list of all outputs depends on: the files that were read, a list of graphs, and the folders in which a graph
+// or another file may appear. If a build asks for it, also the outputs: the list is younger than they are.
+std::vector<std::string> dependencies_of_list(Run& run, const Inputs& inputs) {
     const InputArguments& arguments = run.arguments.inputs;
-    if (!arguments.list.empty() && arguments.list != "-") run.dependencies.insert(arguments.list);
-    std::set<std::filesystem::path> written = {
-        folder_itself(std::filesystem::path(run.arguments.output_list).parent_path())};
-    for (const Input& input : inputs.files) written.insert(folder_itself(folder_of(run.arguments, input)));
-    for (const std::string& folder : inputs.folders)
-        if (!written.contains(folder_itself(folder))) run.dependencies.insert(folder);
+    std::set<std::string> all = run.dependencies;
+    if (!arguments.list.empty() && arguments.list != "-") all.insert(arguments.list);
+    std::set<std::string> written = {std::filesystem::path(run.arguments.output_list).parent_path().string()};
+    for (const Input& input : inputs.files) written.insert(folder_of(run.arguments, input));
+    std::ranges::move(folders_to_watch(listed(run.missing), inputs.folders, listed(written)),
+                      std::inserter(all, all.end()));
+    if (run.arguments.depends_on_outputs)
+        std::ranges::copy_if(run.written, std::inserter(all, all.end()),
+                             [](const std::string& path) { return !is_stream(path); });
+    return listed(all);
 }
 
 Exit write_list(Run& run, const Inputs& inputs) {
     const std::string& path = run.arguments.output_list;
     OutputFiles list;
-    list.files.push_back({.path = path, .bytes = run.written, .is_stamp = true});
-    if (run.arguments.depfile) {
-        add_places(run, inputs);
-        const std::vector<std::string> dependencies(run.dependencies.begin(), run.dependencies.end());
-        runtime::Outcome<std::string> rule = make_rule(path, dependencies);
-        if (!rule) {
-            complain(run.console, Complaint::CannotWrite, {rule.error});
-            return Exit::Wrong;
-        }
-        list.add(path + ".d", std::move(rule.value));
-    }
+    std::string text;
+    for (const std::string& file : run.written) text += file + "\n";
+    list.files.push_back({.path = path, .bytes = std::move(text), .is_stamp = true});
+    if (run.arguments.depfile && !add_depfile(run, list, path + ".d", path, dependencies_of_list(run, inputs)))
+        return Exit::Wrong;
     std::vector<std::string> graphs;
     for (const Input& input : inputs.files) graphs.push_back(input.path);
     return run.outputs.write(path, list, graphs) ? Exit::Ok : Exit::Wrong;
@@ -150,7 +159,7 @@ void add_compile(Program& program) {
          "patina compile art -o out --jobs 4 --list-outputs out/all.txt   # out has the folders of art",
          "git ls-files -z '*.graph.json' | patina compile --files - -o out",
          "patina compile rust.graph.json -t spirv -o out --depfile",
-         "patina compile art -o out --list-outputs out/all.txt --depfile   # one step of a build",
+         "patina compile art -o out --list-outputs out/all.txt --depfile --depend-on-outputs   # a step of a build",
          "patina compile rust.graph.json -t unity -o Assets/Shaders   # 'patina engines' lists what there is",
          "patina compile rust.graph.json --path deferred -D shadows -o out",
          "patina compile rust.graph.json -D _Mode=Wet -o out", "patina compile rust.graph.json --variants all -o out",
@@ -161,15 +170,21 @@ void add_compile(Program& program) {
     command.add_flag("--validate", arguments->validate, "Check the shaders with glslang and spirv-val");
     CLI::Option* cost =
         command.add_flag("--cost", arguments->cost, "Measure what each pass costs, and add it to the reflection");
-    command.add_flag("--depfile", arguments->depfile,
-                     "Write a list of the files that this was made from, for make and ninja: NAME.d next to "
-                     "NAME.reflect.json, or with --list-outputs FILE one for all, FILE.d");
+    CLI::Option* depfile = command.add_flag(
+        "--depfile", arguments->depfile,
+        "Write a list of the files that this was made from, for make and ninja: NAME.d next to NAME.reflect.json, or "
+        "with --list-outputs FILE one for all, FILE.d. It also names folders, for files that may appear");
+    CLI::Option* list = command.add_option(
+        "--list-outputs", arguments->output_list,
+        "When all is done, write the paths of all files that were made to this file, one a line. Files that "
+        "did not change keep their time; this one never does");
+    list->type_name("FILE");
     command
-        .add_option(
-            "--list-outputs", arguments->output_list,
-            "When all is done, write the paths of all files that were made to this file, one a line. Files that "
-            "did not change keep their time; this one never does")
-        ->type_name("FILE");
+        .add_flag("--depend-on-outputs", arguments->depends_on_outputs,
+                  "In FILE.d, also name the outputs, so that a build makes an output again that was deleted or edited; "
+                  "a rule for Ninja needs 'restat = 1'")
+        ->needs(depfile)
+        ->needs(list);
     add_words_option(command, "--dump", arguments->dump,
                      "Print the result of a step: graph, ir, linked, tidy, rates; files are written only with -o",
                      one_of("a step", {"graph", "ir", "linked", "tidy", "rates"}))

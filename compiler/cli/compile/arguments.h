@@ -27,6 +27,7 @@ struct CompileArguments {
     bool validate = false;
     bool cost = false;  // in the reflection
     bool depfile = false;
+    bool depends_on_outputs = false;  // in the dependency file of the list
 
     bool wants(std::string_view target) const;
     bool wants_spirv() const;

@@ -47,21 +47,23 @@ bool add_shader(const CompileArguments& arguments, const std::string& folder, co
     return validated.ok;
 }
 
-std::vector<std::string> names_of(const OutputFiles& files) {
-    std::vector<std::string> names;
-    for (const runtime::OutputFile& file : files.files) names.push_back(file.path.substr(file.path.rfind('/') + 1));
-    return names;
+std::vector<WrittenFile> written_files(const OutputFiles& files) {
+    std::vector<WrittenFile> written;
+    for (const runtime::OutputFile& file : files.files)
+        written.push_back({.file = file.path.substr(file.path.rfind('/') + 1), .hash = file_hash(file.bytes)});
+    return written;
 }
 
 void list_files(Reflection& reflection, const Shader& shader, std::string_view compiled,
-                std::span<const std::string> written) {
+                std::span<const WrittenFile> written) {
+    reflection.files.insert(reflection.files.end(), written.begin(), written.end());
     for (Pass& pass : reflection.passes) {
         const auto found = std::ranges::find(pass.shaders, compiled, &ShaderFile::file);
         if (found == pass.shaders.end()) continue;
         std::vector<ShaderFile> files;
-        for (const std::string& name : written) {
-            const std::string& language = name.ends_with(kSpirvEnding) ? kSpirv : shader.target.language;
-            files.push_back({.stage = shader.stage, .language = language, .file = name});
+        for (const WrittenFile& each : written) {
+            const std::string& language = each.file.ends_with(kSpirvEnding) ? kSpirv : shader.target.language;
+            files.push_back({.stage = shader.stage, .language = language, .file = each.file});
         }
         pass.shaders.insert(pass.shaders.erase(found), files.begin(), files.end());
     }
@@ -86,7 +88,7 @@ Compiled compile_graph(const CompileArguments& arguments, const Compiler& compil
     for (const Shader& shader : made.result.shaders) {
         OutputFiles files;
         made.ok &= add_shader(arguments, folder, shader, files, made.result.diagnostics);
-        list_files(made.result.reflection, shader, shader.file_name, names_of(files));
+        list_files(made.result.reflection, shader, shader.file_name, written_files(files));
         std::ranges::move(files.files, std::back_inserter(made.files.files));
     }
     if (made.ok && arguments.cost) add_costs(made);

@@ -35,12 +35,12 @@ Compiled compile_graph(const CompileArguments& arguments, const Compiler& compil
 bool add_shader(const CompileArguments& arguments, const std::string& folder, const Shader& shader, OutputFiles& files,
                 std::vector<Diagnostic>& diagnostics);
 
-// The names of files, without their folders.
-std::vector<std::string> names_of(const OutputFiles& files);
+// As reflections list files: without their folders.
+std::vector<WrittenFile> written_files(const OutputFiles& files);
 
-// Lists in the reflection what was written for a shader, in the place of the file that was compiled.
+// Lists in the reflection what was written for a shader, also in the place of the file that was compiled.
 void list_files(Reflection& reflection, const Shader& shader, std::string_view compiled,
-                std::span<const std::string> written);
+                std::span<const WrittenFile> written);
 
 // Where the files of a graph go.
 std::string folder_of(const CompileArguments& arguments, const Input& input);

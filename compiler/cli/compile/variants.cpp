@@ -61,7 +61,7 @@ std::string announcement(const VariantPlan& plan, double count) {
 // A program's files.
 struct Written {
     std::string hash;  // short
-    std::string reflection;
+    WrittenFile reflection;
     std::vector<std::string> files;
 };
 
@@ -112,7 +112,8 @@ std::string manifest(const std::string& name, const VariantOptions& wanted, cons
         json.StartObject();
         member("program", written[i].hash);
         member("hash", set.programs[i].hash);
-        member("reflection", written[i].reflection);
+        member("reflection", written[i].reflection.file);
+        member("reflectionHash", written[i].reflection.hash);
         json.Key("files");
         json.StartArray();
         for (const std::string& file : written[i].files) text(file);
@@ -146,7 +147,7 @@ std::string manifest(const std::string& name, const VariantOptions& wanted, cons
 
 Exit make_variants(const Console& console, const Compiler& compiler, const std::string& graph,
                    const VariantOptions& wanted, const CompileOptions& options, const std::string& folder,
-                   const AddShader& add, OutputFiles& files, std::vector<std::string>& dependencies) {
+                   const AddShader& add, OutputFiles& files, FilesRead& read) {
     const auto looking = [&](const VariantPlan& plan) {
         const double most = combinations_of(plan.axes);
         if (plan.count == 0 && !plan.axes.empty()) remark(console, graph + ": at most " + announcement(plan, most));
@@ -177,17 +178,16 @@ Exit make_variants(const Console& console, const Compiler& compiler, const std::
     if (!set.ok) return Exit::Wrong;
 
     ShortHashes programs, stages;
-    std::map<std::string, std::vector<std::string>> files_of;  // by a stage's file name and hash
+    std::map<std::string, std::vector<WrittenFile>> files_of;  // by a stage's file name and hash
     std::vector<Written> written;
+    OutputFiles reflections;  // a file comes after those that it lists
     for (VariantProgram& program : set.programs) {
         Written& made = written.emplace_back();
         made.hash = programs.name(program.hash);
         // A file that holds all programs, as Unity's does, has no hash in its name.
         const bool is_hashed = std::any_of(program.result.shaders.begin(), program.result.shaders.end(),
                                            [](const Shader& s) { return !s.hash.empty(); });
-        made.reflection = with_hash(name + wanted.kind + ".reflect.json", name, is_hashed ? made.hash : "");
-        const std::size_t reflection = files.files.size();
-        files.add(join_path(folder, made.reflection), {});
+        made.reflection.file = with_hash(name + wanted.kind + ".reflect.json", name, is_hashed ? made.hash : "");
         for (Shader& shader : program.result.shaders) {
             const std::string compiled = shader.file_name;
             const auto [own, is_new] = files_of.try_emplace(shader.file_name + shader.hash);
@@ -195,19 +195,22 @@ Exit make_variants(const Console& console, const Compiler& compiler, const std::
                 shader.file_name = with_hash(shader.file_name, name, stages.name(shader.hash));
                 OutputFiles added;
                 if (!add(shader, added)) return Exit::Wrong;
-                own->second = names_of(added);
+                own->second = written_files(added);
                 std::ranges::move(added.files, std::back_inserter(files.files));
             }
             list_files(program.result.reflection, shader, compiled, own->second);
-            made.files.insert(made.files.end(), own->second.begin(), own->second.end());
+            for (const WrittenFile& each : own->second) made.files.push_back(each.file);
         }
-        files.files[reflection].bytes = program.result.reflection.to_json();
+        std::string text = program.result.reflection.to_json();
+        made.reflection.hash = file_hash(text);
+        reflections.add(join_path(folder, made.reflection.file), std::move(text));
     }
+    std::ranges::move(reflections.files, std::back_inserter(files.files));
     remark(console, fmt::format("{}: {} in {}", graph, counted(set.programs.size(), "different program"),
                                 counted(files_of.size(), "shader")));
     files.add(join_path(folder, name + wanted.kind + ".variants.json"),
               manifest(name, wanted, options, plan, set, written));
-    dependencies = std::move(set.dependencies);
+    read = {.dependencies = std::move(set.dependencies), .missing = std::move(set.missing)};
     return Exit::Ok;
 }
 

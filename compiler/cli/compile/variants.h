@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "compiler/cli/compile/depfile.h"
 #include "compiler/cli/console.h"
 #include "compiler/cli/outputs.h"
 #include "patina/variants.h"
@@ -23,6 +24,6 @@ using AddShader = std::function<bool(const Shader& shader, OutputFiles& files)>;
 // NAME.deferred.variants.json for the kind ".deferred".
 Exit make_variants(const Console& console, const Compiler& compiler, const std::string& graph,
                    const VariantOptions& wanted, const CompileOptions& options, const std::string& folder,
-                   const AddShader& add, OutputFiles& files, std::vector<std::string>& dependencies);
+                   const AddShader& add, OutputFiles& files, FilesRead& read);
 
 }  // namespace patina::cli

@@ -123,8 +123,10 @@ Watch::Made Watch::make(const Input& input, bool counts_costs) const {
         made.compiled.ok = false;
         made.compiled.result.diagnostics = {describe_exception(input.path).error};
     }
-    std::vector<std::string>& files = made.compiled.result.dependencies;
+    const Result& result = made.compiled.result;
+    std::vector<std::string> files = result.dependencies;
     files.push_back(input.path);
+    files.insert(files.end(), result.missing.begin(), result.missing.end());
     made.stamps = stamps_of(files, begin);
     return made;
 }

@@ -80,6 +80,7 @@ MtlxExport write(const Compiler& compiler, const std::string& path, const MtlxOp
     }
     made.diagnostics = to_public(session.diagnostics, session.sources);
     made.dependencies = std::move(session.dependencies);
+    made.missing.assign(session.missing.begin(), session.missing.end());
     made.ok = !session.diagnostics.has_errors();
     if (!made.ok) made.text.clear();
     return made;

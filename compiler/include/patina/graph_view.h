@@ -44,6 +44,7 @@ struct GraphView {
     std::vector<GraphEdge> edges;           // each once
     std::vector<Diagnostic> diagnostics;    // errors and warnings of the graph
     std::vector<std::string> dependencies;  // files that were read
+    std::vector<std::string> missing;       // files that were looked for and are not there, sorted
 };
 // Reads a graph and finds its types. Of the options, only `include_dirs`, `files` and `limits` count. A file of every
 // kind of graph.
@@ -61,6 +62,7 @@ struct MtlxExport {
     std::string text;                       // XML, version 1.39
     std::vector<Diagnostic> diagnostics;    // errors: "no-counterpart"; warnings: "export-differs"
     std::vector<std::string> dependencies;  // files that were read
+    std::vector<std::string> missing;       // files that were looked for and are not there, sorted
 };
 // Writes the material of a graph as a document: its surface as a surface shader, what the surface reads as one node
 // graph, and its properties as inputs of that.

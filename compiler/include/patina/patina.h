@@ -89,6 +89,9 @@ struct Result {
     Reflection reflection;        // for the first engine that draws the library's paths, else for the first one
     // Files that were read, the graph first; after an error also those that were looked for and are not there.
     std::vector<std::string> dependencies;
+    // Files that were looked for and are not there, sorted: the folder of a graph comes before include_dirs. If one of
+    // them appears, the result may be another one. Who watches files watches these and `dependencies`.
+    std::vector<std::string> missing;
     std::vector<std::string> nodes;          // ids of the graph's own nodes, in the order of the text
     Budget budget{};                         // of the graph; no limits if it has none
     std::vector<Dump> dumps;                 // of the steps in CompileOptions::dump
@@ -101,6 +104,7 @@ struct SceneResult {
     SceneFile scene;                        // what could be read
     std::vector<Diagnostic> diagnostics;    // errors and warnings, in the order of the text
     std::vector<std::string> dependencies;  // files that were read: the scene
+    std::vector<std::string> missing;       // files that were looked for and are not there, sorted
 };
 
 // --- what the library has

@@ -173,6 +173,11 @@ PATINA_API const char* patina_result_reflection(const patina_result* result);
 PATINA_API size_t patina_result_dependency_count(const patina_result* result);
 // The path of one of them; null if there is no such file.
 PATINA_API const char* patina_result_dependency(const patina_result* result, size_t index);
+// The number of files that were looked for and are not there, sorted: the folder of a graph comes before include_dirs.
+// If one of them appears, the result may be another one.
+PATINA_API size_t patina_result_missing_count(const patina_result* result);
+// The path of one of them; null if there is no such file.
+PATINA_API const char* patina_result_missing(const patina_result* result, size_t index);
 
 // --- variants
 

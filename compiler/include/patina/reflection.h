@@ -324,6 +324,15 @@ struct SetLayout {
     std::string hash;       // 16 hexadecimal digits
 };
 
+// A file that was written with a reflection.
+struct WrittenFile {
+    std::string file;  // its name: "rust.forward.frag.glsl"
+    std::string hash;  // file_hash() of its bytes
+};
+// The hash that names the bytes of a file: FNV-1a of 64 bits, as 16 hexadecimal digits. It tells files of two runs
+// apart; it is no protection against who wants to deceive.
+PATINA_API std::string file_hash(std::string_view bytes);
+
 struct ReadReflection;
 
 // All that a renderer must know of a compiled material.
@@ -357,6 +366,9 @@ struct PATINA_API Reflection {
     };
     std::vector<Shifts> hlsl_shifts;  // for each set
     std::string meta;                 // raw JSON that the graph carries through, or empty
+    // The files that belong to it, if a program has written them: the compiler writes none. A reader whose files have
+    // other hashes has caught another run between two files, and reads again.
+    std::vector<WrittenFile> files{};
 
     // The text of NAME.reflect.json: all but Texture::place and `lighting_options`.
     std::string to_json() const;

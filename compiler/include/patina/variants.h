@@ -63,6 +63,7 @@ struct VariantSet {
     std::vector<VariantProgram> programs;   // if each was handed over as it was compiled: their hashes alone
     std::vector<std::size_t> program_of;    // index into `programs`, by that of VariantPlan::combination
     std::vector<std::string> dependencies;  // files that were read, the graph first
+    std::vector<std::string> missing;       // files that were looked for and are not there, sorted
 };
 
 }  // namespace patina

@@ -122,6 +122,37 @@ TEST(FileSystem, AFailedCompilationDependsOnWhatItLookedFor) {
         EXPECT_TRUE(files.contains(file)) << file;
 }
 
+// A file that is found along the second include folder was looked for in three others: a file there would be read
+// instead. That a compilation goes well does not make them known any less.
+TEST(FileSystem, WhatAFileWouldBeReadInsteadIsMissing) {
+    Texts texts = {{"shared/wave.node.hlsl", kWave}, {"shared/deep.subgraph.json", kDeep}};
+    Asked asked;
+    CompileOptions options;
+    options.files = asked.over(texts);
+    options.files.exists = [](const std::string& path) { return path == "shared/rust.png"; };
+    options.include_dirs = {"none", "shared"};
+    const std::vector<std::string> dependencies = {"m/test.graph.json", "shared/wave.node.hlsl",
+                                                   "shared/deep.subgraph.json", "shared/rust.png"};
+    const std::vector<std::string> missing = {"m/deep.subgraph.json",    "m/rust.png",    "m/wave.node.hlsl",
+                                              "none/deep.subgraph.json", "none/rust.png", "none/wave.node.hlsl"};
+    const Compiler own;  // also of a kept result
+    for (int times = 0; times < 3; ++times) {
+        const Result result = own.compile_text("m/test.graph.json", kGraph, options);
+        ASSERT_TRUE(result.ok) << said(result);
+        EXPECT_EQ(std::set(result.dependencies.begin(), result.dependencies.end()),
+                  std::set(dependencies.begin(), dependencies.end()));
+        EXPECT_EQ(result.missing, missing);
+    }
+    options.targets = {Target::Glsl, Target{"unity", "hlsl"}};  // several engines: each file once
+    EXPECT_EQ(own.compile_text("m/test.graph.json", kGraph, options).missing, missing);
+    texts["none/wave.node.hlsl"] = kWave;
+    const Result shadowed = own.compile_text("m/test.graph.json", kGraph, options);
+    EXPECT_EQ(std::count(shadowed.missing.begin(), shadowed.missing.end(), "none/wave.node.hlsl"), 0);
+    EXPECT_EQ(std::count(shadowed.dependencies.begin(), shadowed.dependencies.end(), "none/wave.node.hlsl"), 1);
+    EXPECT_EQ(compiler().compile_file("m/gone.graph.json", options).missing,
+              std::vector<std::string>{"m/gone.graph.json"});
+}
+
 // A graph, its parts and a texture that are URIs.
 TEST(FileSystem, UrisStayWhatTheyAre) {
     const Texts texts = {{"pack://stone/wave.node.hlsl", kWave},

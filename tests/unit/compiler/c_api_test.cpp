@@ -96,6 +96,8 @@ TEST(CApi, CompilesATextWithFilesOfTheProgram) {
     EXPECT_STREQ(patina_result_dependency(result.handle, 0), "mine.graph.json");
     EXPECT_STREQ(patina_result_dependency(result.handle, 1), "dots.node.hlsl");
     EXPECT_EQ(patina_result_dependency(result.handle, 2), nullptr);
+    EXPECT_EQ(patina_result_missing_count(result.handle), 0u);
+    EXPECT_EQ(patina_result_missing(result.handle, 0), nullptr);
     EXPECT_EQ(files.read["dots.node.hlsl"], 1);
 }
 
@@ -143,6 +145,8 @@ TEST(CApi, TakesNullPointers) {
     EXPECT_EQ(patina_result_shader(nullptr, 0), nullptr);
     EXPECT_EQ(patina_result_dependency_count(nullptr), 0u);
     EXPECT_EQ(patina_result_dependency(nullptr, 0), nullptr);
+    EXPECT_EQ(patina_result_missing_count(nullptr), 0u);
+    EXPECT_EQ(patina_result_missing(nullptr, 0), nullptr);
     patina_reply_text(nullptr, "a", 1);
     patina_reply_error(nullptr, "a");
     patina_result_free(nullptr);

@@ -253,6 +253,14 @@ TEST_F(WorldOfFile, LoadsCookies) {
     EXPECT_EQ(file.dependencies.back(), path("cookie.exr"));
 }
 
+// Who watches a scene draws it again when a file appears that it looked for.
+TEST_F(WorldOfFile, DependsOnWhatItLookedForInVain) {
+    const WorldFile file = read(R"("time":1)");
+    EXPECT_TRUE(file.ok);
+    EXPECT_EQ(std::set(file.dependencies.begin(), file.dependencies.end()),
+              (std::set<std::string>{path("t.scene.json"), path("map.png")}));
+}
+
 TEST_F(WorldOfFile, SaysWhereAMeshIsUnknown) {
     const WorldFile file = read(
         "\"objects\":[\n"
