@@ -50,6 +50,9 @@ void add_target_options(CLI::App& command, CompileArguments& arguments) {
             "Default: the current folder")
         ->type_name("DIR")
         ->check(is_folder_name);
+    command.add_flag("--file-hashes", arguments.file_hashes,
+                     "List each file with the hash of its bytes in the reflection: a reader that takes no lock on the "
+                     "folder sees whether the files are of one run");
 }
 
 CompileOptions options_of(const CompileArguments& arguments) {
@@ -142,6 +145,7 @@ std::string settle(CompileArguments& arguments, const Compiler& compiler) {
                            list);
     read_targets(arguments, compiler);
     arguments.kind = arguments.variants.kind = kind_of(arguments, compiler);
+    arguments.variants.file_hashes = arguments.file_hashes;
     return not_for_engine(arguments, compiler);
 }
 

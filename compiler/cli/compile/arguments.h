@@ -25,7 +25,8 @@ struct CompileArguments {
     VariantOptions variants;
     std::string output_list;  // --list-outputs; its --depfile is one for all
     bool validate = false;
-    bool cost = false;  // in the reflection
+    bool cost = false;         // in the reflection
+    bool file_hashes = false;  // in the reflection
     bool depfile = false;
     bool depends_on_outputs = false;  // in the dependency file of the list
 
@@ -42,7 +43,7 @@ struct CompileArguments {
 
 bool contains(const std::vector<Target>& targets, const Target& target);
 
-// -t and -o.
+// -t, -o and --file-hashes.
 void add_target_options(CLI::App& command, CompileArguments& arguments);
 // Reads the words of -t, and what follows from them. Throws the usage error if there is no such target. Returns what
 // was asked for and a wanted engine's files do not have; empty: nothing.

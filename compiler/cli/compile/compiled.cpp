@@ -47,16 +47,18 @@ bool add_shader(const CompileArguments& arguments, const std::string& folder, co
     return validated.ok;
 }
 
-std::vector<WrittenFile> written_files(const OutputFiles& files) {
+std::vector<WrittenFile> written_files(const OutputFiles& files, bool has_hashes) {
     std::vector<WrittenFile> written;
     for (const runtime::OutputFile& file : files.files)
-        written.push_back({.file = file.path.substr(file.path.rfind('/') + 1), .hash = file_hash(file.bytes)});
+        written.push_back({.file = file.path.substr(file.path.rfind('/') + 1),
+                           .hash = has_hashes ? file_hash(file.bytes) : std::string()});
     return written;
 }
 
 void list_files(Reflection& reflection, const Shader& shader, std::string_view compiled,
                 std::span<const WrittenFile> written) {
-    reflection.files.insert(reflection.files.end(), written.begin(), written.end());
+    std::ranges::copy_if(written, std::back_inserter(reflection.files),
+                         [](const WrittenFile& each) { return !each.hash.empty(); });
     for (Pass& pass : reflection.passes) {
         const auto found = std::ranges::find(pass.shaders, compiled, &ShaderFile::file);
         if (found == pass.shaders.end()) continue;
@@ -88,7 +90,7 @@ Compiled compile_graph(const CompileArguments& arguments, const Compiler& compil
     for (const Shader& shader : made.result.shaders) {
         OutputFiles files;
         made.ok &= add_shader(arguments, folder, shader, files, made.result.diagnostics);
-        list_files(made.result.reflection, shader, shader.file_name, written_files(files));
+        list_files(made.result.reflection, shader, shader.file_name, written_files(files, arguments.file_hashes));
         std::ranges::move(files.files, std::back_inserter(made.files.files));
     }
     if (made.ok && arguments.cost) add_costs(made);

@@ -35,10 +35,11 @@ Compiled compile_graph(const CompileArguments& arguments, const Compiler& compil
 bool add_shader(const CompileArguments& arguments, const std::string& folder, const Shader& shader, OutputFiles& files,
                 std::vector<Diagnostic>& diagnostics);
 
-// As reflections list files: without their folders.
-std::vector<WrittenFile> written_files(const OutputFiles& files);
+// As reflections list files: without their folders, with their hashes if these are wanted.
+std::vector<WrittenFile> written_files(const OutputFiles& files, bool has_hashes);
 
-// Lists in the reflection what was written for a shader, also in the place of the file that was compiled.
+// Lists in the reflection what was written for a shader, in the place of the file that was compiled, and files that
+// have hashes.
 void list_files(Reflection& reflection, const Shader& shader, std::string_view compiled,
                 std::span<const WrittenFile> written);
 

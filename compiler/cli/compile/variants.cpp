@@ -113,7 +113,7 @@ std::string manifest(const std::string& name, const VariantOptions& wanted, cons
         member("program", written[i].hash);
         member("hash", set.programs[i].hash);
         member("reflection", written[i].reflection.file);
-        member("reflectionHash", written[i].reflection.hash);
+        if (wanted.file_hashes) member("reflectionHash", written[i].reflection.hash);
         json.Key("files");
         json.StartArray();
         for (const std::string& file : written[i].files) text(file);
@@ -195,14 +195,14 @@ Exit make_variants(const Console& console, const Compiler& compiler, const std::
                 shader.file_name = with_hash(shader.file_name, name, stages.name(shader.hash));
                 OutputFiles added;
                 if (!add(shader, added)) return Exit::Wrong;
-                own->second = written_files(added);
+                own->second = written_files(added, wanted.file_hashes);
                 std::ranges::move(added.files, std::back_inserter(files.files));
             }
             list_files(program.result.reflection, shader, compiled, own->second);
             for (const WrittenFile& each : own->second) made.files.push_back(each.file);
         }
         std::string text = program.result.reflection.to_json();
-        made.reflection.hash = file_hash(text);
+        if (wanted.file_hashes) made.reflection.hash = file_hash(text);
         reflections.add(join_path(folder, made.reflection.file), std::move(text));
     }
     std::ranges::move(reflections.files, std::back_inserter(files.files));

@@ -14,6 +14,7 @@ namespace patina::cli {
 struct VariantOptions {
     std::string wanted{};  // all | listed | reachable; empty: one variant only
     std::size_t limit = kVariantLimit;
+    bool file_hashes = false;
     std::string kind{};  // ends the names of the reflections and the manifest: ".deferred"
 };
 
