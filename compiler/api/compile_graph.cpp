@@ -20,10 +20,13 @@ Result compile_for_engine(const CompilerImpl& compiler, const Source& source, co
     graph::Session session(*compiler.library, options, &files);
     session.kept = &compiler.kept;
     Result result;
-    if (const std::optional<std::uint32_t> base = add_source(session, source)) {
+    graph::watched(session, [&] {
+        const std::optional<std::uint32_t> base = add_source(session, source);
+        if (!base) return;
         Compilation compilation{.session = session, .source = *base, .path = source.path, .result = result};
         compile(compilation);
-    }
+    });
+    if (session.stopped) result = {};
     result.diagnostics = to_public(session.diagnostics, session.sources, compiler.library->sources, source.path);
     result.dependencies = std::move(session.dependencies);
     result.ok = !session.diagnostics.has_errors();

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "compiler/api/report.h"
+#include "compiler/base/watch.h"
 #include "compiler/edit/merge_texts.h"
 #include "patina/graph_merge.h"
 
@@ -50,14 +51,25 @@ void keep_errors(std::vector<Diagnostic>& diagnostics) {
     diagnostics.erase(std::remove_if(diagnostics.begin(), diagnostics.end(), is_no_error), diagnostics.end());
 }
 
+bool is_cancelled(const Diagnostic& diagnostic) {
+    return diagnostic.code == info(Code::Cancelled).name;
+}
+
+// A compilation of what has been merged was cancelled, and so is the merge.
+struct Cancelled {
+    Diagnostic why;
+};
+
 std::vector<Diagnostic> errors_of(const Compiler& compiler, const MergeOptions& options, const std::string& text) {
     CompileOptions compile;
     compile.include_dirs = options.compile.include_dirs;
     compile.files = options.compile.files;
+    compile.limits = options.compile.limits;
     compile.targets = {Target::Glsl};
     compile.accept_parts = true;
     std::vector<Diagnostic> errors = compiler.compile_text(options.path, text, compile).diagnostics;
     keep_errors(errors);
+    if (std::any_of(errors.begin(), errors.end(), is_cancelled)) throw Cancelled{std::move(errors.front())};
     return errors;
 }
 
@@ -70,10 +82,8 @@ std::vector<Diagnostic> errors_of_form(const MergeOptions& options, const std::s
     return errors;
 }
 
-}  // namespace
-
-MergeResult merge_graphs(const Compiler& compiler, const MergeInput& base, const MergeInput& ours,
-                         const MergeInput& theirs, const MergeOptions& options) {
+MergeResult merged(const Compiler& compiler, const MergeInput& base, const MergeInput& ours, const MergeInput& theirs,
+                   const MergeOptions& options) {
     MergeResult result{.text = ours.text};
     graph::Sides sides{.base = nullptr, .ours = read(ours, result), .theirs = read(theirs, result)};
     sides.base = base.text.empty() ? nothing(base, *sides.ours) : read(base, result);
@@ -89,6 +99,26 @@ MergeResult merge_graphs(const Compiler& compiler, const MergeInput& base, const
     result = graph::merge_texts(sides, options, check);
     if (has_carriage_returns(ours.text)) result.text = with_carriage_returns(result.text);
     return result;
+}
+
+Diagnostic cancelled(const Stopped& stopped) {
+    Diagnostics diagnostics;
+    diagnostics.report(Code::Cancelled, {}, stopped.why.empty() ? "" : ": " + stopped.why);
+    return to_public(diagnostics, SourceMap()).front();
+}
+
+}  // namespace
+
+MergeResult merge_graphs(const Compiler& compiler, const MergeInput& base, const MergeInput& ours,
+                         const MergeInput& theirs, const MergeOptions& options) {
+    const Watch watch(options.compile.limits.cancelled);
+    try {
+        return merged(compiler, base, ours, theirs, options);
+    } catch (const Stopped& stopped) {
+        return {.text = ours.text, .diagnostics = {cancelled(stopped)}};
+    } catch (Cancelled& cancelled) {
+        return {.text = ours.text, .diagnostics = {std::move(cancelled.why)}};
+    }
 }
 
 }  // namespace patina

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "compiler/base/watch.h"
 #include "compiler/engines/read_engine.h"
 #include "compiler/format/read_graph.h"
 #include "compiler/json/json.h"
@@ -101,6 +102,7 @@ void add_overlay_file(Library& library, const LibraryFile& file,
 
 const std::shared_ptr<Graph>& LibraryGraph::get() const {
     std::call_once(once_, [this] {
+        const Watch nobody;
         const std::unique_ptr<Json> json = parse_json(sources_, base_, diagnostics_);
         const GraphKind kind = is_workflow(path_) ? GraphKind::Workflow : GraphKind::Lighting;
         if (json) graph_ = read_graph(*json, path_, sources_, ast_, diagnostics_, kind);
@@ -110,6 +112,7 @@ const std::shared_ptr<Graph>& LibraryGraph::get() const {
 
 const engines::Engine& LibraryEngine::get() const {
     std::call_once(once_, [this] {
+        const Watch nobody;
         const auto find = [&](std::string_view name) -> std::optional<std::uint32_t> {
             const auto found = files_.find(name);
             return found == files_.end() ? std::nullopt : std::optional(found->second);

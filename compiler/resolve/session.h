@@ -11,6 +11,7 @@
 #include <string>
 #include <unordered_map>
 
+#include "compiler/base/watch.h"
 #include "compiler/resolve/files.h"
 #include "compiler/resolve/library.h"
 #include "patina/patina.h"
@@ -39,12 +40,13 @@ struct PassFile {
     PathDeclarations paths;  // those of the library, and the file's
 };
 
-// CompileOptions::request, for those who need a part of it.
+// CompileOptions::request, for those who need a part of it. What a list names twice is in it once.
 struct Request {
     explicit Request(const CompileOptions& options);
 
     std::string path;                      // empty for functions
     std::vector<std::string> passes;       // empty: those of the path
+    std::vector<std::string> folders;      // CompileOptions::include_dirs, with a "/" at the end
     std::optional<std::string> functions;  // their prefix
     std::optional<std::string> preview;    // the port
 };
@@ -55,6 +57,7 @@ struct Session {
 
     const Library& library;
     const CompileOptions& options;
+    Watch watch;  // of this thread, while the session lives
     const Request request;
     const engines::Engine& engine;  // the engine of all requested targets
     // The library's, unless the requested path is a file.
@@ -67,6 +70,7 @@ struct Session {
     nodelang::Ast ast;
     std::vector<std::string> dependencies;
     bool stopped = false;  // an error has been reported, and no further work is wanted
+    Growth growth{.most = options.limits.instructions};
     std::optional<Files> own_files;
     Files& files;
     std::deque<CheckedGraph> checked;
@@ -91,6 +95,17 @@ bool is_over_bytes(Session& session, Span where);
 // True if the compilation is to end: a budget is exceeded, or the program says so when it is asked here, which is
 // reported.
 bool must_stop(Session& session);
+// Reports what ended the work, unless that is done.
+void report_stop(Session& session, const Stopped& stopped);
+// Does the work, which may end early.
+template <class Work>
+void watched(Session& session, const Work& work) {
+    try {
+        work();
+    } catch (const Stopped& stopped) {
+        report_stop(session, stopped);
+    }
+}
 // Finds the requested path in the library, or reads the file that holds it. Reports errors.
 void find_path(Session& session);
 // "dir/x.graph.json" -> "x"

@@ -72,11 +72,13 @@ MtlxExport export_mtlx(const Compiler& compiler, const std::string& path, const 
     graph::Session session(CompilerAccess::library(compiler), own);
     MtlxExport made;
     Result result;
-    if (const std::optional<std::uint32_t> base = graph::load_source(session, path, {})) {
+    graph::watched(session, [&] {
+        const std::optional<std::uint32_t> base = graph::load_source(session, path, {});
+        if (!base) return;
         Compilation compilation{.session = session, .source = *base, .path = path, .result = result};
         if (accept(compilation) && read_material(compilation) && lower_material(compilation))
             made.text = document(session, compilation, options.folder);
-    }
+    });
     made.diagnostics = to_public(session.diagnostics, session.sources);
     made.dependencies = std::move(session.dependencies);
     made.ok = !session.diagnostics.has_errors();
