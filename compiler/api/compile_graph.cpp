@@ -22,11 +22,14 @@ Result compile_for_engine(const CompilerImpl& compiler, const Source& source, co
     const Watched watched(trail, session.diagnostics, &pass);
     session.kept = &compiler.kept;
     Result result;
-    if (const std::optional<std::uint32_t> base = add_source(session, source)) {
+    graph::watched(session, [&] {
+        const std::optional<std::uint32_t> base = add_source(session, source);
+        if (!base) return;
         Compilation compilation{
             .session = session, .source = *base, .path = source.path, .result = result, .pass = pass};
         compile(compilation);
-    }
+    });
+    if (session.stopped) result = {};
     result.diagnostics = to_public(session.diagnostics, session.sources, compiler.library->sources, source.path);
     result.dependencies = std::move(session.dependencies);
     result.missing.assign(session.missing.begin(), session.missing.end());

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 #include <map>
+#include <set>
 
 #include "compiler/api/report.h"
 #include "compiler/link/dumps.h"
@@ -20,12 +21,19 @@ void join(Result& into, Result from) {
     for (Diagnostic& d : from.diagnostics)
         if (is_new(d)) into.diagnostics.push_back(std::move(d));
     for (Shader& shader : from.shaders) into.shaders.push_back(std::move(shader));
+    std::set<std::string> known(into.dependencies.begin(), into.dependencies.end());
     for (std::string& file : from.dependencies)
-        if (std::find(into.dependencies.begin(), into.dependencies.end(), file) == into.dependencies.end())
-            into.dependencies.push_back(std::move(file));
+        if (known.insert(file).second) into.dependencies.push_back(std::move(file));
     into.missing = joined(into.missing, from.missing);
     for (Dump& dump : from.dumps) into.dumps.push_back(std::move(dump));
-    if (!into.ok) into.shaders.clear();
+    if (into.ok) return;
+    into.shaders.clear();
+    into.program = nullptr;
+}
+
+bool is_cancelled(const Result& result) {
+    return std::any_of(result.diagnostics.begin(), result.diagnostics.end(),
+                       [](const Diagnostic& each) { return each.code == info(Code::Cancelled).name; });
 }
 
 struct EngineTargets {
@@ -144,6 +152,7 @@ Result compile_targets(const graph::Library& library, const CompileOptions& opti
         result = compile(usual);
     }
     for (EngineTargets& each : engines) {
+        if (result && is_cancelled(*result)) break;  // the program has said so once
         CompileOptions own = options;
         own.targets = std::move(each.targets);
         own.keep_programs = options.keep_programs && !result;

@@ -151,6 +151,7 @@ Compiler& Compiler::operator=(Compiler&&) noexcept = default;
 
 const Compiler::Impl::Described& Compiler::Impl::describe() const {
     return described.get([&] {
+        const Watch nobody;
         auto made = std::make_unique<Described>();
         auto& [nodes, semantics, workflows, lighting_models, paths] = *made;
         const EvaluationContext context{*library, library->declarations, library->sources};
@@ -197,8 +198,10 @@ const std::vector<PathInfo>& Compiler::paths() const {
     return impl_->describe().paths;
 }
 const std::vector<EngineInfo>& Compiler::engines() const {
-    return impl_->engines.get(
-        [&] { return std::make_unique<std::vector<EngineInfo>>(describe_engines(*impl_->library)); });
+    return impl_->engines.get([&] {
+        const Watch nobody;
+        return std::make_unique<std::vector<EngineInfo>>(describe_engines(*impl_->library));
+    });
 }
 std::vector<Target> Compiler::targets(std::string_view word) const {
     std::vector<Target> made;
@@ -246,12 +249,18 @@ NodeFileResult Compiler::check_node_file(const std::string& path, const CompileO
         NodeFileResult result;
         graph::Session session(*impl_->library, options);
         const Watched watched(trail, session.diagnostics);
-        if (const graph::NodeFile* file = graph::load_node_file(session, path, {})) {
-            const EvaluationContext context{session.library, file->declarations, session.sources};
+        Effort effort;
+        graph::watched(session, [&] {
+            const graph::NodeFile* const file = graph::load_node_file(session, path, {});
+            if (!file) return;
+            const EvaluationContext context{.library = session.library,
+                                            .declarations = file->declarations,
+                                            .sources = session.sources,
+                                            .effort = &effort};
             result.node = describe_node(*file->node, context);
             check_functions(context, file->ast, session.diagnostics);
             if (!session.diagnostics.has_errors()) result.tests = node_tests(context, *file->node, session.diagnostics);
-        }
+        });
         result.diagnostics = to_public(session.diagnostics, session.sources);
         result.ok = !session.diagnostics.has_errors();
         return result;
@@ -262,14 +271,16 @@ namespace {
 
 SceneResult read_scene_file(graph::Session& session, const std::string& path) {
     SceneResult result;
-    if (const std::optional<std::uint32_t> base = graph::load_source(session, path, {})) {
+    graph::watched(session, [&] {
+        const std::optional<std::uint32_t> base = graph::load_source(session, path, {});
+        if (!base) return;
         const std::unique_ptr<graph::Json> json = graph::parse_json(session.sources, *base, session.diagnostics);
         const graph::SceneFiles files{
             .find = [&](const std::string& name, Span at) { return graph::find_file(session, name, path, at); },
             .require = [&](const std::string& name, Span at) { return graph::require_file(session, name, path, at); }};
         const graph::Reading reading{session.sources, session.ast, session.diagnostics};
         if (json) result.scene = graph::read_scene(reading, *json, path, graph::file_stem(path), files);
-    }
+    });
     result.diagnostics = to_public(session.diagnostics, session.sources);
     result.dependencies = std::move(session.dependencies);
     result.missing.assign(session.missing.begin(), session.missing.end());
@@ -295,17 +306,19 @@ EvalResult Compiler::evaluate(std::string_view node, std::span<const std::pair<s
         Diagnostics& diagnostics = session.diagnostics;
         const Watched watched(trail, diagnostics);
         EvalResult result;
-        if (const std::optional<Callee> callee = find_callee(session, node)) {
+        Effort effort;
+        graph::watched(session, [&] {
+            const std::optional<Callee> callee = find_callee(session, node);
+            if (!callee) return;
             const std::string_view name = callee->function.name;
             const auto values = read_arguments(session, callee->function, arguments);
             diagnostics.set_context(name, {});
-            if (!diagnostics.has_errors()) {
-                Evaluation evaluation =
-                    evaluate_call({session.library, callee->declarations, session.sources, names}, callee->function,
-                                  values, single ? Precision::Float : Precision::Double, diagnostics, {});
-                result.outputs = std::move(evaluation.outputs);
-            }
-        }
+            if (diagnostics.has_errors()) return;
+            Evaluation evaluation = evaluate_call(
+                {session.library, callee->declarations, session.sources, names, &effort}, callee->function, values,
+                single ? Precision::Float : Precision::Double, diagnostics, {});
+            result.outputs = std::move(evaluation.outputs);
+        });
         result.ok = !diagnostics.has_errors();
         result.diagnostics = to_public(diagnostics, session.sources);
         return result;
@@ -318,14 +331,17 @@ EvalResult Compiler::evaluate_expression(std::string_view expression, std::span<
         const CompileOptions options;
         graph::Session session(*impl_->library, options);
         EvalResult result;
-        const nodelang::Expr* parsed =
-            read_argument(std::string(expression), session.sources, session.ast, session.diagnostics);
-        if (parsed) {
+        Effort effort;
+        graph::watched(session, [&] {
+            const nodelang::Expr* const parsed =
+                read_argument(std::string(expression), session.sources, session.ast, session.diagnostics);
+            if (!parsed) return;
+            const EvaluationContext context{session.library, session.library.declarations, session.sources, names,
+                                            &effort};
             Evaluation evaluation = patina::evaluate_expression(
-                {session.library, session.library.declarations, session.sources, names}, *parsed,
-                single ? Precision::Float : Precision::Double, session.diagnostics);
+                context, *parsed, single ? Precision::Float : Precision::Double, session.diagnostics);
             result.outputs = std::move(evaluation.outputs);
-        }
+        });
         result.ok = !session.diagnostics.has_errors();
         result.diagnostics = to_public(session.diagnostics, session.sources);
         return result;

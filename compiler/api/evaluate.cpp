@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "compiler/api/describe/describe.h"
 #include "compiler/base/text.h"
+#include "compiler/base/watch.h"
 #include "compiler/interpret/interpret.h"
 #include "compiler/link/check_reads.h"
 #include "compiler/lower/declare.h"
@@ -90,6 +92,9 @@ private:
     Asked asked_;
 };
 
+// To emit an expression takes as long as so many steps of the interpreter.
+constexpr std::uint64_t kStepsOfAnExpression = 16;
+
 struct Bench {
     ir::Module module;
     emit::Emitter emitter;
@@ -98,10 +103,16 @@ struct Bench {
     NoGraph environment;
     emit::Scope scope;
 
+    Effort* effort;
+
     Bench(const EvaluationContext& context, Diagnostics& diagnostics, NoGraph::Asked asked)
-        : emitter{.module = module, .diagnostics = diagnostics, .options = {.fold = false}},
+        : emitter{.module = module,
+                  .diagnostics = diagnostics,
+                  .options = {.fold = false},
+                  .growth = context.effort ? &context.effort->growth : nullptr},
           builder(module, function, {.fold = false}),
-          environment(diagnostics, context.names, asked) {
+          environment(diagnostics, context.names, asked),
+          effort(context.effort) {
         graph::declare_engine(*context.library.engine({}), context.library.paths, context.library.declarations,
                               emitter);
         function.name = "evaluate";
@@ -129,8 +140,8 @@ struct Bench {
         return true;
     }
 
-    // Runs the emitted code and returns the flattened value.
-    std::vector<double> run(Typed value, Precision precision) {
+    // Runs the emitted code and returns the flattened value. `where`: what is run, for the error if it takes too long.
+    std::vector<double> run(Typed value, Precision precision, Span where) {
         function.result = value.type;
         builder.ret(value.value);
         module.functions.push_back(std::move(function));
@@ -141,7 +152,14 @@ struct Bench {
         }
         resources.textures.resize(module.globals.size());
         const ir::FunctionId id{static_cast<std::uint32_t>(module.functions.size() - 1)};
-        return interpret::run(module, id, {}, resources, precision).lanes[0];
+        interpret::QuadResult result =
+            interpret::run(module, id, {}, resources, precision, effort ? &effort->steps : nullptr);
+        if (!result.is_whole) {
+            emitter.diagnostics.report(Code::OverBudget, where, "steps of the interpreter", Effort::kMostSteps + 1,
+                                       Effort::kMostSteps);
+            throw Stopped{.is_reported = true};
+        }
+        return std::move(result.lanes[0]);
     }
 };
 
@@ -176,11 +194,11 @@ std::vector<EvalOutput> split_outputs(const ir::Module& module, const Typed& val
 }
 
 // Runs the code emitted for `value`, unless emitting failed.
-Evaluation evaluated(Bench& bench, const Typed& value, Precision precision, Diagnostics& diagnostics, Span at) {
+Evaluation evaluated(Bench& bench, const Typed& value, Precision precision, Diagnostics& diagnostics, Span where) {
     Evaluation evaluation;
-    if (!value.ok() || !bench.is_whole(diagnostics, at)) return evaluation;
+    if (!value.ok() || !bench.is_whole(diagnostics, where)) return evaluation;
     tolerance_of(bench.module, evaluation.relative, evaluation.absolute);
-    const std::vector<double> flat = bench.run(value, precision);
+    const std::vector<double> flat = bench.run(value, precision, where);
     evaluation.outputs = split_outputs(bench.module, value, flat);
     evaluation.ok = true;
     return evaluation;
@@ -193,7 +211,7 @@ std::optional<std::vector<double>> constant(const EvaluationContext& context, co
         emit::primary(bench.emitter, emit::expression(bench.emitter, expr, bench.scope), bench.scope, expr.span);
     if (type) value = emit::convert(bench.emitter, value, *type, bench.scope, expr.span, "the value");
     if (!value.ok()) return {};
-    return bench.run(value, Precision::Double);
+    return bench.run(value, Precision::Double, expr.span);
 }
 
 // An argument of a test's call, as numbers that a test can pass to a GPU.
@@ -312,7 +330,8 @@ Evaluation evaluate_expression(const EvaluationContext& context, const Expr& exp
 void check_functions(const EvaluationContext& context, const nodelang::Ast& ast, Diagnostics& diagnostics,
                      std::size_t first) {
     ir::Module module;
-    emit::Emitter emitter{.module = module, .diagnostics = diagnostics, .options = {.fold = true}};
+    Growth growth{.most = Limits{}.instructions};
+    emit::Emitter emitter{.module = module, .diagnostics = diagnostics, .options = {.fold = true}, .growth = &growth};
     graph::declare_engine(*context.library.engine({}), context.library.paths, context.library.declarations, emitter);
     for (std::size_t i = first; i < ast.functions.size(); ++i) {
         // A pass calls slots, which only a material fills.
@@ -329,6 +348,10 @@ std::vector<NodeTest> node_tests(const EvaluationContext& context, const nodelan
         std::optional<NodeTest> test =
             read_test(context, function, line.text, function.doc_begin + line.offset, ast, diagnostics);
         if (test) tests.push_back(std::move(*test));
+        if (Effort* const effort = context.effort) {
+            const std::uint64_t took = kStepsOfAnExpression * std::exchange(effort->growth.made, 0);
+            effort->steps -= std::min(effort->steps, took);
+        }
     }
     return tests;
 }

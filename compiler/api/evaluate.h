@@ -1,10 +1,20 @@
 // Runs single nodes on the CPU, for `patina eval` and the test lines in the library's comments.
 #pragma once
 
+#include "compiler/base/watch.h"
 #include "compiler/resolve/library.h"
 #include "patina/interpret.h"
 
 namespace patina {
+
+// What the evaluations of one call may take together: a test line can call functions that call others without end in
+// sight.
+struct Effort {
+    static constexpr std::uint64_t kMostSteps = 1u << 26;  // a second or two
+
+    Growth growth{.most = Limits{}.instructions};  // of one line
+    std::uint64_t steps = kMostSteps;              // that are left to the interpreter
+};
 
 // The declarations that names refer to: the library's, or those of a user's node file and the library.
 struct EvaluationContext {
@@ -12,6 +22,7 @@ struct EvaluationContext {
     const nodelang::Declarations& declarations;
     const SourceMap& sources;
     std::span<const NamedValue> names = {};  // further values that expressions may read
+    Effort* effort = nullptr;                // null: there is no limit
 };
 
 // The result of one call, run in the interpreter without folding. Errors go to `diagnostics`.

@@ -3,6 +3,7 @@
 
 #include "compiler/api/compile_source.h"
 #include "compiler/api/report.h"
+#include "compiler/base/watch.h"
 #include "compiler/edit/merge_texts.h"
 #include "compiler/seam/seam.h"
 #include "patina/graph_merge.h"
@@ -52,16 +53,27 @@ void keep_errors(std::vector<Diagnostic>& diagnostics) {
     diagnostics.erase(std::remove_if(diagnostics.begin(), diagnostics.end(), is_no_error), diagnostics.end());
 }
 
+bool is_cancelled(const Diagnostic& diagnostic) {
+    return diagnostic.code == info(Code::Cancelled).name;
+}
+
+// A compilation of what has been merged was cancelled, and so is the merge.
+struct Cancelled {
+    Diagnostic why;
+};
+
 std::vector<Diagnostic> errors_of(const Compiler& compiler, const MergeOptions& options, const std::string& text,
                                   Trail& trail) {
     CompileOptions compile;
     compile.include_dirs = options.compile.include_dirs;
     compile.files = options.compile.files;
+    compile.limits = options.compile.limits;
     compile.targets = {Target::Glsl};
     compile.accept_parts = true;
     std::vector<Diagnostic> errors =
         compile_text(CompilerAccess::impl(compiler), options.path, text, compile, trail).diagnostics;
     keep_errors(errors);
+    if (std::any_of(errors.begin(), errors.end(), is_cancelled)) throw Cancelled{std::move(errors.front())};
     return errors;
 }
 
@@ -93,12 +105,30 @@ MergeResult merge(const Compiler& compiler, const MergeInput& base, const MergeI
     return result;
 }
 
+Diagnostic cancelled(const Stopped& stopped) {
+    Diagnostics diagnostics;
+    diagnostics.report(Code::Cancelled, {}, stopped.why.empty() ? "" : ": " + stopped.why);
+    return to_public(diagnostics, SourceMap()).front();
+}
+
+MergeResult merge_until_cancelled(const Compiler& compiler, const MergeInput& base, const MergeInput& ours,
+                                  const MergeInput& theirs, const MergeOptions& options, Trail& trail) {
+    const Watch watch(options.compile.limits.cancelled);
+    try {
+        return merge(compiler, base, ours, theirs, options, trail);
+    } catch (const Stopped& stopped) {
+        return {.text = ours.text, .diagnostics = {cancelled(stopped)}};
+    } catch (Cancelled& cancelled) {
+        return {.text = ours.text, .diagnostics = {std::move(cancelled.why)}};
+    }
+}
+
 }  // namespace
 
 MergeResult merge_graphs(const Compiler& compiler, const MergeInput& base, const MergeInput& ours,
                          const MergeInput& theirs, const MergeOptions& options) {
     return guarded<MergeResult>(
-        options.path, [&](Trail& trail) { return merge(compiler, base, ours, theirs, options, trail); },
+        options.path, [&](Trail& trail) { return merge_until_cancelled(compiler, base, ours, theirs, options, trail); },
         [&](MergeResult& failed) { failed.text = ours.text; });
 }
 

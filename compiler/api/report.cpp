@@ -24,12 +24,13 @@ void place(Diagnostic& diagnostic, Span span, const SourceMap& sources) {
     diagnostic.end_column = end.column;
     // A whole graph may be one line, which is too long to copy into each diagnostic.
     constexpr std::size_t kMaxLine = 1u << 16;
+    if (begin.line_text.size() > kMaxLine) return;
     // A binary file has no lines to show; a text may have a control character or two.
     constexpr std::ptrdiff_t kMostControls = 4;
     const bool is_binary = std::count_if(begin.line_text.begin(), begin.line_text.end(), [](char c) {
                                return static_cast<unsigned char>(c) < 0x20 && c != '\t' && c != '\r';
                            }) > kMostControls;
-    if (begin.line_text.size() <= kMaxLine && !is_binary) diagnostic.source_line = begin.line_text;
+    if (!is_binary) diagnostic.source_line = begin.line_text;
 }
 
 std::string_view word(Severity severity) {

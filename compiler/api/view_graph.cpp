@@ -52,6 +52,12 @@ Types types_of(const Compiler& compiler, const std::string& path, const CompileO
     options.targets.clear();
     options.keep_programs = options.accept_parts = true;
     const Result result = compile_file(CompilerAccess::impl(compiler), path, options, trail);
+    for (const Diagnostic& each : result.diagnostics) {
+        constexpr std::string_view kWhy = ": ";
+        const std::size_t why = each.message.find(kWhy);
+        if (each.code == info(Code::Cancelled).name)
+            throw Stopped{.why = why == each.message.npos ? "" : each.message.substr(why + kWhy.size())};
+    }
     Types types;
     if (!result.program) return types;
     const std::string_view graph = kind == graph::GraphKind::Lighting ? "lighting" : "material";
@@ -216,7 +222,9 @@ GraphView view(const Compiler& compiler, const std::string& path, const CompileO
     graph::Session session(library, own);
     const Watched watched(trail, session.diagnostics);
     GraphView view;
-    if (const std::optional<std::uint32_t> base = graph::load_source(session, path, {})) {
+    graph::watched(session, [&] {
+        const std::optional<std::uint32_t> base = graph::load_source(session, path, {});
+        if (!base) return;
         const std::unique_ptr<graph::Json> json = graph::parse_json(session.sources, *base, session.diagnostics);
         const std::shared_ptr<graph::Graph> graph =
             json ? graph::read_graph(*json, path, session.sources, session.ast, session.diagnostics, std::nullopt)
@@ -228,7 +236,7 @@ GraphView view(const Compiler& compiler, const std::string& path, const CompileO
             if (checked && !session.diagnostics.has_errors())
                 View(session, library, *checked, types_of(compiler, path, own, graph->kind, trail), view).make();
         }
-    }
+    });
     view.diagnostics = to_public(session.diagnostics, session.sources);
     view.dependencies = std::move(session.dependencies);
     view.missing.assign(session.missing.begin(), session.missing.end());

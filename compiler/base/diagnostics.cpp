@@ -3,6 +3,7 @@
 #include <array>
 
 #include "compiler/base/text.h"
+#include "compiler/base/watch.h"
 
 namespace patina {
 namespace {
@@ -15,6 +16,8 @@ constexpr std::array kInfos = {
 
 // A graph that is wrong everywhere should not bury its reader.
 constexpr std::size_t kMaxRecords = 200;
+
+constexpr std::size_t kMostListed = 24, kMostLetters = 2000;
 
 }  // namespace
 
@@ -33,6 +36,7 @@ bool Diagnostics::is_full() const {
 DiagnosticRecord& Diagnostics::add(Code code, Span span, std::string message) {
     const Level severity = info(code).severity;
     if (severity == Level::Error) ++errors_;
+    Watch::step(1 + records_.size() / 8);
     // The same words at the same place add nothing (a node that is lowered for two stages, say).
     for (DiagnosticRecord& record : records_) {
         if (record.code == code && record.span == span && record.message == message) return overflow_ = record;
@@ -53,9 +57,12 @@ std::string Diagnostics::suggestion(std::string_view word, std::span<const std::
     if (const std::string_view best = nearest(word, candidates); !best.empty()) {
         return fmt::format("did you mean '{}'?", best);
     }
+    // A list that is too long to read is no help.
+    std::size_t letters = 0;
+    for (const std::string_view candidate : candidates) letters += candidate.size();
+    if (candidates.empty() || candidates.size() > kMostListed || letters > kMostLetters) return {};
     if (candidates.size() == 1) return fmt::format("there is only '{}'", candidates[0]);
-    if (!candidates.empty() && candidates.size() <= 24) return fmt::format("these exist: {}", enumerate(candidates));
-    return {};
+    return fmt::format("these exist: {}", enumerate(candidates));
 }
 
 }  // namespace patina

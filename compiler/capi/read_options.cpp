@@ -33,6 +33,7 @@ public:
             limits && expect(reading_, *limits, Json::Kind::Object, "'limits'")) {
             check_keys(reading_, *limits, ObjectKind::OptionsLimits);
             count(*limits, "nodes", options_.limits.nodes);
+            count(*limits, "instructions", options_.limits.instructions);
             count(*limits, "sourceBytes", options_.limits.source_bytes);
             count(*limits, "shaderBytes", options_.limits.shader_bytes);
         }

@@ -16,6 +16,9 @@ using ir::Value;
 
 namespace {
 
+// Each name is looked for among them, and each branch compares all of them.
+constexpr std::size_t kMostVariables = 4096;
+
 // Assigns to a variable or to a part of it; the composites between the part and the variable are made anew.
 bool store(Emitter& emitter, const Expr& target, Typed value, Scope& scope) {
     ir::Builder& b = *scope.builder;
@@ -105,6 +108,10 @@ void declare(Emitter& emitter, const Stmt& stmt, Scope& scope) {
     const bool clash =
         std::any_of(scope.locals.begin(), scope.locals.end(), [&](const Local& l) { return l.name == stmt.name; });
     if (clash) emitter.diagnostics.report(Code::Redefinition, stmt.name_span, stmt.name);
+    if (scope.locals.size() == kMostVariables)
+        emitter.diagnostics.report(Code::TooMany, stmt.name_span, scope.locals.size() + 1, "variables of a function",
+                                   kMostVariables);
+    if (scope.locals.size() >= kMostVariables) return;
     if (!wanted.is_error()) {
         if (!stmt.value) {
             local.value = {.value = scope.builder->zero(wanted), .type = wanted};

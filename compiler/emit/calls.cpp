@@ -132,7 +132,7 @@ Typed call_gathered(Emitter& emitter, const FunctionDecl& function, const Declar
     const Instance& instance = instantiate(emitter, function, home, gathered, width, half, span);
     if (instance.result.is_error()) return {};
     if (instance.needs_quad) need_quad(emitter, scope, span, function.name, takes_texture(function));
-    if (instance.rounds > 0) count_rounds(emitter, instance.rounds, scope, span);
+    count_rounds(emitter, 1 + instance.rounds, scope, span);
     return {.value = scope.builder->call(instance.id, values), .type = instance.result, .outputs = instance.outputs};
 }
 

@@ -14,7 +14,7 @@ using ir::Value;
 namespace {
 
 constexpr double kMaxIterations = 4096;  // of one loop
-constexpr double kMaxRounds = 1u << 22;  // of all loops of a function, nested ones multiplied
+constexpr double kMaxRounds = 1u << 22;  // of all loops and calls of a function, nested ones multiplied
 // The statements after a branch that returns are nested in its else.
 constexpr std::size_t kMaxBranches = 200;
 
@@ -144,12 +144,14 @@ bool if_statement(Emitter& emitter, const Stmt& stmt, const Statements& list, st
     return false;
 }
 
-// Rounds of nested loops multiply, in called functions too, and all of them must end in a reasonable time.
+// Rounds of nested loops multiply, in called functions too, and so do calls in functions that are called: functions
+// that each call the next one twice. All of them must end in a reasonable time.
 void count_rounds(Emitter& emitter, double rounds, Scope& scope, Span span) {
     const bool was_fine = scope.rounds <= kMaxRounds;
     scope.rounds += scope.rounds_around * rounds;
     if (was_fine && scope.rounds > kMaxRounds) {
-        emitter.diagnostics.report(Code::TooMany, span, scope.rounds, "iterations of nested loops", kMaxRounds);
+        emitter.diagnostics.report(Code::TooMany, span, scope.rounds, "iterations of nested loops and calls",
+                                   kMaxRounds);
     }
 }
 
@@ -158,8 +160,15 @@ namespace {
 // The rounds of a loop one after the other, with the index as a constant.
 void write_out(Emitter& emitter, const Stmt& loop, double first, double end, Scope& scope) {
     const std::string_view outer_flow = std::exchange(scope.flow, "for");
-    const std::size_t outer = scope.locals.size();
+    const std::size_t outer = scope.locals.size(), before = emitter.growth ? emitter.growth->made : 0;
     for (double i = first; i < end; ++i) {
+        grow(emitter, loop.name_span);
+        if (i == first + 1 && emitter.growth) {
+            // The other rounds are about as long as the first one.
+            const auto round = static_cast<double>(emitter.growth->made - before);
+            expect_growth(emitter, round * (end - i), loop.name_span,
+                          "[unroll] writes out all rounds of the loop: without it, the loop stays one");
+        }
         const Value index = scope.builder->constant(ir::kInt, {i});
         scope.locals.push_back(
             {.name = loop.name, .value = {.value = index, .type = ir::kInt}, .is_const = true, .constant = i});

@@ -18,6 +18,7 @@
 #include <deque>
 #include <tuple>
 
+#include "compiler/base/watch.h"
 #include "compiler/emit/instances.h"
 #include "compiler/emit/known.h"
 
@@ -50,6 +51,7 @@ struct Emitter {
     Instances instances{};                      // the functions that have been made
     Structures structures{};                    // the structs that have been made
     std::deque<Outputs> outputs{};              // what Typed::outputs points to
+    Growth* growth = nullptr;                   // null: there is no limit
     std::vector<const FunctionDecl*> active{};  // whose bodies are being emitted, the innermost last: finds recursion
 };
 
@@ -78,6 +80,11 @@ Typed view_as(Emitter& emitter, const Expr& expr, ir::Type type, Scope& scope, s
 bool is_texture(const Emitter& emitter, ir::Type type);
 // True for two types of textures that differ at most in what is read of them.
 bool is_view_of(const Emitter& emitter, ir::Type type, ir::Type texture);
+
+// Counts what is made for an expression of the language. If that is too much, reports it at `where`, and ends the work.
+void grow(Emitter& emitter, Span where);
+// The same for so many more of them that are about to be made. The advice says how there would be fewer.
+void expect_growth(Emitter& emitter, double more, Span where, std::string_view advice);
 
 // --- types
 // The type that a word of the language means here. Reports a word that means none.

@@ -161,7 +161,26 @@ Typed extern_value(Emitter& emitter, const VariableDecl& variable, Scope& scope)
     return make_texture(emitter, {.texture = value, .sampler = sampler}, scope);
 }
 
+void grow(Emitter& emitter, Span where) {
+    Watch::step();
+    Growth* const growth = emitter.growth;
+    if (!growth || ++growth->made <= growth->most) return;
+    emitter.diagnostics.report(Code::OverBudget, where, "instructions", growth->made, growth->most);
+    throw Stopped{.is_reported = true};
+}
+
+void expect_growth(Emitter& emitter, double more, Span where, std::string_view advice) {
+    const Growth* const growth = emitter.growth;
+    if (!growth || static_cast<double>(growth->made) + more <= static_cast<double>(growth->most)) return;
+    emitter.diagnostics
+        .report(Code::OverBudget, where, "instructions",
+                fmt::format("{:.0f}", static_cast<double>(growth->made) + more), growth->most)
+        .note(std::string(advice));
+    throw Stopped{.is_reported = true};
+}
+
 Typed expression(Emitter& emitter, const Expr& expr, Scope& scope) {
+    grow(emitter, expr.span);
     switch (expr.kind) {
         case Expr::Kind::Number: return number_literal(emitter, expr, scope);
         case Expr::Kind::Bool: {

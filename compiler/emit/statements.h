@@ -20,7 +20,7 @@ void assign(Emitter& emitter, const Stmt& stmt, Scope& scope);
 // The function's result and its out parameters as one value. Null `stmt`: the body ends without a return.
 ir::Value return_value(Emitter& emitter, const Stmt* stmt, Scope& scope);
 
-// Adds the iterations of a loop, or of a function that is called, and reports when all of them are too many.
+// Adds the iterations of a loop, or a call with those of its function, and reports when all of them are too many.
 void count_rounds(Emitter& emitter, double rounds, Scope& scope, Span span);
 
 }  // namespace patina::emit

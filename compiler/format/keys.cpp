@@ -399,6 +399,7 @@ constexpr std::array kOptions = {
 };
 constexpr std::array kOptionsLimits = {
     KeyInfo{"nodes", "nodes of the graph, and of each use of a sub-graph"},
+    KeyInfo{"instructions", "instructions of nodes, functions and passes"},
     KeyInfo{"sourceBytes", "bytes of all texts that are read"},
     KeyInfo{"shaderBytes", "bytes of all texts that are written"},
 };

@@ -15,6 +15,9 @@ namespace {
 // Nobody reads more errors than this, and a hostile file may have a million.
 constexpr std::size_t kEnough = 100;
 
+constexpr std::size_t kMostLetters = 1000;  // of a name: messages repeat it
+constexpr std::size_t kMostPorts = 1024;    // of a node, a surface or the outputs of a graph
+
 // Words of other programs that have no counterpart, and why.
 constexpr std::string_view kVirtualTexture =
     "a virtual texture needs an engine that streams its tiles: use a texture2d for each of its layers";
@@ -100,6 +103,10 @@ std::string read_text(Reading& reading, const Json& object, std::string_view key
 std::string read_identifier(Reading& reading, const Json& json, std::string_view what) {
     const std::string* text = read_string(reading, json, what);
     if (!text) return {};
+    if (text->size() > kMostLetters) {
+        reading.diagnostics.report(Code::TooMany, inside(json.span), text->size(), "letters of a name", kMostLetters);
+        return {};
+    }
     if (!is_identifier(*text)) reading.diagnostics.report(Code::BadIdentifier, inside(json.span), shown(*text));
     return *text;
 }
@@ -212,6 +219,11 @@ void read_name(Reading& reading, const Json& json, std::string_view what, std::s
 std::vector<PortValue> read_ports(Reading& reading, const Json& object, std::string_view what, std::string_view node) {
     std::vector<PortValue> ports;
     if (!expect(reading, object, Json::Kind::Object, what)) return ports;
+    if (object.members.size() > kMostPorts) {
+        reading.diagnostics.report(Code::TooMany, object.members[kMostPorts].key_span, object.members.size(),
+                                   fmt::format("keys of {}", what), kMostPorts);
+        return ports;
+    }
     ports.reserve(object.members.size());
     for (const JsonMember& member : object.members) {
         reading.diagnostics.set_context(node, member.key);

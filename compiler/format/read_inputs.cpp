@@ -6,6 +6,9 @@
 namespace patina::graph {
 namespace {
 
+// Each use of a sub-graph looks for each of them among the values that it is given.
+constexpr std::size_t kMostInputs = 256;
+
 using nodelang::Expr;
 
 void read_type(Reading& reading, const Json& json, Input& input) {
@@ -91,6 +94,11 @@ Input read_input(Reading& reading, const Json& json, UniqueNames& names, bool of
 std::vector<Input> read_inputs(Reading& reading, const Json& array, UniqueNames& names, bool of_workflow) {
     std::vector<Input> inputs;
     if (!expect(reading, array, Json::Kind::Array, "a list of inputs")) return inputs;
+    if (array.elements.size() > kMostInputs) {
+        reading.diagnostics.report(Code::TooMany, array.elements[kMostInputs].span, array.elements.size(), "inputs",
+                                   kMostInputs);
+        return inputs;
+    }
     for (const Json& element : array.elements) {
         if (!expect(reading, element, Json::Kind::Object, "an input")) continue;
         Input input = read_input(reading, element, names, of_workflow);

@@ -9,6 +9,10 @@
 namespace patina::graph {
 namespace {
 
+// Whoever reads a property looks for its name, and for the value of an enum, among all of them.
+constexpr std::size_t kMostProperties = 4096;
+constexpr std::size_t kMostValues = 1024;
+
 // The number of components that a range limits. Alpha is coverage and has no range.
 std::size_t ranged_count(PropertyType type) {
     switch (type) {
@@ -184,6 +188,11 @@ void read_enum_values(Reading& reading, const Json& json, Property& property) {
         return;
     }
     if (!expect(reading, *values, Json::Kind::Array, "'values'")) return;
+    if (values->elements.size() > kMostValues) {
+        reading.diagnostics.report(Code::TooMany, values->elements[kMostValues].span, values->elements.size(),
+                                   "values of an enum", kMostValues);
+        return;
+    }
     if (values->elements.empty()) reading.diagnostics.report(Code::EmptyList, values->span, "values").note(kExample);
     UniqueNames names;
     for (const Json& value : values->elements) {
@@ -240,6 +249,11 @@ Property read_property(Reading& reading, const Json& json, UniqueNames& names) {
 std::vector<Property> read_properties(Reading& reading, const Json& array, UniqueNames& names) {
     std::vector<Property> properties;
     if (!expect(reading, array, Json::Kind::Array, "'properties'")) return properties;
+    if (array.elements.size() > kMostProperties) {
+        reading.diagnostics.report(Code::TooMany, array.elements[kMostProperties].span, array.elements.size(),
+                                   "properties", kMostProperties);
+        return properties;
+    }
     for (const Json& element : array.elements) {
         if (!expect(reading, element, Json::Kind::Object, "a property")) continue;
         Property property = read_property(reading, element, names);

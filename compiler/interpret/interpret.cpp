@@ -3,11 +3,17 @@
 
 #include <algorithm>
 
+#include "compiler/base/watch.h"
 #include "compiler/interpret/machine.h"
 #include "compiler/interpret/rounding.h"
 
 namespace patina::interpret {
 namespace {
+
+// A step of the machine is short: so many of them take as long as one of a Watch.
+constexpr std::size_t kStepsOfOne = 16;
+
+struct OutOfSteps {};
 
 void run_block(Machine& machine, std::uint32_t block, Mask active);
 
@@ -106,7 +112,11 @@ void run_step(Machine& machine, const Step& step, Mask active) {
 }
 
 void run_block(Machine& machine, std::uint32_t block, Mask active) {
-    for (const Step& step : machine.blocks[block]) run_step(machine, step, active);
+    const std::vector<Step>& steps = machine.blocks[block];
+    Watch::step(1 + steps.size() / kStepsOfOne);
+    if (machine.steps_left <= steps.size()) throw OutOfSteps{};
+    machine.steps_left -= 1 + steps.size();
+    for (const Step& step : steps) run_step(machine, step, active);
 }
 
 }  // namespace
@@ -117,7 +127,7 @@ void execute(Machine& machine) {
 }
 
 QuadResult run(const ir::Module& module, ir::FunctionId function, const std::array<std::vector<Flat>, 4>& arguments,
-               const Resources& resources, Precision precision) {
+               const Resources& resources, Precision precision, std::uint64_t* steps_left) {
     Machine machine = make_machine(module, function, precision);
     for (std::uint32_t i = 0; i < module.globals.size(); ++i) {
         if (i < resources.uniforms.size()) set_uniform(machine, module, ir::GlobalId{i}, resources.uniforms[i]);
@@ -131,8 +141,15 @@ QuadResult run(const ir::Module& module, ir::FunctionId function, const std::arr
             }
         }
     }
-    execute(machine);
     QuadResult result;
+    if (steps_left) machine.steps_left = *steps_left;
+    try {
+        execute(machine);
+    } catch (const OutOfSteps&) {
+        result.is_whole = false;
+        return result;
+    }
+    if (steps_left) *steps_left = machine.steps_left;
     for (unsigned lane = 0; lane < kLanes; ++lane) {
         for (std::uint32_t i = 0; i < machine.output.count; ++i) result.lanes[lane].push_back(machine.result(i, lane));
         result.discarded[lane] = (machine.discarded >> lane & 1) != 0;

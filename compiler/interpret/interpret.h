@@ -26,12 +26,14 @@ using Flat = std::vector<double>;
 struct QuadResult {
     std::array<Flat, 4> lanes;
     std::array<bool, 4> discarded{};
+    bool is_whole = true;  // false: it would have taken more steps than are left
 };
 
 // Runs `function` with one list of arguments for each lane. In Float precision, the result of every float operation is
-// rounded to 32 bits; half operations are rounded to 16 bits in both precisions.
+// rounded to 32 bits; half operations are rounded to 16 bits in both precisions. The steps that it takes are subtracted
+// from `steps_left`; null: any number.
 QuadResult run(const ir::Module& module, ir::FunctionId function, const std::array<std::vector<Flat>, 4>& arguments,
-               const Resources& resources, Precision precision);
+               const Resources& resources, Precision precision, std::uint64_t* steps_left = nullptr);
 
 // How many numbers a value of this type has in a Flat.
 std::size_t flat_size(const ir::Module& module, ir::Type type);

@@ -113,6 +113,7 @@ struct Machine {
     std::vector<std::shared_ptr<const TextureData>> textures{};  // by Module::globals; null: not bound
     bool is_quad = true;  // the lanes are neighbouring pixels; false: they are unrelated, like vertices
     Mask discarded = 0;
+    std::uint64_t steps_left = ~std::uint64_t{0};
     Watcher* watcher = nullptr;  // null: there is none
     int light = -1;
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "compiler/base/spelling.h"
+#include "compiler/base/watch.h"
 #include "compiler/languages/body.h"
 
 namespace patina::languages {
@@ -144,7 +145,10 @@ std::string Body::assignment(std::uint32_t variable, Value value, const Text& te
 }
 
 void Body::print_block(BlockId block) {
-    for (Value v : function_.blocks[block.index].insts) print_statement(v);
+    for (Value v : function_.blocks[block.index].insts) {
+        Watch::step();
+        print_statement(v);
+    }
 }
 
 void Body::print_statement(Value v) {

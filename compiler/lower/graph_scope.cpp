@@ -105,6 +105,7 @@ void GraphScope::emit_nodes(const std::vector<bool>& wanted) {
 void GraphScope::emit_node(std::uint32_t index) {
     emitted_[index] = true;
     const Node& node = graph_.graph->nodes[index];
+    emit::grow(lowering_.emitter, node.id_span);
     const ResolvedNode& resolved = graph_.nodes[index];
     if (!resolved.ok) return;
     at_ = index;
@@ -245,12 +246,12 @@ Typed GraphScope::property(const Expr& expr, emit::Scope&) {
         if (port.name == expr.text) return bound_property(port);
     }
     const auto& own = graph_.graph->properties;
-    for (const Property& property : own) {
-        const auto variant = lowering_.material.variants.find(&property);
-        if (property.name == expr.text && variant != lowering_.material.variants.end())
-            return keyword(property, known_value(property, variant->second));
-    }
     const auto declared = std::find_if(own.begin(), own.end(), [&](const Property& p) { return p.name == expr.text; });
+    if (declared != own.end()) {
+        const auto variant = lowering_.material.variants.find(&*declared);
+        if (variant != lowering_.material.variants.end())
+            return keyword(*declared, known_value(*declared, variant->second));
+    }
     const bool is_own = graph_.graph->kind == GraphKind::Material || declared != own.end();
     const auto index = lowering_.material.property_index.find(expr.text);
     if (is_own && index != lowering_.material.property_index.end()) {
@@ -280,6 +281,19 @@ Type GraphScope::type_of(const Property& property) {
     return type_of_word(lowering_, to_string(property.type), property.span);
 }
 
+namespace {
+
+// The words of an enum, once for all who read it.
+const std::vector<std::string_view>* words_of(Lowering& lowering, const Property& property) {
+    for (const std::vector<std::string_view>& known : lowering.enumerators) {
+        if (!known.empty() && !property.values.empty() && known.front().data() == property.values.front().data())
+            return &known;
+    }
+    return &lowering.enumerators.emplace_back(property.values.begin(), property.values.end());
+}
+
+}  // namespace
+
 // A lighting graph's property that the material has bound to a value of its own. The value is read in the material's
 // scope, but emitted into this function.
 Typed GraphScope::bound_property(const PortValue& port) {
@@ -290,8 +304,7 @@ Typed GraphScope::bound_property(const PortValue& port) {
     reader.emit_nodes(reader.graph_.reachable(std::span(&port, 1)));
     Typed value = reader.value_as(port, type_of(*property), fmt::format("the property '{}'", port.name));
     if (property->type == PropertyType::Enum) {
-        lowering_.enumerators.emplace_back(property->values.begin(), property->values.end());
-        value.enumerators = &lowering_.enumerators.back();
+        value.enumerators = words_of(lowering_, *property);
     }
     return value;
 }
@@ -299,8 +312,7 @@ Typed GraphScope::bound_property(const PortValue& port) {
 // A bool, or an enum as an int.
 Typed GraphScope::keyword(const Property& property, Value value) {
     if (property.type == PropertyType::Bool) return {.value = value, .type = ir::kBool};
-    lowering_.enumerators.emplace_back(property.values.begin(), property.values.end());
-    return {.value = value, .type = ir::kInt, .enumerators = &lowering_.enumerators.back()};
+    return {.value = value, .type = ir::kInt, .enumerators = words_of(lowering_, property)};
 }
 
 Value GraphScope::known_value(const Property& property, double value) {
@@ -374,8 +386,7 @@ Typed GraphScope::material_property(std::size_t index) {
     if (is_array(property.type)) return array_property(property, value);
     Typed typed{.value = value, .type = b.type(value)};
     if (property.type == PropertyType::Enum) {
-        lowering_.enumerators.emplace_back(property.values.begin(), property.values.end());
-        typed.enumerators = &lowering_.enumerators.back();
+        typed.enumerators = words_of(lowering_, property);
     }
     return typed;
 }

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "compiler/base/text.h"
+#include "compiler/base/watch.h"
 
 namespace patina::nodelang {
 namespace {
@@ -95,6 +96,7 @@ Lexer::Lexer(Text text, Place place, Diagnostics& diagnostics) : text_(text), pl
 }
 
 Token Lexer::next() {
+    Watch::step();
     Token token;
     skip_space(token);
     token.begin = here_;

@@ -86,11 +86,22 @@ TextPrinter stage_printer(const graph::Session& session, const ir::Module& tidie
                        session.kept ? &session.kept->texts : nullptr);
 }
 
+// Reports that the texts are more than the program allows. Those that are too many are never made.
+bool is_over_bytes(graph::Session& session, const Result& result) {
+    std::size_t bytes = 0;
+    for (const Shader& shader : result.shaders) bytes += shader.text.size();
+    const std::size_t most = session.options.limits.shader_bytes;
+    if (bytes <= most) return false;
+    session.diagnostics.report(Code::OverBudget, {}, "bytes of shader text", bytes, most);
+    session.stopped = true;
+    return true;
+}
+
 void print_pass(graph::Session& session, const LinkedPass& pass, const std::string& name, Result& result) {
     TextPrinter vertex = stage_printer(session, pass.vertex, Stage::Vertex, pass.pass->name, name);
     TextPrinter fragment = stage_printer(session, pass.fragment, Stage::Fragment, pass.pass->name, name);
     for (const Target& target : session.options.targets) {
-        if (graph::must_stop(session)) return;
+        if (graph::must_stop(session) || is_over_bytes(session, result)) return;
         result.shaders.push_back(vertex.print(target, result.reflection, session.sources));
         result.shaders.push_back(fragment.print(target, result.reflection, session.sources));
     }

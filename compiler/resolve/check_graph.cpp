@@ -38,8 +38,6 @@ void find_meaning(Session& session, const Graph& graph, const Node& node, const 
         const nodelang::Declarations& library = session.library.declarations;
         const nodelang::FunctionDecl* function = library.function(node.type);
         if (!function || !function->attribute("node")) {
-            std::vector<std::string_view> known = library.function_names();
-            std::erase_if(known, [&](std::string_view name) { return !library.function(name)->attribute("node"); });
             const bool is_shown = !session.diagnostics.is_full();
             DiagnosticRecord& record = session.diagnostics.report(Code::UnknownNode, node.type_span, node.type);
             if (!is_shown) return;  // advice takes longer than all else that is done for a node
@@ -50,6 +48,8 @@ void find_meaning(Session& session, const Graph& graph, const Node& node, const 
                                 node.type));
                 return;
             }
+            std::vector<std::string_view> known = library.function_names();
+            std::erase_if(known, [&](std::string_view name) { return !library.function(name)->attribute("node"); });
             const std::string advice = nodelang::node_advice(node.type, known, library);
             if (!advice.empty())
                 record.note(advice);

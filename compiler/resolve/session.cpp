@@ -1,8 +1,8 @@
 #include "compiler/resolve/session.h"
 
 #include <algorithm>
-#include <exception>
 #include <filesystem>
+#include <set>
 
 #include "compiler/base/near_file.h"
 #include "compiler/json/json.h"
@@ -19,6 +19,9 @@ const engines::Engine& engine_of(const Library& library, const CompileOptions& o
     return engine ? *engine : *library.engine({});
 }
 
+// To look for a file takes as long as so many steps.
+constexpr std::size_t kStepsOfAFile = 16;
+
 // What a failed compilation has looked for, so that who watches its files also sees that one of these appears.
 void add_missing(Session& session, const std::vector<std::string>& paths) {
     session.dependencies.insert(session.dependencies.end(), paths.begin(), paths.end());
@@ -34,7 +37,10 @@ std::vector<std::string> candidates(Session& session, const std::string& name, c
             paths.push_back(std::move(found.path));
     };
     add(from);
-    for (const std::string& folder : session.options.include_dirs) add(folder.ends_with('/') ? folder : folder + '/');
+    for (const std::string& folder : session.request.folders) {
+        Watch::step(kStepsOfAFile);
+        add(folder);
+    }
     return paths;
 }
 
@@ -65,12 +71,24 @@ bool is_folder(const Session& session, const std::vector<std::string>& paths) {
            });
 }
 
+// A name that is given twice means what it means once.
+std::vector<std::string> each_once(const std::vector<std::string>& names) {
+    std::vector<std::string> made;
+    std::set<std::string_view> known;
+    for (const std::string& name : names)
+        if (known.insert(name).second) made.push_back(name);
+    return made;
+}
+
 }  // namespace
 
 Request::Request(const CompileOptions& options) {
+    for (const std::string& folder : options.include_dirs)
+        folders.push_back(folder.ends_with('/') ? folder : folder + '/');
+    folders = each_once(folders);
     if (const CompileOptions::Passes* wanted = options.passes()) {
         path = wanted->path;
-        passes = wanted->only;
+        passes = each_once(wanted->only);
     }
     if (const auto* wanted = std::get_if<CompileOptions::Functions>(&options.request)) functions = wanted->prefix;
     if (const auto* wanted = std::get_if<CompileOptions::Preview>(&options.request)) preview = wanted->port;
@@ -79,6 +97,7 @@ Request::Request(const CompileOptions& options) {
 Session::Session(const Library& the_library, const CompileOptions& the_options, Files* the_files)
     : library(the_library),
       options(the_options),
+      watch(the_options.limits.cancelled),
       request(the_options),
       engine(engine_of(the_library, the_options)),
       declarations(&the_library.declarations),
@@ -149,21 +168,22 @@ bool is_over_bytes(Session& session, Span where) {
 }
 
 bool must_stop(Session& session) {
-    const std::function<bool()>& asked = session.options.limits.cancelled;
-    if (session.stopped || !asked) return session.stopped;
-    std::string why;
-    bool is_wanted = true;  // a function that fails also ends the compilation
-    if (succeeds([&] { is_wanted = asked(); }, why) && !is_wanted) return false;
+    Stopped stopped;
+    if (!session.stopped && session.watch.is_cancelled(stopped.why)) report_stop(session, stopped);
+    return session.stopped;
+}
+
+void report_stop(Session& session, const Stopped& stopped) {
+    if (session.stopped) return;
     session.stopped = true;
-    session.diagnostics.report(Code::Cancelled, {}, why.empty() ? why : ": " + why);
-    return true;
+    if (stopped.is_reported) return;
+    session.diagnostics.report(Code::Cancelled, {}, stopped.why.empty() ? "" : ": " + stopped.why);
 }
 
 bool call_program(Session& session, const std::function<void()>& function) {
     std::string why;
     if (succeeds(function, why)) return true;
-    session.stopped = true;
-    session.diagnostics.report(Code::Cancelled, {}, ": " + why);
+    report_stop(session, {.why = std::move(why)});
     return false;
 }
 

@@ -12,6 +12,7 @@
 #include <string>
 #include <unordered_map>
 
+#include "compiler/base/watch.h"
 #include "compiler/resolve/files.h"
 #include "compiler/resolve/library.h"
 #include "patina/patina.h"
@@ -40,12 +41,13 @@ struct PassFile {
     PathDeclarations paths;  // those of the library, and the file's
 };
 
-// CompileOptions::request, for those who need a part of it.
+// CompileOptions::request, for those who need a part of it. What a list names twice is in it once.
 struct Request {
     explicit Request(const CompileOptions& options);
 
     std::string path;                      // empty for functions
     std::vector<std::string> passes;       // empty: those of the path
+    std::vector<std::string> folders;      // CompileOptions::include_dirs, with a "/" at the end
     std::optional<std::string> functions;  // their prefix
     std::optional<std::string> preview;    // the port
 };
@@ -56,6 +58,7 @@ struct Session {
 
     const Library& library;
     const CompileOptions& options;
+    Watch watch;  // of this thread, while the session lives
     const Request request;
     const engines::Engine& engine;  // the engine of all requested targets
     // The library's, unless the requested path is a file.
@@ -68,6 +71,7 @@ struct Session {
     nodelang::Ast ast;
     std::vector<std::string> dependencies;
     bool stopped = false;  // an error has been reported, and no further work is wanted
+    Growth growth{.most = options.limits.instructions};
     std::optional<Files> own_files;
     Files& files;
     std::deque<CheckedGraph> checked;
@@ -96,6 +100,17 @@ bool must_stop(Session& session);
 // Calls a function of the program's. False: it has thrown, which ends the compilation as `cancelled` does, and is
 // reported.
 bool call_program(Session& session, const std::function<void()>& function);
+// Reports what ended the work, unless that is done.
+void report_stop(Session& session, const Stopped& stopped);
+// Does the work, which may end early.
+template <class Work>
+void watched(Session& session, const Work& work) {
+    try {
+        work();
+    } catch (const Stopped& stopped) {
+        report_stop(session, stopped);
+    }
+}
 // Finds the requested path in the library, or reads the file that holds it. Reports errors.
 void find_path(Session& session);
 // "dir/x.graph.json" -> "x"

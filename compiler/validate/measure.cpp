@@ -6,6 +6,7 @@
 
 #include "compiler/validate/compile.h"
 #include "compiler/validate/counts.h"
+#include "compiler/validate/inlined.h"
 #include "compiler/validate/owners.h"
 #include "patina/complaints.h"
 #include "patina/cost.h"
@@ -59,7 +60,7 @@ std::vector<LineOwner> owners_of(const Shader& shader, const Nodes& nodes) {
 
 MeasuredStage measure(const Shader& shader, const Result& compiled, const Nodes& nodes) {
     const std::vector<std::uint32_t> spirv = spirv_with_lines(shader);
-    if (spirv.empty()) return {};
+    if (spirv.empty() || too_large(shader, spirv)) return {};
     const std::size_t owners = kFirstNode + compiled.nodes.size();
     const SpirvCounts counts = count(optimised(with_owners(spirv, owners_of(shader, nodes))), shader.stage, owners);
     MeasuredStage made{.ok = true, .cost = counts.total};
@@ -125,8 +126,13 @@ std::vector<Diagnostic> refusals(const Result& compiled, std::span<const Measure
     std::vector<Diagnostic> made;
     if (std::ranges::all_of(passes, [](const MeasuredPass& pass) { return pass.vertex.ok && pass.fragment.ok; }))
         return made;
-    for (const Shader& shader : compiled.shaders)
-        std::ranges::move(validate(shader).diagnostics, std::back_inserter(made));
+    for (const Shader& shader : compiled.shaders) {
+        Validated validated = validate(shader);
+        std::ranges::move(validated.diagnostics, std::back_inserter(made));
+        if (!validated.ok || !shader.has_main) continue;
+        if (std::optional<Diagnostic> why = too_large(shader, spirv_with_lines(shader)))
+            made.push_back(std::move(*why));
+    }
     return made;
 }
 

@@ -88,7 +88,8 @@ std::string_view line_of(std::string_view text, int line) {
     return text.substr(0, text.find('\n'));
 }
 
-// Sets the place in the graph that an emitted line comes from, and adds the emitted line as a note.
+}  // namespace
+
 void locate(Diagnostic& d, const Shader& shader, int line) {
     const auto after = std::upper_bound(shader.line_map.begin(), shader.line_map.end(), line,
                                         [](int l, const LineOrigin& origin) { return l < origin.line; });
@@ -108,6 +109,8 @@ void locate(Diagnostic& d, const Shader& shader, int line) {
     note.message = fmt::format("line {} of {}: {}", line, shader.file_name, trimmed(line_of(shader.text, line)));
     d.notes.push_back(std::move(note));
 }
+
+namespace {
 
 // Takes the line number off a message ("ERROR: 0:12: 'x' : undeclared identifier", "ERROR: name:12: ...", "(12): error
 // at column 3, ..."), if it has one, and leaves the rest.

@@ -1,4 +1,6 @@
 // Compiler::library_hash() and cache_key(): what must be equal for two results to be equal.
+#include <algorithm>
+
 #include "compiler/api/compiler_impl.h"
 #include "compiler/api/keys/request_fields.h"
 #include "compiler/base/source_hash.h"
@@ -17,18 +19,27 @@ void add_files(Fields& fields, const graph::Files& files) {
     }
 }
 
+// The key of a part would be that of another graph, too.
+bool is_cancelled(const Diagnostics& diagnostics) {
+    const std::vector<DiagnosticRecord>& all = diagnostics.records();
+    return std::any_of(all.begin(), all.end(),
+                       [](const DiagnosticRecord& each) { return each.code == Code::Cancelled; });
+}
+
 std::string key_of(const Compiler& compiler, const graph::Library& library, const std::string& path,
                    const std::string* text, const CompileOptions& options) {
     graph::Files files(options.files);
     CompileOptions asked = options;
     asked.targets.clear();
-    asked.limits.cancelled = nullptr;  // the key of a part would be that of another graph, too
     if (text && asked.accept_parts) files.give_part(path, *text);
     graph::Session session(library, asked, &files);
-    std::optional<std::uint32_t> base =
-        text ? std::optional(session.sources.add(path, *text)) : graph::load_source(session, path, {});
-    if (!session.request.functions) graph::find_path(session);
-    if (base) graph::read_material(session, *base, path);
+    graph::watched(session, [&] {
+        std::optional<std::uint32_t> base =
+            text ? std::optional(session.sources.add(path, *text)) : graph::load_source(session, path, {});
+        if (!session.request.functions) graph::find_path(session);
+        if (base) graph::read_material(session, *base, path);
+    });
+    if (is_cancelled(session.diagnostics)) return {};
     Fields fields;
     fields.add(compiler.library_hash()).add(path);
     fields.add_flag(text != nullptr);

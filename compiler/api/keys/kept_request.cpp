@@ -16,7 +16,8 @@ std::string key_of(const Source& source, const CompileOptions& options) {
     fields.add(std::filesystem::current_path(ignored).native()).add(source.path);
     fields.add_flag(source.text.has_value()).add(source.text.value_or(""));
     add_options(fields, options);
-    for (const std::size_t most : {options.limits.nodes, options.limits.source_bytes, options.limits.shader_bytes})
+    for (const std::size_t most :
+         {options.limits.nodes, options.limits.source_bytes, options.limits.shader_bytes, options.limits.instructions})
         fields.add(std::to_string(most));
     return fields.text();
 }

@@ -296,7 +296,9 @@ VariantPlan Compiler::plan_variants(const std::string& path, VariantsWanted want
         const Watched watched(trail, session.diagnostics);
         VariantPlan made;
         if (made.diagnostics = impl_->overlay_errors; !made.diagnostics.empty()) return made;
-        plan(*impl_, session, path, wanted, std::min(limit, kMostVariants), progress, trail, made);
+        graph::watched(session, [&] {
+            plan(*impl_, session, path, wanted, std::min(limit, kMostVariants), progress, trail, made);
+        });
         const std::vector<Diagnostic> own = to_public(session.diagnostics, session.sources);
         made.diagnostics.insert(made.diagnostics.end(), own.begin(), own.end());
         made.ok = std::none_of(made.diagnostics.begin(), made.diagnostics.end(),

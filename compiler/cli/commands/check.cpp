@@ -3,6 +3,8 @@
 // everything in it is checked, but nothing is drawn.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
 #include <limits>
 #include <memory>
 
@@ -54,7 +56,8 @@ void check_budgets(const Arguments& arguments, const std::string& graph, const R
     const Budget asked = budget_of(arguments);
     if (!checked.ok || !(result.budget.has_limits() || asked.has_limits())) return;
     const std::vector<MeasuredPass> passes = measure(result);
-    std::vector<Diagnostic> found = over_budget(passes, result.budget);
+    std::vector<Diagnostic> found = refusals(result, passes);
+    std::ranges::move(over_budget(passes, result.budget), std::back_inserter(found));
     for (Diagnostic& each : over_budget(passes, asked)) {
         each.file = graph;
         each.message += ", as the command line says";

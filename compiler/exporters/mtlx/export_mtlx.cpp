@@ -73,11 +73,13 @@ MtlxExport write(const Compiler& compiler, const std::string& path, const MtlxOp
     MtlxExport made;
     Result result;
     std::string_view pass;
-    if (const std::optional<std::uint32_t> base = graph::load_source(session, path, {})) {
+    graph::watched(session, [&] {
+        const std::optional<std::uint32_t> base = graph::load_source(session, path, {});
+        if (!base) return;
         Compilation compilation{.session = session, .source = *base, .path = path, .result = result, .pass = pass};
         if (accept(compilation) && read_material(compilation) && lower_material(compilation))
             made.text = document(session, compilation, options.folder);
-    }
+    });
     made.diagnostics = to_public(session.diagnostics, session.sources);
     made.dependencies = std::move(session.dependencies);
     made.missing.assign(session.missing.begin(), session.missing.end());

@@ -24,7 +24,7 @@ struct CostShare {
 
 // A stage that was measured.
 struct MeasuredStage {
-    bool ok = false;   // glslang accepts it; else all is zero
+    bool ok = false;   // it could be measured; else all is zero
     StageCost cost{};  // of the stage
     // The graph's nodes in its order, also those that add nothing; then the other parts.
     std::vector<CostShare> shares{};
@@ -41,7 +41,8 @@ struct MeasuredPass {
 // passes; none if neither is there.
 std::vector<MeasuredPass> measure(const Result& compiled);
 
-// Why glslang refuses stages; empty if all passes were measured. `passes`: what measure() made of `compiled`.
+// Why stages were not measured: glslang refuses them, or they would be very long with all calls written out. Empty if
+// all passes were measured. `passes`: what measure() made of `compiled`.
 std::vector<Diagnostic> refusals(const Result& compiled, std::span<const MeasuredPass> passes);
 
 // One stage of a pass, whatever made it.

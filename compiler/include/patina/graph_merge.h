@@ -20,14 +20,14 @@ struct MergeOptions {
     std::string path;  // where the graph lies: files that it names are searched from there
     std::string ours_label = "ours", theirs_label = "theirs";  // behind the conflict markers
     std::size_t marker_size = 7;                               // characters of a conflict marker: "<<<<<<<"
-    CompileOptions compile{};                                  // of these, only `include_dirs` and `files` count
+    CompileOptions compile{};  // of these, only `include_dirs`, `files` and `limits` count
 };
 
 // What a merge has come to.
 enum class MergeState {
     Clean,       // it holds the changes of both sides, and compiles if files that it names are there
     Conflicts,   // the text has conflict markers, or it is complete but a side does not compile by itself
-    Unreadable,  // one of the three is no graph and no scene, or there is no memory: the text is OURS
+    Unreadable,  // one of the three is no graph and no scene, there is no memory, or it was cancelled: the text is OURS
 };
 
 // What a merge makes.

@@ -64,17 +64,22 @@ struct FileSystem {
 // The disk, with all three functions set: for a file system that adds to it.
 PATINA_API FileSystem disk();
 
-// What a program allows a compilation. One that needs more ends with the error `over-budget`.
+// What a program allows a compilation. One that needs more ends with the error `over-budget`. The defaults are far
+// above what materials need, so that a graph of a stranger ends in seconds and needs less than about 2 GB of memory. A
+// program may set each of them to another number, or to kNone.
 struct Limits {
     // No limit.
     static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
     // The nodes of a graph; each use of a sub-graph counts all of its nodes. The error names the node that passes it.
-    std::size_t nodes = kNone;
-    std::size_t source_bytes = kNone;  // of all texts that are read: the graph and the files that it names
-    std::size_t shader_bytes = kNone;  // of all texts that are written
-    // True: the compilation ends with the error `cancelled` and no other result. It is called often, from the thread
-    // that compiles. What it throws also ends the compilation; the error has its what().
+    std::size_t nodes = 1'000'000;
+    std::size_t source_bytes = 256u << 20;  // of all texts that are read: the graph and the files that it names
+    std::size_t shader_bytes = 256u << 20;  // of all texts that are written
+    // The instructions that nodes, functions and passes are made of, before they are simplified. The rounds of a loop
+    // that is written out ([unroll]) count each. The error is at the statement or the node that passes it.
+    std::size_t instructions = 500'000;
+    // True: the compilation ends with the error `cancelled` and no other result. It is called often, at least every
+    // 100 ms, from the thread that compiles. What it throws also ends the compilation; the error has its what().
     std::function<bool()> cancelled{};
 };
 
@@ -134,7 +139,7 @@ struct CompileOptions {
     std::vector<std::string> include_dirs{};  // searched after the folder of the file that names another
 
     // --- what is allowed
-    Limits limits{};  // default: none
+    Limits limits{};
 
     // --- what the result also has
     // The steps whose text goes to Result::dumps: "graph", "ir", "linked", "tidy", "rates".

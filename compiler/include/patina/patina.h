@@ -334,7 +334,7 @@ public:
     std::string library_hash() const;
     // The hash of all that a result depends on: the library, the graph, the files that it reads, the textures that it
     // finds, and the options without Limits. Two requests with the same key have the same result, if that is ok. It
-    // reads the graph, and compiles nothing.
+    // reads the graph, and compiles nothing. If Limits::cancelled ends that, the key is empty.
     std::string cache_key(const std::string& path, const CompileOptions& options = {}) const;
     // The same, for compile_text().
     std::string cache_key(const std::string& path, std::string text, const CompileOptions& options) const;

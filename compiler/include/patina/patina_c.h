@@ -119,7 +119,7 @@ PATINA_API void patina_reply_error(patina_reply* reply, const char* reason);
 //   "keepVariants"  true: the shaders keep all values of variants that "switches" leaves open
 //   "acceptParts"   true: also compiles a lighting graph or a sub-graph
 //   "hashes"        true: the reflection has the hash of each pass
-//   "limits"        object: the most "nodes", "sourceBytes" and "shaderBytes"
+//   "limits"        object: the most "nodes", "instructions", "sourceBytes" and "shaderBytes"
 //
 // patina::CompileOptions says more about each. An error in the text has a place in a file that is called "options". An
 // error in a name that only the graph or the path knows, such as one of "switches", has no place.

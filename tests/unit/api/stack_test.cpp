@@ -42,6 +42,7 @@ struct Deep {
 
     Result compile() const {
         CompileOptions options;
+        options.limits.nodes = Limits::kNone;  // each level doubles them
         options.files.read = [&](const std::string& path) -> std::optional<std::string> {
             const auto found = files.find(path.substr(0, path.find('.')));
             return found == files.end() ? std::nullopt : std::optional(found->second);

@@ -334,6 +334,46 @@ TEST(Cost, OfNodesSumsToThatOfEachExample) {
     EXPECT_GT(with_shares, 100u);
 }
 
+// 18 levels of sub-graphs, each of which uses the next one twice: few lines, and spirv-opt would not come back.
+TEST(Cost, OfUsesThatDoubleIsRefused) {
+    const Compiler compiler;
+    CompileOptions options;
+    options.targets = {Target::Glsl};
+    options.files.read = [](const std::string& path) -> std::optional<std::string> {
+        const int level = std::stoi(path.substr(1));
+        const std::string next = R"("node": "./s)" + std::to_string(level + 1) + R"(.subgraph.json", "in": { "x": "= )";
+        const std::string nodes =
+            level == 18 ? R"json({ "id": "a", "expr": "sin($x)" }, { "id": "b", "expr": "cos($x)" })json"
+                        : R"({ "id": "a", )" + next + R"($x + 1" } }, { "id": "b", )" + next + R"($x * 2" } })";
+        return R"({ "patina": 1, "kind": "subgraph", "inputs": [ { "name": "x", "type": "float" } ],
+                    "nodes": [ )" +
+               nodes + R"( ], "outputs": { "v": "= a + b" } })";
+    };
+    const auto compile = [&](const std::string& file) {
+        return compiler.compile_text("test.graph.json", R"({ "patina": 1, "workflow": "unlit", "nodes": [
+            { "id": "few", "node": "./s12.subgraph.json", "in": { "x": "@uv0.x" } },
+            { "id": "all", "node": "./)" + file + R"(.subgraph.json", "in": { "x": "= few" } } ],
+            "surface": { "color": "= all" } })",
+                                     options);
+    };
+    const Result few = compile("s12");
+    ASSERT_TRUE(few.ok);
+    EXPECT_TRUE(refusals(few, measure(few)).empty());
+    const Result many = compile("s1");
+    ASSERT_TRUE(many.ok);
+    const std::vector<MeasuredPass> passes = measure(many);
+    ASSERT_FALSE(passes.empty());
+    EXPECT_TRUE(std::ranges::any_of(passes, [](const MeasuredPass& pass) { return !pass.fragment.ok; }));
+    const std::vector<Diagnostic> why = refusals(many, passes);
+    ASSERT_FALSE(why.empty());
+    for (const Diagnostic& each : why) {
+        EXPECT_EQ(each.code, "over-budget");
+        EXPECT_NE(each.message.find("more than the budget of 200000"), std::string::npos) << each.message;
+        EXPECT_EQ(each.file, "s3.subgraph.json");  // the innermost use that is too much by itself
+        EXPECT_EQ(each.node, "all/a/a/a");
+    }
+}
+
 // A model has one loop over lights, and a shader without lights has none, whatever other loops there are.
 TEST(Cost, OfModelsIsPerLight) {
     const Compiler compiler;

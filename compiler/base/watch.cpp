@@ -1,0 +1,32 @@
+#include "compiler/base/watch.h"
+
+#include <exception>
+
+namespace patina {
+
+constinit thread_local Watch* Watch::current_ = nullptr;
+
+const std::function<bool()>& Watch::nobody() {
+    static const std::function<bool()> kNobody;
+    return kNobody;
+}
+
+// A function that fails also ends the work.
+bool Watch::is_cancelled(std::string& why) {
+    since_ = 0;
+    try {
+        return asked_ && asked_();
+    } catch (const std::exception& exception) {
+        why = exception.what();
+    } catch (...) {
+        why = "the program's function failed";
+    }
+    return true;
+}
+
+void Watch::ask() {
+    Stopped stopped;
+    if (is_cancelled(stopped.why)) throw stopped;
+}
+
+}  // namespace patina

@@ -1,0 +1,65 @@
+// Asks the program that called the library whether the work should go on (Limits::cancelled). Whatever can take long
+// counts its steps here: a JSON value that is read, an instruction that is made, a statement that is printed. A step
+// takes some microseconds at most, so a question each kStepsPerQuestion steps comes several times in 100 ms. Steps are
+// counted, and no clock is read, so the same work always asks at the same steps.
+//
+// Work that ends early ends by an exception, Stopped: a reader, an IR pass or a printer that is half done has nothing
+// that anybody could use. Only the function that began the call catches it (graph::watched()).
+//
+// A watch belongs to the thread that made it, for as long as it lives: a thread works for one call at a time. Where
+// there is none, a step does nothing. What all compilations share (a library's file that is read when it is first
+// needed) is made under a watch that never asks, so that nobody's end leaves it half made.
+//
+//   const Watch watch(options.limits.cancelled);
+//   for (const Function& function : functions) Watch::step(function.insts.size());
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <string>
+
+namespace patina {
+
+// The end of a call's work: the program has cancelled it, or an error that was reported ends it.
+struct Stopped {
+    std::string why{};         // what the program's function has thrown
+    bool is_reported = false;  // there is an error that says why
+};
+
+// How large what a call makes may become. A few lines of a node file can stand for millions of instructions: loops that
+// are written out inside of one another, or calls of calls. All modules of one compilation count together.
+struct Growth {
+    std::size_t most;      // Limits::instructions
+    std::size_t made = 0;  // so far
+};
+
+class Watch {
+public:
+    static constexpr std::size_t kStepsPerQuestion = 2048;
+
+    // Never asks.
+    Watch() : Watch(nobody()) {}
+    // `asked` must live as long.
+    explicit Watch(const std::function<bool()>& asked) : asked_(asked), outer_(current_) { current_ = this; }
+    ~Watch() { current_ = outer_; }
+    Watch(const Watch&) = delete;
+    Watch& operator=(const Watch&) = delete;
+
+    static void step(std::size_t steps = 1) {
+        if (Watch* const watch = current_; watch && (watch->since_ += steps) >= kStepsPerQuestion) watch->ask();
+    }
+    // Asks now. True, with the reason if there is one, if the work is to end.
+    bool is_cancelled(std::string& why);
+
+private:
+    static const std::function<bool()>& nobody();
+    void ask();
+
+    static constinit thread_local Watch* current_;
+
+    const std::function<bool()>& asked_;
+    Watch* outer_;
+    std::size_t since_ = 0;  // steps since the last question
+};
+
+}  // namespace patina
