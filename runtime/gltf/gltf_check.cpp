@@ -51,6 +51,10 @@ public:
         for (std::size_t i = 0; i < model_.skins.size(); ++i) skin(i);
         for (std::size_t i = 0; i < model_.cameras.size(); ++i) camera(i);
         for (std::size_t i = 0; i < model_.textures.size(); ++i) texture(i);
+        for (std::size_t i = 0; i < model_.lights.size(); ++i) {
+            if (!(model_.lights[i].intensity >= 0))
+                wrong("extensions.KHR_lights_punctual." + place("lights", i) + ".intensity", "is less than 0");
+        }
         return first_;
     }
 

@@ -13,9 +13,8 @@
 
 #include "runtime/files/files.h"
 #include "runtime/picture/image.h"
-#include "runtime/picture/memory_reader.h"
+#include "runtime/picture/openimageio.h"
 #include "runtime/picture/picture_kind.h"
-#include "runtime/picture/reason.h"
 
 namespace patina::runtime {
 namespace {

@@ -11,7 +11,7 @@
 #include "runtime/files/files.h"
 #include "runtime/picture/image.h"
 #include "runtime/picture/layers.h"
-#include "runtime/picture/reason.h"
+#include "runtime/picture/openimageio.h"
 
 namespace patina::runtime {
 namespace {

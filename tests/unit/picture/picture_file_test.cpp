@@ -12,7 +12,7 @@
 
 #include "runtime/lighting/environment_file.h"
 #include "runtime/picture/image.h"
-#include "runtime/picture/memory_reader.h"
+#include "runtime/picture/openimageio.h"
 #include "runtime/picture/picture_kind.h"
 #include "runtime/picture/stated_space.h"
 #include "runtime/values/textures.h"

@@ -341,6 +341,8 @@ TEST(GltfImport, BrokenFilesAreRefusedAtTheirPlace) {
         {{.meshes = R"([{"primitives":[{"attributes":{"POSITION":9}}]}])"},
          "meshes[0].primitives[0].attributes.POSITION: names accessors[9]"},
         {{.nodes = R"([{"children":[1]},{"children":[0]}])"}, "is its own ancestor"},
+        {{.more = R"("extensions":{"KHR_lights_punctual":{"lights":[{"type":"point","intensity":-1}]}})"},
+         "extensions.KHR_lights_punctual.lights[0].intensity: is less than 0"},
         {{.more = R"("extensionsRequired":["KHR_texture_basisu"])"},
          "extensionsRequired: 'KHR_texture_basisu' is not supported"},
         {{.more = R"("a":1,"a":2)"}, "'a'"},

@@ -1,5 +1,6 @@
-// Bytes in memory as OpenImageIO reads them: within their bounds. Its own reader (2.4) lets a damaged header move the
-// place before the first byte, and reads there.
+// What reading and writing pictures adds to OpenImageIO: its messages as a part of ours, and bytes in memory that it
+// reads within their bounds. Its own reader (2.4) lets a damaged header move the place before the first byte, and reads
+// there.
 //
 //   MemoryReader reader(bytes);
 //   OIIO::Filesystem::IOProxy* proxy = &reader;
@@ -10,9 +11,17 @@
 
 #include <cstdint>
 #include <cstring>
+#include <string>
 #include <string_view>
 
 namespace patina::runtime {
+
+// What it says of a failure: the first line, without the full stop.
+inline std::string reason(std::string text) {
+    text = text.substr(0, text.find('\n'));
+    while (!text.empty() && (text.back() == '.' || text.back() == ' ')) text.pop_back();
+    return text.empty() ? "unknown reason" : text;
+}
 
 class MemoryReader final : public OIIO::Filesystem::IOMemReader {
 public:
