@@ -73,7 +73,7 @@ protected:
 using Quick = Allocations;
 using Every = Allocations;
 
-constexpr long kQuick = 8, kThorough = 1500;
+constexpr long kQuick = 8, kThorough = 400;
 
 TEST_P(Quick, OneFails) {
     fail_everywhere(each(), Failing::Once, kQuick);
