@@ -94,8 +94,8 @@ runtime::RenderOutcome outcome(const World& world, const RenderOptions& options)
     return made;
 }
 
-TEST(Instances, AHundredObjectsAreOneDraw) {
-    const std::vector<Bead> all = beads(100);
+TEST(Instances, EightyObjectsAreOneDraw) {
+    const std::vector<Bead> all = beads(80);
     for (const Way& way : kWays) {
         SCOPED_TRACE(fmt::format("along {} via {}", way.path, way.via));
         const bool on_cpu = std::string_view(way.via) == "cpu";
@@ -110,13 +110,13 @@ TEST(Instances, AHundredObjectsAreOneDraw) {
         // screen.
         if (path == "forward" || path == "vertex") {
             EXPECT_EQ(one.draws, 1u);
-            EXPECT_EQ(many.draws, 100u);
+            EXPECT_EQ(many.draws, 80u);
         } else if (path == "forward-add") {
             EXPECT_EQ(one.draws, 2u);
-            EXPECT_EQ(many.draws, 200u);
+            EXPECT_EQ(many.draws, 160u);
         } else {
             EXPECT_EQ(one.draws, 3u);
-            EXPECT_EQ(many.draws, 102u);
+            EXPECT_EQ(many.draws, 82u);
         }
     }
 }
