@@ -8,6 +8,7 @@
 #include "compiler/link/check_limits.h"
 #include "compiler/link/check_reads.h"
 #include "compiler/link/dumps.h"
+#include "compiler/link/target_reads.h"
 #include "patina/output_name.h"
 
 namespace patina {
@@ -92,8 +93,22 @@ bool link_materials(Compilation& c) {
     return true;
 }
 
+// Targets for values that this material does not hand to its other passes are not written. All passes must be there to
+// know that.
+void leave_out_targets(Compilation& c, std::size_t material, std::size_t first_pass) {
+    const PassesRequest* request = c.session.options.passes();
+    if (!request || !request->only.empty()) return;
+    const auto passes = std::span(c.passes).subspan(first_pass);
+    for (link::LinkedPass& made : passes) {
+        const graph::LoweredPass& pass = *made.pass;
+        if (const std::uint32_t unread = link::unread_targets(pass, passes, *c.session.declarations))
+            made = link::link_pass(*c.materials[material], c.linked[material], pass, c.session, c.result, unread);
+    }
+}
+
 bool link_stages(Compilation& c) {
     for (std::size_t i = 0; i < c.materials.size(); ++i) {
+        const std::size_t first_pass = c.passes.size();
         for (const graph::LoweredPass& pass : c.linked[i].lowered.passes) {
             c.pass = pass.name;
             link::LinkedPass made = link::link_pass(*c.materials[i], c.linked[i], pass, c.session, c.result);
@@ -103,6 +118,7 @@ bool link_stages(Compilation& c) {
             }
             if (!may_go_on(c)) return false;
         }
+        leave_out_targets(c, i, first_pass);
     }
     c.pass = {};
     return true;

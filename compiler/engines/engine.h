@@ -78,9 +78,10 @@ struct Engine {
     bool shares_samplers = true;      // a sampler can serve several textures; else each texture brings its own
     std::string texture_sizes;        // the ending of the name of a texture's size; empty: there is no such value
     std::uint32_t most_varyings = 0;  // vectors from the vertex stage to the fragment stage
-    std::string varyings_note;        // which of the engine's own values take some of these; may be empty
-    std::uint32_t most_block_bytes = 0;
-    std::uint32_t most_samplers = 0;  // of a stage; 0: not known
+    std::uint32_t guaranteed_block_bytes = 0;  // of a uniform block that every device takes
+    std::string varyings_note;                 // which of the engine's own values take some varyings; may be empty
+    std::uint32_t most_block_bytes = 0;        // of a uniform block that nearly every device takes
+    std::uint32_t most_samplers = 0;           // of a stage; 0: not known
     Names names;
 
     bool has_own_passes() const { return passes.has_value(); }

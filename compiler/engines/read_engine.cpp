@@ -53,6 +53,8 @@ public:
         if (const Json* limits = object(json, "limits", EngineLimits)) {
             number(*limits, "varyings", engine_.most_varyings);
             number(*limits, "blockBytes", engine_.most_block_bytes);
+            engine_.guaranteed_block_bytes = engine_.most_block_bytes;
+            number(*limits, "guaranteedBlockBytes", engine_.guaranteed_block_bytes);
             number(*limits, "samplers", engine_.most_samplers);
             engine_.varyings_note = text(*limits, "varyingsNote");
         }

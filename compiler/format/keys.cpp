@@ -372,7 +372,8 @@ constexpr std::array kEngineClip = {
 constexpr std::array kEngineLimits = {
     KeyInfo{"varyings", "the number of vectors from the vertex stage to the fragment stage", ObjectKind::Free, true},
     KeyInfo{"varyingsNote", "a note that says which of them the engine uses itself"},
-    KeyInfo{"blockBytes", "the size of a uniform block in bytes", ObjectKind::Free, true},
+    KeyInfo{"blockBytes", "the size in bytes of a uniform block that most devices take", ObjectKind::Free, true},
+    KeyInfo{"guaranteedBlockBytes", "the size that all devices take; default: the same"},
     KeyInfo{"samplers", "the number of samplers of a stage, those of the engine's own text included"},
 };
 constexpr std::array kEngineNames = {

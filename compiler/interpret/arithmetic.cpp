@@ -118,7 +118,7 @@ constexpr Meaning kReals[] = {
     real(Op::Min, minimum),
     real(Op::Max, maximum),
     // GPUs compute exp2(y log2 x), which is NaN for a negative x.
-    real(Op::Pow, [](auto x, auto y) { return x < 0 ? decltype(x)(NAN) : std::pow(x, y); }),
+    real(Op::Pow, [](auto x, auto y) { return x < 0 && y != 0 ? decltype(x)(NAN) : std::pow(x, y); }),
     real(Op::Atan2, [](auto y, auto x) { return std::atan2(y, x); }),
     real(Op::Step, [](auto edge, auto x) { return x >= edge; }),
     real(Op::Clamp, [](auto x, auto low, auto high) { return minimum(maximum(x, low), high); }),

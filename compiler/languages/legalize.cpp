@@ -30,6 +30,25 @@ Value expand_mod(Copy& copy, Value v) {
     return b.emit(Op::Sub, type, {x, b.emit(Op::Mul, type, {y, quotient})});
 }
 
+// --- x to the power of 0 is 1, of x = 0 too; GLSL leaves that undefined, and HLSL computes exp2(0 log2(0)), NaN
+
+bool may_be_zero_to_zero(const Module& module, const Function& function, Value v) {
+    if (function[v].op != Op::Pow || function[v].type.is_matrix()) return false;
+    const FactsOf facts{module, function, true};
+    const Value base = function.args(v)[0], exponent = function.args(v)[1];
+    if (range_of(facts, exponent).low > 0 || range_of(facts, base).low > 0) return false;
+    const Inst& chosen = function[base];
+    if (chosen.op != Op::Select || function[function.args(chosen)[0]].op != Op::Equal) return true;
+    return function.args(function.args(chosen)[0])[0] != exponent;  // else the base is one_where_exponent_is_zero()
+}
+Value one_where_exponent_is_zero(Copy& copy, Value v) {
+    Builder& b = copy.to;
+    const Type type = copy.from[v].type;
+    const Value base = operand(copy, v, 0), exponent = operand(copy, v, 1);
+    const Value is_zero = b.emit(Op::Equal, type.with_scalar(Scalar::Bool), {exponent, b.splat_constant(type, 0)});
+    return b.emit(Op::Pow, type, {b.emit(Op::Select, type, {is_zero, b.splat_constant(type, 1), base}), exponent});
+}
+
 // --- component-wise operations on matrices: in GLSL, * multiplies matrices, and functions take none
 
 bool is_matrix_op(const Module&, const Function& function, Value v) {
@@ -158,6 +177,7 @@ Value choose_components(Copy& copy, Value v) {
 
 constexpr Rule kShared[] = {
     {is_signed_mod, expand_mod},
+    {may_be_zero_to_zero, one_where_exponent_is_zero},
     {is_matrix_op, split_rows},
     {may_leave_range, clamp_index},
     {is_half_derivative, differentiate_as_float},

@@ -8,6 +8,27 @@
 namespace patina::link {
 namespace {
 
+// A block that some devices do not take; that of the instances is one only if a single instance is so large.
+void check_guaranteed(graph::Session& session, const graph::Material& material, const graph::Lowered& lowered) {
+    const std::uint32_t most = session.engine.guaranteed_block_bytes;
+    for (std::size_t i = 0; i < material.properties.size(); ++i) {
+        const graph::PropertyGlobals& own = lowered.property_globals[i];
+        const ir::GlobalId value = own.value ? own.value : own.tiling;
+        if (!value || !lowered.module.globals[value.index].in_block()) continue;
+        const ir::Global& global = lowered.module.globals[value.index];
+        const ir::UniformBlock& block = lowered.module.blocks[global.block];
+        const ir::BlockMember& member = block.members[global.member];
+        if (member.offset + graph::extent(lowered.module, member.type).size <= most) continue;
+        session.diagnostics
+            .report(Code::LargeBlock, material.properties[i].property->name_span, block.name, block.size, most)
+            .note(
+                "the device must be asked whether it takes the block, whose size the reflection has; fewer properties, "
+                "or "
+                "a texture that stores some of them, need no such device");
+        return;
+    }
+}
+
 void check_block(graph::Session& session, const graph::Material& material, const graph::Lowered& lowered) {
     const std::uint32_t most = session.engine.most_block_bytes;
     if (most == 0) return;
@@ -71,7 +92,9 @@ void check_samplers(graph::Session& session, const graph::Material& material, co
 
 void check_limits(graph::Session& session, const graph::Material& material, const graph::Lowered& lowered,
                   std::span<const LinkedPass> passes) {
+    const std::size_t errors = session.diagnostics.error_count();
     check_block(session, material, lowered);
+    if (session.diagnostics.error_count() == errors) check_guaranteed(session, material, lowered);
     if (session.engine.is_one_file() || session.engine.most_samplers == 0) return;
     const std::size_t before = session.diagnostics.error_count();
     for (const LinkedPass& pass : passes) {

@@ -384,7 +384,8 @@ bool reads_mesh_at_end(const graph::PassDecl& pass, const ir::Module& fragment) 
 
 }  // namespace
 
-ir::Module link_fragment(const Linked& linked, const graph::LoweredPass& pass, ir::BuildOptions options) {
+ir::Module link_fragment(const Linked& linked, const graph::LoweredPass& pass, ir::BuildOptions options,
+                         std::uint32_t left_out) {
     EntryBuilder entry(linked, pass, ir::StageKind::Fragment, options);
     const Value result = entry.call(pass.fragment);
     const Type type = entry.builder().type(result);
@@ -401,7 +402,7 @@ ir::Module link_fragment(const Linked& linked, const graph::LoweredPass& pass, i
     };
     if (type.kind == ir::Kind::Struct) {
         const std::vector<ir::Member> members = entry.module().structs[type.ref].members;
-        for (std::uint32_t i = 0; i < members.size(); ++i)
+        for (std::uint32_t i = 0; i + left_out < members.size(); ++i)
             add(members[i].name, members[i].type, entry.builder().extract(result, i));
     } else {
         add("color", type, result);

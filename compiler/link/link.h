@@ -29,9 +29,11 @@ struct LinkedPass {
     const graph::Lowered* lowered = nullptr;
     ir::Module vertex{}, fragment{};
     bool reads_elsewhere = false;  // it reads a target of the picture at another place than its own pixel
+    std::uint32_t left_out = 0;    // of its targets, the last ones: no pass of the material reads them (target_reads.h)
 };
 
-ir::Module link_fragment(const Linked& linked, const graph::LoweredPass& pass, ir::BuildOptions options);
+ir::Module link_fragment(const Linked& linked, const graph::LoweredPass& pass, ir::BuildOptions options,
+                         std::uint32_t left_out = 0);
 // `fragment`: the finished fragment stage, with its inputs numbered. The vertex stage computes them, except builtins.
 ir::Module link_vertex(const Linked& linked, const graph::LoweredPass& pass, const ir::Module& fragment,
                        ir::BuildOptions options);

@@ -46,13 +46,14 @@ void add_places(Program& program, const ir::Module& stage, const SourceMap& sour
 // dropped, and so is the second of two equal inputs; then both stages are tidied again. The order of the inputs comes
 // last, when it is known what each of them computes.
 LinkedPass link_tidied(const graph::Material& material, const Linked& linked, const graph::LoweredPass& pass,
-                       const graph::Session& session, Result& result) {
+                       const graph::Session& session, Result& result, std::uint32_t left_out) {
     const CompileOptions& options = session.options;
     const ir::BuildOptions build{.fold = true};
-    LinkedPass made{.pass = &pass, .material = &material, .lowered = &linked.lowered};
-    KeptResults* const kept = options.dump.empty() ? session.kept : nullptr;
+    LinkedPass made{.pass = &pass, .material = &material, .lowered = &linked.lowered, .left_out = left_out};
+    // A fragment stage with fewer targets is not one that an earlier compilation kept of the same functions.
+    KeptResults* const kept = options.dump.empty() && left_out == 0 ? session.kept : nullptr;
     made.fragment = kept_stage(kept, linked, pass, nullptr, [&] {
-        ir::Module stage = link_fragment(linked, pass, build);
+        ir::Module stage = link_fragment(linked, pass, build, left_out);
         ir::check_if_verifying(stage, "linked fragment");
         dump_stage(result, options, "linked", pass.name + ".fragment.linked", stage);
         stage = ir::tidy(std::move(stage));
@@ -130,8 +131,8 @@ void add_texts_of(const ir::Module& stage, std::vector<ir::StageText>& into) {
 }  // namespace
 
 LinkedPass link_pass(const graph::Material& material, const Linked& linked, const graph::LoweredPass& pass,
-                     const graph::Session& session, Result& result) {
-    LinkedPass made = link_tidied(material, linked, pass, session, result);
+                     const graph::Session& session, Result& result, std::uint32_t left_out) {
+    LinkedPass made = link_tidied(material, linked, pass, session, result, left_out);
     check(made);
     return made;
 }

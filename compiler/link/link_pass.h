@@ -12,9 +12,9 @@ namespace patina::link {
 // The material itself and its extra passes.
 using Materials = std::vector<const graph::Material*>;
 
-// `result` gets the dumps.
+// `result` gets the dumps. `left_out`: how many of its last targets it does not write.
 LinkedPass link_pass(const graph::Material& material, const Linked& linked, const graph::LoweredPass& pass,
-                     const graph::Session& session, Result& result);
+                     const graph::Session& session, Result& result, std::uint32_t left_out = 0);
 
 // The vectors that a pass sends from the vertex stage to the fragment stage in addition to the position: those with a
 // number, and those that the engine's text adds without one.

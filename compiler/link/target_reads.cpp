@@ -187,4 +187,26 @@ bool reads_elsewhere(const Linked& linked, const graph::LoweredPass& pass, const
     return counts_texels(fragment, globals) || !OwnPixel(linked, pass).is_everywhere();
 }
 
+std::uint32_t unread_targets(const graph::LoweredPass& pass, std::span<const LinkedPass> passes,
+                             const nodelang::Declarations& declarations) {
+    const nodelang::StructDecl* written = declarations.structure(pass.declaration->fragment->result.name);
+    if (!written || written->members.empty() || !written->members.back().attribute("optional")) return 0;
+    std::set<std::string_view> read;
+    for (const LinkedPass& each : passes) {
+        for (const ir::Module* stage : {&each.fragment, &each.vertex}) {
+            for (const ir::Function& function : stage->functions) {
+                for (const ir::Inst& inst : function.insts) {
+                    const auto target = each.lowered->reads.find(inst.data);
+                    if (inst.op == Op::Global && target != each.lowered->reads.end()) read.insert(target->second);
+                }
+            }
+        }
+    }
+    const std::vector<RenderTarget>& targets = pass.declaration->state.targets;
+    std::uint32_t unread = 0;
+    for (std::size_t i = targets.size(); i-- > 0 && !read.contains(targets[i].name); ++unread)
+        if (!written->members[i].attribute("optional")) break;
+    return unread;
+}
+
 }  // namespace patina::link

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <set>
+#include <span>
 
 #include "compiler/link/link.h"
 
@@ -19,5 +20,9 @@ void wrap_reads(ir::Function& function, const std::set<std::uint32_t>& globals, 
 // `fragment`, `vertex`: its tidied stages.
 bool reads_elsewhere(const Linked& linked, const graph::LoweredPass& pass, const ir::Module& fragment,
                      const ir::Module& vertex);
+
+// How many of the last [optional] targets of a pass none of the material's linked passes reads.
+std::uint32_t unread_targets(const graph::LoweredPass& pass, std::span<const LinkedPass> passes,
+                             const nodelang::Declarations& declarations);
 
 }  // namespace patina::link

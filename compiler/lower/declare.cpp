@@ -36,7 +36,21 @@ bool is_wanted(const ExternDecl& value, std::span<const std::string_view> on) {
            std::find_first_of(value.with.begin(), value.with.end(), on.begin(), on.end()) != value.with.end();
 }
 
-// What exists only with a switch or path comes last.
+// The values that are declared: those that are wanted, and in a block those before them, which hold their places. So no
+// switch moves a value, and an engine fills its blocks in one way for all shaders.
+std::set<const ExternDecl*> held(std::span<const ExternDecl* const> externs, std::span<const std::string_view> on) {
+    std::set<const ExternDecl*> declared;
+    std::set<std::string_view> followed;  // blocks
+    for (auto each = externs.rbegin(); each != externs.rend(); ++each) {
+        const bool is_before_another = !(*each)->block.empty() && followed.contains((*each)->block);
+        if (!is_wanted(**each, on) && !is_before_another) continue;
+        declared.insert(*each);
+        followed.insert((*each)->block);
+    }
+    return declared;
+}
+
+// What is read only with a switch or path comes last.
 std::vector<const ExternDecl*> in_order(const PathDeclarations& paths) {
     std::vector<const ExternDecl*> externs;
     for (const ExternDecl& each : paths.externs) externs.push_back(&each);
@@ -186,8 +200,9 @@ EngineGlobals declare_engine(const engines::Engine& engine, const PathDeclaratio
     }
     const std::vector<const ExternDecl*> externs = in_order(paths);
     made.numbering = numbering_of(engine, externs);
+    const std::set<const ExternDecl*> declared = held(externs, on);
     for (const ExternDecl* each : externs) {
-        if (!is_wanted(*each, on)) continue;
+        if (!declared.contains(each)) continue;
         const nodelang::VariableDecl& variable = *each->variable;
         if (const ir::TextureKind* kind = ir::texture_kind(variable.type.name)) {
             const std::string texture(variable.name);

@@ -66,7 +66,9 @@ std::uint32_t count_of(const std::vector<InstanceSize>& sizes) {
 
 // By block.
 std::vector<InstanceSize> sizes_of(const ir::Module& module, const std::set<std::uint32_t>& globals,
-                                   std::uint32_t most_bytes) {
+                                   const OptionalValues& optional, std::uint32_t most_bytes) {
+    std::uint32_t absent = 0;
+    for (const Type type : optional.absent) absent += bytes_of_element(module, type);
     std::vector<InstanceSize> sizes;
     for (std::uint32_t block = 0; block < module.blocks.size(); ++block) {
         std::uint32_t alike = 0, each = 0;
@@ -75,15 +77,25 @@ std::vector<InstanceSize> sizes_of(const ir::Module& module, const std::set<std:
             if (global.block != block) continue;
             (globals.contains(i) ? each : alike) += bytes_of_element(module, global.type);
         }
+        if (each > 0) each += absent;
         sizes.push_back({.bytes = each, .room = most_bytes - std::min(alike, most_bytes)});
     }
     return sizes;
 }
 
-void lay_out(ir::Module& module, ir::UniformBlock& block) {
-    const std::vector<ir::BlockMember> members = std::exchange(block.members, {});
-    block.size = 0;
-    for (const ir::BlockMember& member : members) add_member(block, module, member.name, member.type);
+// Members of optional values last.
+void lay_out(ir::Module& module, std::uint32_t block, const std::set<std::uint32_t>& optional) {
+    const std::vector<ir::BlockMember> members = std::exchange(module.blocks[block].members, {});
+    module.blocks[block].size = 0;
+    std::vector<std::uint32_t> order;
+    for (std::uint32_t i = 0; i < module.globals.size(); ++i)
+        if (module.globals[i].block == block) order.push_back(i);
+    std::stable_partition(order.begin(), order.end(), [&](std::uint32_t i) { return !optional.contains(i); });
+    for (const std::uint32_t i : order) {
+        const ir::BlockMember& member = members[module.globals[i].member];
+        add_member(module.blocks[block], module, member.name, member.type);
+        module.globals[i].member = static_cast<std::uint32_t>(module.blocks[block].members.size() - 1);
+    }
 }
 
 // Each read becomes `array[instance]`; the arrays and the instance are read once, at the head of the function. Edited
@@ -137,15 +149,16 @@ bool reads_instance(const Lowered& lowered) {
 }
 
 InstanceSize size_of_instance(const Lowered& lowered, const std::set<std::uint32_t>& globals,
-                              std::uint32_t most_bytes) {
-    const std::vector<InstanceSize> sizes = sizes_of(lowered.module, globals, most_bytes);
+                              const OptionalValues& optional, std::uint32_t most_bytes) {
+    const std::vector<InstanceSize> sizes = sizes_of(lowered.module, globals, optional, most_bytes);
     return *std::max_element(sizes.begin(), sizes.end(),
                              [](const auto& a, const auto& b) { return a.bytes < b.bytes; });
 }
 
-std::uint32_t make_instanced(Lowered& lowered, const std::set<std::uint32_t>& globals, std::uint32_t most_bytes) {
+std::uint32_t make_instanced(Lowered& lowered, const std::set<std::uint32_t>& globals, const OptionalValues& optional,
+                             std::uint32_t most_bytes) {
     ir::Module& module = lowered.module;
-    const std::uint32_t count = count_of(sizes_of(module, globals, most_bytes));
+    const std::uint32_t count = count_of(sizes_of(module, globals, optional, most_bytes));
     if (count == 0) return 0;
     std::vector<Type> elements;
     for (const ir::Global& global : module.globals) elements.push_back(global.type);
@@ -153,7 +166,7 @@ std::uint32_t make_instanced(Lowered& lowered, const std::set<std::uint32_t>& gl
         ir::Global& global = module.globals[each];
         global.type = module.blocks[global.block].members[global.member].type = module.array_of(global.type, count);
     }
-    for (ir::UniformBlock& block : module.blocks) lay_out(module, block);
+    for (std::uint32_t block = 0; block < module.blocks.size(); ++block) lay_out(module, block, optional.declared);
     const std::uint32_t semantic = instance_semantic(lowered);
     for (ir::Function& function : module.functions) index_reads(module, function, globals, elements, semantic);
     return count;

@@ -11,15 +11,24 @@ bool is_instanced(const Material& material);
 // Whether a pass of the material may read the index of the instance.
 bool reads_instance(const Lowered& lowered);
 
+// The values of the object that belong to a switch (by their globals), if one that brings them is on, and the types of
+// all others. No switch moves a member: these stand behind the properties, and have room where they are not declared.
+struct OptionalValues {
+    std::set<std::uint32_t> declared;
+    std::vector<ir::Type> absent;
+};
+
 // How many bytes of a block one instance takes, and how many there are for all instances.
 struct InstanceSize {
     std::uint32_t bytes = 0, room = 0;
 };
 // For the block of which one instance takes the most. `most_bytes`: the engine's limit of a uniform block.
-InstanceSize size_of_instance(const Lowered& lowered, const std::set<std::uint32_t>& globals, std::uint32_t most_bytes);
+InstanceSize size_of_instance(const Lowered& lowered, const std::set<std::uint32_t>& globals,
+                              const OptionalValues& optional, std::uint32_t most_bytes);
 
 // Makes the globals arrays of as many elements as fit in their blocks, and replaces each read by a read of the element
 // of the instance that is drawn. Returns the number of elements. The functions must be lowered and not linked yet.
-std::uint32_t make_instanced(Lowered& lowered, const std::set<std::uint32_t>& globals, std::uint32_t most_bytes);
+std::uint32_t make_instanced(Lowered& lowered, const std::set<std::uint32_t>& globals, const OptionalValues& optional,
+                             std::uint32_t most_bytes);
 
 }  // namespace patina::graph

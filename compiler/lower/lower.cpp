@@ -278,15 +278,28 @@ void declare_switches(Lowering& lowering) {
 }
 
 void report_large_instance(Session& session, const Material& material, const Lowered& lowered,
-                           const std::set<std::uint32_t>& globals) {
+                           const std::set<std::uint32_t>& globals, const OptionalValues& optional) {
     const auto first = std::find_if(material.properties.begin(), material.properties.end(),
                                     [](const auto& each) { return each.property->binding == Binding::Instance; });
     const std::uint32_t most = session.engine.most_block_bytes;
-    const auto [bytes, room] = size_of_instance(lowered, globals, most);
+    const auto [bytes, room] = size_of_instance(lowered, globals, optional, most);
     session.diagnostics.report(Code::TooMany, first->property->name_span, bytes, "bytes for each instance", room)
         .note(fmt::format("a uniform block has {} bytes, too little for one instance: remove \"as\": \"instance\" from "
                           "properties that all instances share",
                           most));
+}
+
+OptionalValues optional_values(Lowering& lowering) {
+    OptionalValues made;
+    const emit::Scope scope{.declarations = lowering.session.declarations};
+    for (const ExternDecl& each : lowering.session.paths->externs) {
+        if (!each.is_per_object || each.with.empty() || each.block.empty()) continue;
+        if (const auto global = emit::find_extern(lowering.emitter.known, *each.variable))
+            made.declared.insert(global->index);
+        else
+            made.absent.push_back(emit::type(lowering.emitter, each.variable->type, scope));
+    }
+    return made;
 }
 
 // The switches that are on, and the path.
@@ -462,8 +475,12 @@ Lowered lower(Session& session, const Material& material, ir::BuildOptions optio
     if (session.diagnostics.has_errors()) return out;
     if (instanced || (may_be_instanced && reads_instance(out))) {
         out.instance_globals = lowering.per_object;
-        out.instances = make_instanced(out, out.instance_globals, engine.most_block_bytes);
-        if (out.instances == 0) report_large_instance(session, material, out, out.instance_globals);
+        const OptionalValues optional = optional_values(lowering);
+        // Arrays that every device takes; longer ones only if a single instance needs them.
+        out.instances = make_instanced(out, out.instance_globals, optional, engine.guaranteed_block_bytes);
+        if (out.instances == 0)
+            out.instances = make_instanced(out, out.instance_globals, optional, engine.most_block_bytes);
+        if (out.instances == 0) report_large_instance(session, material, out, out.instance_globals, optional);
     }
     return out;
 }

@@ -92,6 +92,7 @@ constexpr AttributeInfo kAttributes[] = {
     {kMember, "hdr"},
     {kMember, "is"},
     {kMember, "target"},
+    {kMember, "optional"},
     {kMember, "onlyIf"},
 };
 

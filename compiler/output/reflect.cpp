@@ -307,6 +307,7 @@ Pass reflect_pass(const LinkedPass& linked) {
     const graph::PassDecl& declaration = *linked.pass->declaration;
     Pass pass = declaration.state;
     pass.name = linked.pass->name;
+    pass.targets.resize(pass.targets.size() - linked.left_out);
     pass.reads_elsewhere = linked.reads_elsewhere;
     if (material.pass) {
         pass.is_extra = true;

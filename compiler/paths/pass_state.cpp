@@ -211,7 +211,12 @@ void read_members(const nodelang::FunctionDecl& fragment, const nodelang::Struct
             .note("write [target(\"color\", \"rgba16f\")] before each member");
         return;
     }
+    bool is_after_optional = false;
     for (const nodelang::MemberDecl& member : structure.members) {
+        if (is_after_optional && !member.attribute("optional"))
+            diagnostics.report(Code::BadAttribute, member.span, "optional",
+                               fmt::format("is missing on '{}', which follows an optional target", member.name));
+        is_after_optional |= member.attribute("optional") != nullptr;
         RenderTarget& target = pass.state.targets.emplace_back();
         target.location = static_cast<std::uint32_t>(pass.state.targets.size() - 1);
         const Attribute* guard = member.attribute("onlyIf");

@@ -2,13 +2,15 @@
 
 /// The base raised to a power.
 ///
-/// A base below zero counts as zero, because a fractional power of it does not exist. Zero to the power of zero is not
-/// defined.
+/// A base below zero counts as zero, because a fractional power of it does not exist. Everything to the power of zero is
+/// one, zero too.
 ///
 /// test: Power(3, 2) == 9
 /// test: Power(4, -0.5) == 0.5
 /// test: Power(float2(2, 9), float2(10, 0.5)) == float2(1024, 3)
 /// test: Power(-2, 2) == 0
+/// test: Power(0, 0) == 1
+/// test: Power(float3(0, 0, 2), float3(0, 2, 0)) == float3(1, 0, 1)
 [node("Math/Power")] [also("Pow")]
 floatN Power(
     floatN base = 1,     ///< the base, 0 or more

@@ -18,9 +18,9 @@ struct GBufferExtended {
     [target("gbufferSpecular", "rgba8")] float4 specular;
     [target("gbufferNormal", "rgb10a2")] float4 normal;
     [target("color", "rgba16f")] float4 light;
-    [target("gbufferExtra1", "rgba16f")] float4 extra1;
-    [target("gbufferExtra2", "rgba16f")] float4 extra2;
-    [target("gbufferExtra3", "rgba16f")] float4 extra3;
+    [target("gbufferExtra1", "rgba16f")] [optional] float4 extra1;
+    [target("gbufferExtra2", "rgba16f")] [optional] float4 extra2;
+    [target("gbufferExtra3", "rgba16f")] [optional] float4 extra3;
 };
 
 [reads("gbufferExtra1")] Texture2D gbufferExtra1Texture;

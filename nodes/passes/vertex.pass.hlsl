@@ -30,7 +30,7 @@ float3 indirectWithoutColors(LightingSurface surface);
 [static("slot", "indirectByDiffuse")] bool splitsIndirectDiffuse;
 [static("slot", "indirectByBase")] bool splitsIndirectBase;
 
-/// The light in slot `index` at a vertex.
+/// A light at a vertex.
 Light lightAtVertex(int index, float3 position, float2 uv) {
     Light light = lightAt(index, position);
     if (shadowMask) { light.shadow = maskedShadow(index, position, lightmapShadows(uv)); }

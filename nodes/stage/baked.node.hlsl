@@ -1,6 +1,7 @@
 // Baked light: lightmaps and shadow masks of static objects, and how real-time shadows combine with them. Values that
-// belong to a switch are declared only where the switch is on. A pass that draws objects reads the two textures at the
-// second texture coordinates and passes the results on (forward.pass.hlsl).
+// belong to a switch are read only where the switch is on. In each block, small ones come first, because a value is
+// declared wherever one behind it is. A pass that draws objects reads the two textures at the second texture coordinates
+// and passes the results on (forward.pass.hlsl).
 // source: Unity's built-in shaders, UnityGI_Base, UnityMixRealtimeAndBakedShadows and
 // source: SubtractMainLightWithRealtimeAttenuationFromLightmap
 
@@ -19,6 +20,10 @@
 [extern] [with("lightmap")] Texture2D lightmapTexture;
 /// How the lightmap is decoded: the instructions of the node DecodeHDR.
 [extern("Object")] [perObject] [with("lightmap")] float4 lightmapDecode;
+/// Scale and offset of the distance along the camera's axis, which give how far real-time shadows have faded: the node
+/// ShadowFade.
+/// unit: 1/m (x)
+[extern("Lights")] [with("shadowsFade")] float2 shadowFade;
 /// Slot of the light that lightmaps hold; -1: it is not listed.
 [extern("Lights")] [with("subtractive")] int mainLight;
 /// rgb: the darkest colour that the shadow of that light may have, linear.
@@ -28,10 +33,6 @@
 [extern] [with("shadowMask")] Texture2D shadowMaskTexture;
 /// 1 in the light's channel of shadow masks; all 0: it has none.
 [extern("Lights")] [with("shadowMask", "deferred-shadowmask")] float4 lightMask[16];
-/// Scale and offset of the distance along the camera's axis, which give how far real-time shadows have faded: the node
-/// ShadowFade.
-/// unit: 1/m (x)
-[extern("Lights")] [with("shadowsFade")] float2 shadowFade;
 
 /// The light of the lightmap at given coordinates, E / pi.
 float3 lightmapLight(float2 uv) {
@@ -70,7 +71,7 @@ float fadedShadow(float3 position) {
     return ShadowFade(dot(position - cameraPositionWS, cameraForwardWS), shadowFade.x, shadowFade.y);
 }
 
-/// The combined real-time and baked shadow of the light in slot `index`.
+/// The combined real-time and baked shadow of a light.
 float mixedShadow(int index, float3 position, float baked) {
     float realtime = realtimeShadow(index, position);
     float fade = fadedShadow(position);
@@ -78,7 +79,7 @@ float mixedShadow(int index, float3 position, float baked) {
     return MixRealtimeAndBakedShadow(realtime, baked, fade, Shadowmask);
 }
 
-/// `shadow` for an object whose shadow mask holds `mask` at this point.
+/// The shadow of a light on an object whose shadow mask holds `mask` at this point.
 float maskedShadow(int index, float3 position, float4 mask) {
     float4 channel = lightMask[index];
     float baked = any(channel > 0) ? ShadowMaskChannel(mask, channel) : 1;

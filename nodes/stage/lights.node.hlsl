@@ -69,13 +69,13 @@ float3 radiance(Light light) {
     return light.color * (light.attenuation * light.shadow);
 }
 
-/// Number of the shadow map of the light in slot `index`, or -1.
+/// Number of a light's shadow map, or -1. Lights are known by their slots.
 int shadowMapOf(int index) {
     if (!shadows) { return -1; }
     return int(lightCone[index].w);
 }
 
-/// The strength of the real-time shadow of the light in slot `index`: 0 to 1.
+/// The strength of a light's real-time shadow: 0 to 1.
 float strengthOfShadow(int index) {
     if (!shadows) { return 0; }
     int map = shadowMapOf(index);
@@ -91,7 +91,7 @@ float shadowInMap(int map, float3 position) {
     return SampleShadowTent5x5(shadowMap, uv, at.z, shadowTexel, shadowTile[map]);
 }
 
-/// How much of the light in slot `index` reaches a point, by its shadow map.
+/// How much of a light reaches a point, by its shadow map.
 float realtimeShadow(int index, float3 position) {
     if (!shadows) { return 1; }
     int map = shadowMapOf(index);
@@ -100,7 +100,7 @@ float realtimeShadow(int index, float3 position) {
     return lit;
 }
 
-/// How much of the light in slot `index` reaches a point: 1 lit, 0 in shadow.
+/// How much of a light reaches a point: 1 lit, 0 in shadow.
 [extern]
 float shadow(int index, float3 position) {
     if (!shadows) { return 1; }
@@ -108,7 +108,7 @@ float shadow(int index, float3 position) {
     return realtimeShadow(index, position);
 }
 
-/// How much of the light in slot `index` passes through its cookie.
+/// How much of a light passes through its cookie.
 [extern] [inline]
 float lightThroughCookie(int index, float3 position) {
     if (!cookies) { return 1; }
@@ -125,7 +125,7 @@ float distanceAttenuation(float distanceSquared, float range) {
     return window * window / max(distanceSquared, 0.0001);
 }
 
-/// The light in slot `index` of the list, as seen from `position` (world space).
+/// A light of the list, as seen from a point in world space.
 [extern]
 Light lightAt(int index, float3 position) {
     int slot = clamp(index, 0, MAX_LIGHTS - 1);

@@ -67,17 +67,24 @@ float3 positionWS(float3 position = positionOS) {
     return mul(objectToWorld, float4(position, 1)).xyz;
 }
 
-/// Mesh normal in world space as it leaves the vertex stage; interpolation makes it shorter than 1.
+// A mesh may hold zeros instead of normals and tangents. The vertex stage adds to each a vector that rounding removes
+// from all others: so a missing normal points up in the world, and a missing tangent lies anyhow in the surface, of a
+// frame that is right-handed. No mesh has the normal (81, 37, 46) to the last bit, of which there is no such tangent.
+
+/// Mesh normal in world space as it leaves the vertex stage; interpolation makes it shorter than 1. If the mesh has none
+/// (its length is zero), it is (0, 1, 0).
 [semantic("vertex")]
 float3 vertexNormalWS(float3 normal = normalOS) {
     return normalObjectToWorld(normal);
 }
 
-/// Mesh tangent in world space as it leaves the vertex stage; w is the bitangent's handedness, mirroring included.
+/// Mesh tangent in world space as it leaves the vertex stage; w is the bitangent's handedness, mirroring included. If the
+/// mesh has none (its length is zero), it is a direction across the normal, and w is 1.
 [semantic("vertex")]
-float4 vertexTangentWS(float4 tangent = tangentOS) {
-    float handedness = determinant(objectToWorld) < 0 ? -tangent.w : tangent.w;
-    return float4(normalize(mul(objectToWorld, float4(tangent.xyz, 0)).xyz), handedness);
+float4 vertexTangentWS(float4 tangent = tangentOS, float3 normal = vertexNormalWS) {
+    float handedness = determinant(objectToWorld) * tangent.w < 0 ? -1 : 1;
+    float3 anyhow = cross(normal, float3(8.1e-14, 3.7e-14, 4.6e-14));
+    return float4(normalize(mul(objectToWorld, float4(tangent.xyz, 0)).xyz + anyhow), handedness);
 }
 
 /// Mesh normal in world space, unit; on the back of a two-sided material it points to the viewer.
@@ -117,7 +124,7 @@ float4 handedTangentWS(float3 tangent = tangentWS, float4 interpolated = vertexT
 
 /// Transforms a normal by the inverse transpose, so that it stays perpendicular under non-uniform scale.
 float3 normalObjectToWorld(float3 normal) {
-    return normalize(mul(float4(normal, 0), worldToObject).xyz);
+    return normalize(mul(float4(normal, 0), worldToObject).xyz + float3(0, 1e-15, 0));
 }
 
 /// The same for the material's own normal in a pixel; on the back of a two-sided material it is flipped, too.

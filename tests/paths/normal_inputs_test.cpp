@@ -2,6 +2,7 @@
 // lighting must read the normal in its own space. The picture shows that normal.
 #include <fmt/format.h>
 
+#include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "paths/drawing/drawing.h"
@@ -103,6 +104,76 @@ TEST(TangentFrame, IsTheMeshsOwnOnBothSides) {
                 const Image image = draw(world, {.exact_targets = true});
                 for (int c = 0; c < 3; ++c)
                     EXPECT_NEAR(double(image.at(2, 2)[std::size_t(c)]), side * in_front[c], 1e-5) << "channel " << c;
+            }
+        }
+    }
+}
+
+// --- a mesh without normals or tangents
+
+std::shared_ptr<const runtime::Mesh> bare(bool has_normals) {
+    runtime::Mesh mesh = *runtime::make_mesh("plane", 2);
+    for (runtime::Vertex& vertex : mesh.vertices) {
+        vertex.tangent = glm::vec4(0);
+        if (!has_normals) vertex.normal = glm::vec3(0);
+    }
+    return std::make_shared<const runtime::Mesh>(std::move(mesh));
+}
+
+World bare_world(const std::string& graph, bool has_normals) {
+    World world;
+    world.view.width = world.view.height = 8;
+    world.view.camera = {.position = {0, 0, 4}, .target = {0, 0, 0}, .fov = 20};
+    world.view.lights.push_back({.kind = LightKind::Directional, .direction = glm::normalize(glm::vec3(1, 1, 2))});
+    add_object(world, graph, "plane", 2, glm::mat4(kTurned));
+    world.objects.back().mesh = bare(has_normals);
+    return world;
+}
+
+glm::dvec3 shown(const std::string& value, bool has_normals, const char* via) {
+    const std::string graph =
+        written(value + "_of_bare_mesh.graph.json", fmt::format(R"({{ "patina": 1, "workflow": "metallic-roughness",
+  "lighting": {{ "direct": [0, 0, 0], "final": "@{}" }}, "surface": {{ "baseColor": 1 }} }})",
+                                                                value));
+    const Image image = draw(bare_world(graph, has_normals), {.via = via, .exact_targets = true});
+    const auto pixel = image.at(4, 4);
+    return {pixel[0], pixel[1], pixel[2]};
+}
+
+TEST(NormalInputs, OfAMeshThatLacksThemAreAFrame) {
+    for (const bool has_normals : {false, true}) {
+        for (const char* via : {"glsl", "hlsl", "cpu"}) {
+            SCOPED_TRACE(fmt::format("{} normals, {}", has_normals ? "with" : "without", via));
+            const glm::dvec3 normal = shown("geometryNormalWS", has_normals, via);
+            const glm::dvec3 tangent = shown("tangentWS", has_normals, via);
+            const glm::dvec3 bitangent = shown("bitangentWS", has_normals, via);
+            const glm::dvec3 expected =
+                has_normals ? glm::dvec3(kTurned * glm::dvec4(0, 0, 1, 0)) : glm::dvec3(0, 1, 0);
+            EXPECT_LE(glm::length(normal - expected), 1e-5);
+            EXPECT_NEAR(glm::length(tangent), 1, 1e-5);
+            EXPECT_NEAR(glm::dot(tangent, normal), 0, 1e-5);
+            EXPECT_LE(glm::length(bitangent - glm::cross(normal, tangent)), 1e-5);
+        }
+    }
+}
+
+// Of materials that read the frame for normal maps and for stretched highlights.
+TEST(NormalInputs, OfAMeshThatLacksThemMakeNumbersOfEveryPixel) {
+    for (const char* graph : {"examples/graphs/rusted_steel.graph.json", "examples/graphs/azulejo.graph.json"}) {
+        for (const bool has_normals : {false, true}) {
+            for (const char* path : {"forward", "deferred", "forward-add"}) {
+                for (const char* via : {"glsl", "hlsl", "cpu"}) {
+                    SCOPED_TRACE(fmt::format("{} along {} via {}", graph, path, via));
+                    const Image image =
+                        draw(bare_world(graph, has_normals), {.path = path, .via = via, .exact_targets = true});
+                    for (int y = 0; y < image.height; ++y) {
+                        for (int x = 0; x < image.width; ++x) {
+                            const auto pixel = image.at(x, y);
+                            for (int c = 0; c < 3; ++c) ASSERT_TRUE(std::isfinite(pixel[c])) << x << ", " << y;
+                        }
+                    }
+                    EXPECT_GT(lit_pixels(image), 8);
+                }
             }
         }
     }

@@ -121,7 +121,13 @@ void add_engine_values(Pages& pages, const Compiler& compiler) {
         "numbers must be finite: Patina replaces 0 times such a number by 0. An "
         "engine may have names of its own for blocks ([engines](engines.md)). Axes and units are those of [the "
         "conventions](conventions.md); `E/pi` is the radiance of a white Lambert surface. What has a row under \"only "
-        "with\" exists if one of these switches or rendering paths is on.\n";
+        "with\" is read if one of these switches or rendering paths is on. No switch moves a value: a shader declares "
+        "the "
+        "values of a block up to the last one that it may read, so one structure with all of them fits every shader. "
+        "In a "
+        "draw of instances, the values of the object are arrays, and the properties of the instances stand between "
+        "those "
+        "that are always there and those that a switch adds.\n";
     for (const EngineBlockInfo& block : engine_blocks(compiler)) {
         text += fmt::format("\n## {}\n\n", block.name.empty() ? "Textures" : "`" + block.name + "`");
         if (!block.doc.empty()) text += escaped(block.doc) + "\n\n";

@@ -189,7 +189,7 @@ private:
         }
         if (op == Op::Extract || op == Op::Swizzle || op == Op::Index) return arg(0);
         if (op == Op::Convert) return of_conversion(inst.type, args[0], arg(0));
-        if (op == Op::Select) return either(arg(1), arg(2));
+        if (op == Op::Select) return either(chosen_above(args, arg(1), deeper), arg(2));
         if (op == Op::Result) return of_result(inst, deeper);
         if (op == Op::Neg) return rounded_or(inst.type, negated(arg(0)));
         if (op == Op::Abs) return of_abs(inst.type, arg(0));
@@ -198,6 +198,7 @@ private:
         if (op == Op::Max) return greatest(arg(0), arg(1));
         if (op == Op::Clamp) return least(greatest(arg(0), arg(1)), arg(2));
         if (op == Op::Step) return number(0, 1);
+        if (op == Op::Lerp) return of_blend(arg(0), arg(1), arg(2));
         if (op == Op::Add) return of_sum(inst.type, arg(0), arg(1));
         if (op == Op::Sub) return of_sum(inst.type, arg(0), negated(arg(1)));
         if (op == Op::Mul) return of_product(inst.type, args, arg(0), arg(1));
@@ -209,6 +210,23 @@ private:
         const bool is_positive =
             op == Op::Sqrt || op == Op::Length || op == Op::Distance || op == Op::Exp || op == Op::Exp2;
         return is_square || is_positive ? Range{0, kInfinity, true} : kUnknown;
+    }
+
+    // x, in `x > limit ? x : y`.
+    Range chosen_above(std::span<const Value> args, Range x, const Ranges& deeper) const {
+        const Inst& condition = function()[args[0]];
+        if (condition.op != Op::Greater || function().args(condition)[0] != args[1]) return x;
+        const double limit = deeper.of(function().args(condition)[1]).low;
+        return number(std::max(x.low, std::nextafter(limit, kInfinity)), x.high);
+    }
+    // Languages round in different ways, so the ends are not exact.
+    static Range of_blend(const Range& a, const Range& b, const Range& share) {
+        if (!a.is_finite() || !b.is_finite() || share.may_be_nan || share.low < 0 || share.high > 1) return kUnknown;
+        const Range made = either(a, b);
+        const double error = 1e-5 * std::max(std::fabs(made.low), std::fabs(made.high));
+        return made.high + error < kMostHalf && made.low - error > -kMostHalf
+                   ? number(made.low - error, made.high + error)
+                   : kUnknown;
     }
 
     Range of_param(std::uint32_t param, Type type) const {
@@ -265,8 +283,9 @@ private:
         return is_square && type.is_floating() ? Range{0, kInfinity, true} : all_of_type(type);
     }
     // A GPU computes exp2(exponent log2(base)). This may round to more than 1 where the exact power is not more.
+    // Languages make the power 1 where the exponent is 0 (languages/legalize.cpp).
     static Range of_power(const Range& base, const Range& exponent) {
-        const bool may_be_nan = !base.is_finite() || !exponent.is_finite() || base.low < 0 || exponent.low <= 0;
+        const bool may_be_nan = !base.is_finite() || !exponent.is_finite() || base.low < 0 || exponent.low < 0;
         return {0, kInfinity, may_be_nan};
     }
     static Range of_bits(const Range& a, const Range& b) {

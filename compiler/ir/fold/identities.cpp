@@ -2,8 +2,8 @@
 // are taken apart (composites.cpp), and the algebra is the table below.
 //
 // What may change: the sign of a zero, and nothing else. A GPU need not keep NaN, but users debug with it and no target
-// promises to lose it, so x * 0 and x - x stay as they are for floats: they are NaN where x is NaN or infinite. Rounded
-// identities are the exception; each has a comment with its reason.
+// promises to lose it, so x - x stays as it is for floats: it is NaN where x is NaN or infinite. Rounded identities are
+// the exception; each has a comment with its reason.
 #include <algorithm>
 #include <array>
 
@@ -46,7 +46,9 @@ constexpr Identity kIdentities[] = {
     {x * 1, x},
     {x * -1, -x},
     {-x * -y, x* y},
-    {i * 0, 0},
+    // Most zeros are those of a material: a metal scatters no light, whatever the light. HLSL compilers and drivers do
+    // the same, though x may be infinite or NaN.
+    {x * 0, 0, kRounded},
 
     {x / 1, x},
     {x / -1, -x},
@@ -168,6 +170,7 @@ constexpr Identity kIdentities[] = {
 
     // A GPU computes exp2(y log2(x)), which loses some digits that x has.
     {pow(x, 1), x, kRounded},
+    {pow(x, 0), 1},  // of 0, too: that is what the IR means by it
 
     {any(c), c},  // of a scalar; a vector's type does not fit
 

@@ -35,13 +35,9 @@ Value simpler_limit(Builder& b, Op op, Type type, std::span<const Value> args) {
     return is_below ? b.emit(Op::Max, type, {args[0], args[1]}) : Value();
 }
 
-// x * 0 and x - x, which are NaN if x is NaN or infinite.
+// x - x, which is NaN if x is NaN or infinite.
 bool is_zero(Builder& b, Op op, std::span<const Value> args) {
-    const FactsOf facts{b.module(), b.function()};
-    const auto is_finite = [&](Value value) { return range_of(facts, value).is_finite(); };
-    if (op == Op::Sub) return args[0] == args[1] && is_finite(args[0]);
-    return op == Op::Mul &&
-           ((b.is_constant(args[1], 0) && is_finite(args[0])) || (b.is_constant(args[0], 0) && is_finite(args[1])));
+    return op == Op::Sub && args[0] == args[1] && range_of({b.module(), b.function()}, args[0]).is_finite();
 }
 
 }  // namespace

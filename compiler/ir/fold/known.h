@@ -1,5 +1,5 @@
 // The part of simplify() for what is known of the operands (facts.h): limits that hold anyway, vectors that are
-// normalised already, and finite numbers times zero.
+// normalised already, and finite numbers minus themselves.
 //
 //   clamp(abs(x), 0, 5) = min(abs(x), 5)        normalize(-normalize(x)) = -normalize(x)
 #pragma once

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <numeric>
 #include <utility>
@@ -306,7 +308,10 @@ private:
         std::uint32_t kept = 0;
         for (std::uint32_t i = 0; i < made.params.size(); i++) {
             signature.params.push_back(kept);
-            if (need.params[i] == 0) continue;
+            if (need.params[i] == 0) {
+                leave_unsaid(made, made.params[i].name);
+                continue;
+            }
             if (kept != i) made.params[kept] = std::move(made.params[i]);
             kept++;
         }
@@ -322,6 +327,11 @@ private:
         describe_rest(made, signature);
         made.result = narrowed(made.result, signature);
         return signature;
+    }
+
+    // A comment that speaks of a parameter which is gone would mislead, too.
+    static void leave_unsaid(Function& made, const std::string& param) {
+        if (made.comment.find(fmt::format("`{}`", param)) != std::string::npos) made.comment.clear();
     }
 
     // A comment that describes a member which is gone would mislead: the members that stay have texts of their own. A

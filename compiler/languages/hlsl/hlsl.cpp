@@ -100,13 +100,20 @@ void resource(Writer& w, GlobalId id) {
                           w.set(global.group, global.place)));
 }
 
-// For Vulkan only: Direct3D has no constants that a pipeline sets.
+// A pipeline of Vulkan sets a specialization constant: dxc defines __spirv__ there, and glslang VULKAN. Direct3D has no
+// such constants, and a constant that is not static would be a uniform there: so whoever compiles the text may define a
+// macro of that name instead, and the default is static.
 void keyword(Writer& w, GlobalId id) {
     const Global& global = w.module.globals[id.index];
+    const std::string& name = w.globals[id.index];
     const std::optional<std::uint32_t> constant = w.module.keywords[global.keyword].constant_id;
-    w.line(0, fmt::format("{}const {} = {};",
-                          constant ? fmt::format("[[vk::constant_id({})]] ", *constant) : std::string("static "),
-                          w.declaration(global.type, w.globals[id.index]), w.keyword_value(global)));
+    const std::string value = fmt::format("const {} = {};", w.declaration(global.type, name), w.keyword_value(global));
+    if (!constant) return w.line(0, "static " + value);
+    w.line(0, "#if defined(__spirv__) || defined(VULKAN)");
+    w.line(0, fmt::format("[[vk::constant_id({})]] {}", *constant, value));
+    w.line(0, fmt::format("#elif !defined({})", name));
+    w.line(0, "static " + value);
+    w.line(0, "#endif");
 }
 
 // Orders variables by location, then the rasteriser's inputs or outputs, the position last. The front end of glslang

@@ -33,6 +33,6 @@ void main()
     vec4 wholePositionWS = objectToWorld * vec4(inPositionOS, 1.0);
     vUv0 = inUv0;
     vPositionWS = wholePositionWS.xyz;
-    vVertexNormalWS = normalize((vec4(inNormalOS, 0.0) * worldToObject).xyz);
+    vVertexNormalWS = normalize((vec4(inNormalOS, 0.0) * worldToObject).xyz + vec3(0.0, 1e-15, 0.0));
     gl_Position = worldToClip * wholePositionWS;
 }

@@ -17,8 +17,8 @@ layout(set = 0, binding = 1, std140) uniform Camera
 
 layout(set = 0, binding = 4, std140) uniform Object
 {
-    mat4 objectToWorld[512];
-    mat4 worldToObject[512];
+    mat4 objectToWorld[113];
+    mat4 worldToObject[113];
 };
 
 layout(location = 0) in vec3 inPositionOS;
@@ -36,7 +36,7 @@ void main()
     float vertexId = float(gl_VertexIndex);
     float instanceId = float(gl_InstanceIndex);
     vec3 positionOS = vertexPositionOS(inPositionOS, inNormalOS, vertexId, instanceId);
-    mat4 ownObjectToWorld = objectToWorld[clamp(gl_InstanceIndex, 0, 511)];
+    mat4 ownObjectToWorld = objectToWorld[clamp(gl_InstanceIndex, 0, 112)];
     vec4 wholePositionWS = ownObjectToWorld * vec4(positionOS, 1.0);
     vInstanceIndex = gl_InstanceIndex;
     vPhase = fract(vertexId * 0.37);

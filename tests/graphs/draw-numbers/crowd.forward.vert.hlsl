@@ -16,8 +16,8 @@ cbuffer Camera : register(b1, space0)
 
 cbuffer Object : register(b4, space0)
 {
-    float4x4 objectToWorld[512];
-    float4x4 worldToObject[512];
+    float4x4 objectToWorld[113];
+    float4x4 worldToObject[113];
 };
 
 struct VertexInput
@@ -45,7 +45,7 @@ VertexOutput main(VertexInput input)
     float vertexId = float(input.vertexIndex);
     float instanceId = float(input.instanceIndex);
     float3 positionOS = vertexPositionOS(input.positionOS, input.normalOS, vertexId, instanceId);
-    float4x4 ownObjectToWorld = objectToWorld[clamp(input.instanceIndex, 0, 511)];
+    float4x4 ownObjectToWorld = objectToWorld[clamp(input.instanceIndex, 0, 112)];
     float4 wholePositionWS = mul(ownObjectToWorld, float4(positionOS, 1.0));
     VertexOutput output;
     output.instanceIndex = input.instanceIndex;

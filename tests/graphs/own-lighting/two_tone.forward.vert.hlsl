@@ -38,7 +38,7 @@ VertexOutput main(VertexInput input)
     float4 wholePositionWS = mul(objectToWorld, float4(input.positionOS, 1.0));
     VertexOutput output;
     output.positionWS = wholePositionWS.xyz;
-    output.vertexNormalWS = normalize(mul(float4(input.normalOS, 0.0), worldToObject).xyz);
+    output.vertexNormalWS = normalize(mul(float4(input.normalOS, 0.0), worldToObject).xyz + float3(0.0, 1e-15, 0.0));
     output.position = mul(worldToClip, wholePositionWS);
     return output;
 }

@@ -100,7 +100,7 @@ float distanceAttenuation(float distanceSquared, float range)
     return window * window / max(distanceSquared, 1e-04);
 }
 
-// The light in slot `index` of the list, as seen from `position` (world space).
+// A light of the list, as seen from a point in world space.
 Light lightAt(int index, float3 position)
 {
     float4 place = lightPosition[index];

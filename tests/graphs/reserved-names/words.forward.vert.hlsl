@@ -41,7 +41,7 @@ VertexOutput main(VertexInput input)
     VertexOutput output;
     output.uv0 = input.uv0;
     output.positionWS = wholePositionWS.xyz;
-    output.vertexNormalWS = normalize(mul(float4(input.normalOS, 0.0), worldToObject).xyz);
+    output.vertexNormalWS = normalize(mul(float4(input.normalOS, 0.0), worldToObject).xyz + float3(0.0, 1e-15, 0.0));
     output.position = mul(worldToClip, wholePositionWS);
     return output;
 }

@@ -33,10 +33,12 @@ layout(location = 3) out vec4 vVertexTangentWS;
 void main()
 {
     vec4 wholePositionWS = objectToWorld * vec4(inPositionOS, 1.0);
-    float handedness = determinant(objectToWorld) < 0.0 ? -inTangentOS.w : inTangentOS.w;
+    vec3 vertexNormalWS = normalize((vec4(inNormalOS, 0.0) * worldToObject).xyz + vec3(0.0, 1e-15, 0.0));
+    float handedness = determinant(objectToWorld) * inTangentOS.w < 0.0 ? -1.0 : 1.0;
+    vec3 anyhow = cross(vertexNormalWS, vec3(8.1e-14, 3.7e-14, 4.6e-14));
     vUv0 = inUv0;
     vPositionWS = wholePositionWS.xyz;
-    vVertexNormalWS = normalize((vec4(inNormalOS, 0.0) * worldToObject).xyz);
-    vVertexTangentWS = vec4(normalize((objectToWorld * vec4(inTangentOS.xyz, 0.0)).xyz), handedness);
+    vVertexNormalWS = vertexNormalWS;
+    vVertexTangentWS = vec4(normalize((objectToWorld * vec4(inTangentOS.xyz, 0.0)).xyz + anyhow), handedness);
     gl_Position = worldToClip * wholePositionWS;
 }

@@ -40,12 +40,15 @@ struct VertexOutput
 VertexOutput main(VertexInput input)
 {
     float4 wholePositionWS = mul(objectToWorld, float4(input.positionOS, 1.0));
-    float handedness = determinant(objectToWorld) < 0.0 ? -input.tangentOS.w : input.tangentOS.w;
+    float3 vertexNormalWS = normalize(mul(float4(input.normalOS, 0.0), worldToObject).xyz + float3(0.0, 1e-15, 0.0));
+    float handedness = determinant(objectToWorld) * input.tangentOS.w < 0.0 ? -1.0 : 1.0;
+    float3 anyhow = cross(vertexNormalWS, float3(8.1e-14, 3.7e-14, 4.6e-14));
     VertexOutput output;
     output.uv0 = input.uv0;
     output.positionWS = wholePositionWS.xyz;
-    output.vertexNormalWS = normalize(mul(float4(input.normalOS, 0.0), worldToObject).xyz);
-    output.vertexTangentWS = float4(normalize(mul(objectToWorld, float4(input.tangentOS.xyz, 0.0)).xyz), handedness);
+    output.vertexNormalWS = vertexNormalWS;
+    output.vertexTangentWS = float4(normalize(mul(objectToWorld, float4(input.tangentOS.xyz, 0.0)).xyz + anyhow),
+        handedness);
     output.position = mul(worldToClip, wholePositionWS);
     return output;
 }

@@ -57,6 +57,6 @@ void main()
     vec4 wholePositionWS = objectToWorld * vec4(positionOS, 1.0);
     vec3 normalOS = vertexNormalOS(inPositionOS, inNormalOS);
     vPositionWS = wholePositionWS.xyz;
-    vVertexNormalWS = normalize((vec4(normalOS, 0.0) * worldToObject).xyz);
+    vVertexNormalWS = normalize((vec4(normalOS, 0.0) * worldToObject).xyz + vec3(0.0, 1e-15, 0.0));
     gl_Position = worldToClip * wholePositionWS;
 }

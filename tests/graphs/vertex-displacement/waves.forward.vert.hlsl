@@ -66,7 +66,7 @@ VertexOutput main(VertexInput input)
     float3 normalOS = vertexNormalOS(input.positionOS, input.normalOS);
     VertexOutput output;
     output.positionWS = wholePositionWS.xyz;
-    output.vertexNormalWS = normalize(mul(float4(normalOS, 0.0), worldToObject).xyz);
+    output.vertexNormalWS = normalize(mul(float4(normalOS, 0.0), worldToObject).xyz + float3(0.0, 1e-15, 0.0));
     output.position = mul(worldToClip, wholePositionWS);
     return output;
 }

@@ -2,6 +2,10 @@
 // function, and no operation that does nothing.
 #include <gtest/gtest.h>
 
+#include <cctype>
+#include <filesystem>
+#include <sstream>
+
 #include "patina/patina.h"
 
 namespace patina {
@@ -149,15 +153,26 @@ TEST(EmittedOperations, LimitOnlyWhereAValueIsNotLimitedYet) {
     EXPECT_HAS(shown("float3(saturate(pow(saturate($_K), 2)))"), "min(pow(clamp(_K, 0.0, 1.0), 2.0), 1.0)");
     EXPECT_LACKS(shown("float3(max(pow(saturate($_K), 2), 0))"), "max(");
     EXPECT_HAS(shown("float3(max(pow($_K, 2), 0))"), "max(pow(_K, 2.0), 0.0)");
-    EXPECT_HAS(shown("float3(max(pow(saturate($_K), 0), 0))"), "max(pow(");  // pow(0, 0) is NaN on some GPUs
+    EXPECT_HAS(shown("float3(max(pow(saturate($_K), -1), 0))"), "max(pow(");  // pow(0, 0) is NaN on some GPUs
 }
 
-TEST(EmittedOperations, TimesZeroOnlyWhereAValueMayNotBeFinite) {
-    EXPECT_HAS(shown("float3($_K * 0.0)"), "_K * 0.0");
+TEST(EmittedOperations, TimesZeroNowhere) {
+    EXPECT_LACKS(shown("float3($_K * 0.0)"), "_K * 0.0");
+    EXPECT_LACKS(shown("$_V + 0.0 * log($_V)"), "log(");
     EXPECT_LACKS(shown("$_V + float3(0.0 * (1 - saturate($_K)))"), "clamp(");
     const std::string part = R"json({ "id": "c", "expr": "saturate($_K)" })json";
     EXPECT_LACKS(shown("$_V + float3(c - c)", part), "clamp(");
     EXPECT_HAS(shown("float3($_K - $_K)"), "_K - _K");
+}
+
+// x to the power of 0 is 1, of 0 too: a choice says so where the compiler does not know that one of the two is above 0.
+TEST(EmittedOperations, PowersWithAChoiceOnlyWhereBothMayBeZero) {
+    EXPECT_HAS(shown("float3(pow(saturate($_K), $_V.x))"), "pow(_V.x == 0.0 ? 1.0 : clamp(_K, 0.0, 1.0), _V.x)");
+    EXPECT_HAS(shown("float3(pow(abs($_V), $_V))", "", Target::Hlsl),
+               "pow(_V == 0.0 ? float3(1.0, 1.0, 1.0) : abs(_V), _V)");
+    for (const char* power : {"pow(saturate($_K), 2.5)", "pow(abs($_K), max($_V.x, 0.1))", "pow(max($_K, 1e-4), $_V.x)",
+                              "pow(abs($_K), 0)", "pow(saturate($_K) + 0.5, $_V.x)"})
+        EXPECT_LACKS(shown(std::string("float3(") + power + ")"), " ? ");
 }
 
 TEST(EmittedOperations, NormalizeOnce) {
@@ -207,6 +222,142 @@ TEST(EmittedOperations, CallNothingForTrivialConstants) {
                      "in": { "diffuseColor": "$_Color.rgb", "alpha": "$_Color.a", "oneMinusReflectivity": 1.0 } } ],
         "surface": { "color": "= faded.out * faded.outAlpha" } })json");
     EXPECT_LACKS(text, "PremultiplyAlpha(");
+}
+
+// --- what a path hands from pass to pass
+
+// A usual material's light passes read no more than Unity's layout holds; those of glTF with a clear coat fill all
+// targets.
+TEST(EmittedText, WritesNoTargetThatNothingReads) {
+    struct Case {
+        const char* lighting;
+        const char* surface;
+        std::size_t targets;
+    };
+    for (const Case& each : {Case{"cook-torrance", R"("baseColor": [1, 0.5, 0])", 4},
+                             Case{"gltf", R"("clearcoat": "@uv0.x", "clearcoatRoughness": "@uv0.y")", 7}}) {
+        CompileOptions options;
+        options.passes()->path = "deferred-extended";
+        const Result result =
+            Compiler().compile_text("test.graph.json",
+                                    std::string(R"({ "patina": 1, "workflow": "metallic-roughness", "lighting": ")") +
+                                        each.lighting + R"(", "surface": { )" + each.surface + " } }",
+                                    options);
+        ASSERT_TRUE(result.ok) << (result.diagnostics.empty() ? "" : result.diagnostics[0].message);
+        std::size_t passes = 0;
+        for (const Pass& pass : result.reflection.passes) {
+            if (pass.name != "gbuffer-extended") continue;
+            ++passes;
+            EXPECT_EQ(pass.targets.size(), each.targets) << each.lighting;
+        }
+        EXPECT_EQ(passes, 1u);
+        std::size_t written = 0, read = 0;
+        for (const Shader& shader : result.shaders) {
+            if (shader.stage != Stage::Fragment || shader.target.language != "glsl") continue;
+            for (const char* target : {"outExtra1", "outExtra2", "outExtra3"})
+                written += has(shader.text, std::string("out vec4 ") + target) ? 1 : 0;
+            if (shader.pass != "extended-directional") continue;
+            for (const char* target : {"gbufferExtra1Texture;", "gbufferExtra2Texture;", "gbufferExtra3Texture;"})
+                read += has(shader.text, std::string("texture2D ") + target) ? 1 : 0;
+        }
+        EXPECT_EQ(written, each.targets - 4) << each.lighting;
+        EXPECT_EQ(read, each.targets - 4) << each.lighting;
+    }
+}
+
+// For Vulkan a pipeline sets it; for Direct3D it is a macro or a static constant, never a value of a block.
+TEST(EmittedText, OfASpecializationConstantIsForBothKindsOfApi) {
+    const std::string text = text_of(R"json({ "patina": 1, "workflow": "unlit",
+        "properties": [ { "name": "_Wet", "type": "bool", "default": true, "as": "specialization" } ],
+        "surface": { "color": "= $_Wet ? float3(1, 0, 0) : float3(0, 0, 1)" } })json",
+                                     Target::Hlsl);
+    EXPECT_HAS(text,
+               "#if defined(__spirv__) || defined(VULKAN)\n[[vk::constant_id(0)]] const bool _Wet = true;\n"
+               "#elif !defined(_Wet)\nstatic const bool _Wet = true;\n#endif\n");
+}
+
+// --- the texts of the examples, on paths and with switches
+
+// A number or a vector of this number stands before or after `at`, and nothing makes it another one: not 10.0, 0.05,
+// x.0.
+bool is_lone(std::string_view line, std::size_t at, std::size_t size) {
+    const auto continues = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '.' || c == '_'; };
+    return (at == 0 || !continues(line[at - 1])) && (at + size >= line.size() || !continues(line[at + size]));
+}
+
+bool has_lone(std::string_view line, std::string_view part, std::string_view number) {
+    for (std::size_t at = line.find(part); at != line.npos; at = line.find(part, at + 1))
+        if (is_lone(line, at + part.find(number), number.size())) return true;
+    return false;
+}
+
+// What the line computes though it is known.
+std::string needless(std::string_view line) {
+    struct Row {
+        const char* part;
+        const char* number;
+    };
+    constexpr Row kRows[] = {
+        {"0.0 * ", "0.0"}, {" * 0.0", "0.0"},  {"(0.0) * ", "0.0"}, {" * vec3(0.0)", "0.0"}, {"0.0, 0.0) * ", "0.0"},
+        {" + 0.0", "0.0"}, {"(0.0 + ", "0.0"}, {"= 0.0 + ", "0.0"}, {" - 0.0", "0.0"},       {" * 1.0", "1.0"},
+        {"1.0 * ", "1.0"}, {" / 1.0", "1.0"},  {"0.0 / ", "0.0"},   {"mix(0.0, 0.0", "0.0"}, {"max(0.0, 0.0", "0.0"}};
+    const std::string_view code = line.substr(0, line.find("//"));
+    for (const Row& row : kRows)
+        if (has_lone(code, row.part, row.number)) return row.part;
+    const bool has_power =
+        code.find("pow(") != code.npos && (has_lone(code, ", 1.0)", "1.0") || has_lone(code, ", 0.0)", "0.0"));
+    return has_power ? "pow" : "";
+}
+
+// The first word in backticks of a comment that neither the line below the comments nor the line itself declares.
+std::string unknown_name(const std::vector<std::string>& lines, std::size_t comment) {
+    std::size_t below = comment;
+    while (below < lines.size() && lines[below].starts_with("//")) ++below;
+    if (below == lines.size() || lines[below].find('(') == std::string::npos) return {};
+    const std::string& text = lines[comment];
+    for (std::size_t at = text.find('`'); at != text.npos; at = text.find('`', at + 1)) {
+        const std::size_t end = text.find('`', at + 1);
+        if (end == text.npos) return {};
+        const std::string name = text.substr(at + 1, end - at - 1);
+        if (!has_lone(lines[below], name, name)) return name;
+        at = end;
+    }
+    return {};
+}
+
+TEST(EmittedText, OfExamplesComputesNothingThatIsKnown) {
+    const std::vector<std::vector<const char*>> switch_lists = {
+        {},
+        {"fog"},
+        {"fog", "shadows", "cookies", "lightmap", "shadowMask", "shadowsFade", "reflectionProbes", "tiles"}};
+    const Compiler compiler;
+    int texts = 0;
+    for (const char* folder : {"examples/graphs", "examples/surfaces", "examples/sources"}) {
+        for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+            const std::string graph = entry.path().string();
+            if (!graph.ends_with(".graph.json")) continue;
+            for (const char* path : {"forward", "forward-add", "vertex", "deferred", "deferred-extended"}) {
+                for (const std::vector<const char*>& switches : switch_lists) {
+                    CompileOptions options;
+                    options.passes()->path = path;
+                    for (const char* name : switches) options.switches.emplace_back(name, "true");
+                    // Some paths refuse some graphs.
+                    for (const Shader& shader : compiler.compile_file(graph, options).shaders) {
+                        SCOPED_TRACE(shader.file_name + " along " + path);
+                        ++texts;
+                        std::vector<std::string> lines;
+                        std::istringstream text(shader.text);
+                        for (std::string line; std::getline(text, line);) lines.push_back(line);
+                        for (std::size_t i = 0; i < lines.size(); ++i) {
+                            ASSERT_EQ(needless(lines[i]), "") << lines[i];
+                            ASSERT_EQ(lines[i].starts_with("//") ? unknown_name(lines, i) : "", "") << lines[i];
+                        }
+                    }
+                }
+            }
+        }
+    }
+    EXPECT_GT(texts, 1000);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include "patina/engine_values.h"
@@ -68,6 +69,50 @@ TEST(EngineBlocks, AreThoseOfTheShaders) {
         }
     }
     EXPECT_GT(found, 40u);
+}
+
+// Every combination of the switches that bring values. A member has one offset, and an array of instances one length.
+TEST(EngineBlocks, HaveOneLayoutWhateverIsOn) {
+    std::vector<std::string> switches;
+    for (const EngineBlockInfo& block : engine_blocks(compiler())) {
+        for (const EngineValueInfo& value : block.values) {
+            for (const std::string& name : value.with) {
+                const bool is_path = name.find('-') != std::string::npos;
+                if (!is_path && std::find(switches.begin(), switches.end(), name) == switches.end())
+                    switches.push_back(name);
+            }
+        }
+    }
+    ASSERT_GE(switches.size(), 8u);
+    // A material, one that is drawn as instances with a property, and one that reads the number of the instance alone.
+    const char* const graphs[] = {
+        R"json({ "patina": 1, "workflow": "metallic-roughness", "surface": { "baseColor": [1, 0.5, 0] } })json",
+        R"json({ "patina": 1, "workflow": "metallic-roughness",
+  "properties": [{ "name": "_Tint", "type": "color", "as": "instance" }], "surface": { "baseColor": "$_Tint" } })json",
+        R"json({ "patina": 1, "workflow": "metallic-roughness", "surface": { "metallic": "= @instanceId / 7" } })json"};
+    for (const char* graph : graphs) {
+        std::map<std::string, std::pair<std::uint32_t, std::uint32_t>> places;
+        const std::uint32_t combinations = 1u << switches.size();
+        // The last one is a path that brings a value.
+        for (std::uint32_t on = 0; on <= combinations; ++on) {
+            CompileOptions options;
+            options.targets = {Target::Glsl};
+            if (on == combinations) options.passes()->path = "deferred-shadowmask";
+            for (std::size_t i = 0; i < switches.size(); ++i)
+                if (on >> i & 1u) options.switches.emplace_back(switches[i], "true");
+            const Result result = compiler().compile_text("layout.graph.json", graph, options);
+            ASSERT_TRUE(result.ok) << (result.diagnostics.empty() ? "" : to_text(result.diagnostics.front()));
+            for (const Block& block : result.reflection.blocks) {
+                if (block.is_material) continue;
+                for (const BlockMember& member : block.members) {
+                    const std::pair place(member.offset, member.array_count);
+                    const auto known = places.try_emplace(block.name + " " + member.name, place).first;
+                    ASSERT_EQ(known->second, place) << known->first << " with the switches " << on;
+                }
+            }
+        }
+        EXPECT_GT(places.size(), 30u);
+    }
 }
 
 TEST(EngineBlocks, AreThoseThatTheRuntimeFills) {

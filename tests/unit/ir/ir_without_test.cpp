@@ -147,16 +147,19 @@ TEST(Without, TakesOutWhateverIsMultipliedByX) {
     }
 }
 
-// What x does not multiply stays as it is, NaN and all: the builder knows no 0 k = 0.
+// What x does not multiply stays as it is, NaN and all, where nothing is folded.
 TEST(Without, KeepsProductsWithOtherZeros) {
     Module module;
-    const FunctionId f = add(module, "f", {kXyz, kK}, kFloat3, [](Builder& b) {
-        const Value none = b.emit(Op::Mul, {numbers(b, {0, 0, 0}), b.param(1)});
-        const Value both = b.emit(Op::Mul, {b.emit(Op::Add, {b.param(0), b.param(1)}), numbers(b, {0, 0, 0})});
-        return b.emit(Op::Add, {b.emit(Op::Add, {b.param(0), none}), both});
-    });
-    const FunctionId rest = push(module, without(module, f, kFirst));
-    EXPECT_EQ(count(module[rest], Op::Mul), 1u) << dump(module, module[rest]);  // 0 k, which both have come to
+    const FunctionId f = add(
+        module, "f", {kXyz, kK}, kFloat3,
+        [](Builder& b) {
+            const Value none = b.emit(Op::Mul, {numbers(b, {0, 0, 0}), b.param(1)});
+            const Value both = b.emit(Op::Mul, {b.emit(Op::Add, {b.param(0), b.param(1)}), numbers(b, {0, 0, 0})});
+            return b.emit(Op::Add, {b.emit(Op::Add, {b.param(0), none}), both});
+        },
+        false);
+    const FunctionId rest = push(module, without(module, f, kFirst, {.fold = false}));
+    EXPECT_EQ(count(module[rest], Op::Mul), 2u) << dump(module, module[rest]);
     const double infinity = std::numeric_limits<double>::infinity();
     for (const double left : evaluate(module, rest, {{2, 3, 5}, {infinity, infinity, infinity}}))
         EXPECT_TRUE(std::isnan(left));
