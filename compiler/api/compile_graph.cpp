@@ -49,12 +49,12 @@ Result compile_source(const CompilerImpl& compiler, const Source& source, const 
 }
 
 Result Compiler::compile_file(const std::string& path, const CompileOptions& options) const {
-    graph::Files files(options.files);
+    graph::Files files(options);
     return compile_or_remember(*impl_, {.path = path}, options, files);
 }
 
 Result Compiler::compile_text(const std::string& path, std::string text, const CompileOptions& options) const {
-    graph::Files files(options.files);
+    graph::Files files(options);
     files.add_bytes(text.size());
     if (options.accept_parts) files.give_part(path, text);
     return compile_or_remember(*impl_, {.path = path, .text = std::move(text)}, options, files);

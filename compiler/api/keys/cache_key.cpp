@@ -19,7 +19,7 @@ void add_files(Fields& fields, const graph::Files& files) {
 
 std::string key_of(const Compiler& compiler, const graph::Library& library, const std::string& path,
                    const std::string* text, const CompileOptions& options) {
-    graph::Files files(options.files);
+    graph::Files files(options);
     CompileOptions asked = options;
     asked.targets.clear();
     asked.limits.cancelled = nullptr;  // the key of a part would be that of another graph, too
