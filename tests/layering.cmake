@@ -160,21 +160,24 @@ function(check_includes file allowed)
   set(breaches "${breaches}" PARENT_SCOPE)
 endfunction()
 
+# What reads a file of the disk, for all trees.
+set(disk "^compiler/base/disk/disk\\.h$")
+
 # The command uses the public headers, as any program does that embeds the compiler. The commands that draw or import do
 # so through the runtime and the importers. The others need at most the lighting at one point, and write files.
 file(GLOB_RECURSE files ${ROOT}/compiler/cli/*.h ${ROOT}/compiler/cli/*.cpp ${ROOT}/compiler/cli/*.in)
 set(draws "/(bake|render|check_scene|graph|sheet|snapshot|trace|diff/pictures)\\.cpp$|/picture_(options|sweep)\\.(h|cpp)$|/(watch|node_sheet)/[a-z_]+\\.(h|cpp)$")
 foreach(file IN LISTS files)
   if(file MATCHES "/(render|model_file)\\.(h|cpp)$")  # a model is imported before it is drawn
-    check_includes(${file} "^(compiler/cli|patina|runtime)/|^compiler/importers/(importer|source_text)\\.h$")
+    check_includes(${file} "^(compiler/cli|patina|runtime)/|${disk}|^compiler/importers/(importer|source_text)\\.h$")
   elseif(file MATCHES "${draws}")
-    check_includes(${file} "^(compiler/cli|patina|runtime)/")
+    check_includes(${file} "^(compiler/cli|patina|runtime)/|${disk}")
   elseif(file MATCHES "/(env|render_main)\\.cpp$")
     check_includes(${file} "^(compiler/cli|patina)/|^runtime/(lighting|picture)/")
   elseif(file MATCHES "/import\\.cpp$")
-    check_includes(${file} "^(compiler/cli|patina)/|^compiler/importers/(importer|source_text)\\.h$")
+    check_includes(${file} "^(compiler/cli|patina)/|${disk}|^compiler/importers/(importer|source_text)\\.h$")
   else()
-    check_includes(${file} "^(compiler/cli|patina)/|^runtime/(lighting/model|files/(files|find_files)|jobs/jobs|outcome)\\.h$")
+    check_includes(${file} "^(compiler/cli|patina)/|${disk}|^runtime/(lighting/model|files/(files|find_files)|jobs/jobs|outcome)\\.h$")
   endif()
 endforeach()
 
@@ -196,10 +199,11 @@ foreach(folder IN LISTS folders)
   endforeach()
 endforeach()
 
-# The runtime uses the public headers only.
+# The runtime uses the public headers only, and the reader of files.
 file(GLOB_RECURSE files ${ROOT}/runtime/*.h ${ROOT}/runtime/*.cpp)
 foreach(file IN LISTS files)
   file(STRINGS ${file} includes REGEX "^#include \"compiler/")
+  list(FILTER includes EXCLUDE REGEX "\"compiler/base/disk/disk\\.h\"")
   file(RELATIVE_PATH name ${ROOT} ${file})
   if(includes)
     string(APPEND breaches "${name}: ${includes}\n")
@@ -271,6 +275,36 @@ foreach(file IN LISTS files)
     string(APPEND breaches "${name}: ${includes}\n")
   endif()
 endforeach()
+
+# Files are read in one place, which refuses what is no regular file, stops at a limit and keeps to a root.
+set(readers "^compiler/base/disk/disk\\.cpp$")
+# bake.cpp is a program of the build, and files.cpp opens files to write them.
+set(writers "^runtime/(lighting/bake|files/files)\\.cpp$")
+# OpenImageIO gets bytes, but for formats that it cannot read in memory.
+set(opens_pictures "^runtime/picture/(read_image|stated_space)\\.cpp$")
+file(GLOB_RECURSE files RELATIVE ${ROOT} ${ROOT}/compiler/*.h ${ROOT}/compiler/*.cpp ${ROOT}/runtime/*.h ${ROOT}/runtime/*.cpp)
+set(found_readers 0)
+foreach(file IN LISTS files)
+  set(ways "std::ifstream|std::fstream|std::filebuf|std::cin|fopen\\(|::open\\([^\"]|ImageInput::open|ImageBuf\\(\"|load_file\\(|LoadBinaryFromFile|LoadASCIIFromFile|LoadFile\\(|mmap\\(")
+  file(STRINGS ${ROOT}/${file} opens REGEX "${ways}")
+  string(REPLACE "\\;" "" opens "${opens}")
+  list(FILTER opens EXCLUDE REGEX "^ *//|Renderer::open|Builder::open|Flattening::open")
+  if(NOT opens)
+    continue()
+  endif()
+  math(EXPR found_readers "${found_readers} + 1")
+  if(file MATCHES "${writers}")
+    list(FILTER opens EXCLUDE REGEX "std::ofstream|O_WRONLY")
+  elseif(file MATCHES "${opens_pictures}")
+    list(FILTER opens EXCLUDE REGEX "ImageInput::open")
+  endif()
+  if(opens AND NOT file MATCHES "${readers}")
+    string(APPEND breaches "${file} opens a file to read it, which compiler/base/disk/disk.h does: ${opens}\n")
+  endif()
+endforeach()
+if(found_readers LESS 4)
+  string(APPEND breaches "only ${found_readers} files open files: the search itself is broken\n")
+endif()
 
 # No C++ file of the compiler names a node, a pass or a lighting model, because these are data.
 set(words "")

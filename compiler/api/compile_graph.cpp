@@ -57,13 +57,13 @@ Result compile_source(const CompilerImpl& compiler, const Source& source, const 
 
 Result compile_file(const CompilerImpl& compiler, const std::string& path, const CompileOptions& options,
                     Trail& trail) {
-    graph::Files files(options.files);
+    graph::Files files(options);
     return compile_or_remember(compiler, {.path = path}, options, files, trail);
 }
 
 Result compile_text(const CompilerImpl& compiler, const std::string& path, std::string text,
                     const CompileOptions& options, Trail& trail) {
-    graph::Files files(options.files);
+    graph::Files files(options);
     files.add_bytes(text.size());
     if (options.accept_parts) files.give_part(path, text);
     return compile_or_remember(compiler, {.path = path, .text = std::move(text)}, options, files, trail);

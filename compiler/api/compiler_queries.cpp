@@ -277,7 +277,9 @@ SceneResult read_scene_file(graph::Session& session, const std::string& path) {
         const std::unique_ptr<graph::Json> json = graph::parse_json(session.sources, *base, session.diagnostics);
         const graph::SceneFiles files{
             .find = [&](const std::string& name, Span at) { return graph::find_file(session, name, path, at); },
-            .require = [&](const std::string& name, Span at) { return graph::require_file(session, name, path, at); }};
+            .require = [&](const std::string& name, Span at) { return graph::require_file(session, name, path, at); },
+            .require_graph = [&](const std::string& name,
+                                 Span at) { return graph::require_graph(session, name, path, at); }};
         const graph::Reading reading{session.sources, session.ast, session.diagnostics};
         if (json) result.scene = graph::read_scene(reading, *json, path, graph::file_stem(path), files);
     });

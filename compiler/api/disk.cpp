@@ -1,23 +1,20 @@
-// disk(): the disk as a FileSystem.
-#include "compiler/base/disk.h"
-
-#include <filesystem>
-#include <stdexcept>
+// disk(): the disk, or a part of it, as a FileSystem.
+#include <algorithm>
 
 #include "compiler/base/file_names.h"
-#include "patina/options.h"
+#include "compiler/json/json.h"
+#include "compiler/resolve/files.h"
 
 namespace patina {
 
+FileSystem disk(const DiskOptions& options) {
+    graph::DiskPart part{.root = nullptr, .most_bytes = std::min(options.most_bytes, graph::kMaxJsonBytes)};
+    if (!options.root.empty()) part.root = std::make_shared<const Root>(options.root);
+    return {.resolve = join_names, .exists = graph::FindOnDisk{part}, .read = graph::ReadFromDisk{part}};
+}
+
 FileSystem disk() {
-    const auto read = [](const std::string& path) {
-        std::string why;
-        std::optional<std::string> text = read_from_disk(path, why);
-        std::error_code ignored;
-        if (!text && std::filesystem::exists(path, ignored)) throw std::runtime_error(why);
-        return text;
-    };
-    return {.resolve = join_names, .exists = is_on_disk, .read = read};
+    return disk(DiskOptions{});
 }
 
 }  // namespace patina

@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "compiler/base/disk/disk.h"
 #include "compiler/base/text.h"
 
 namespace patina {
@@ -21,17 +22,17 @@ std::string ending_of(const std::string& name) {
 
 }  // namespace
 
-std::string near_file(const std::string& path) {
+std::string near_file(const std::string& path, const Root* root) {
     const fs::path wanted(path);
     const fs::path folder = wanted.parent_path();
     const std::string ending = ending_of(wanted.filename().string());
+    if (!is_folder_on_disk(folder.empty() ? "." : folder.string(), root)) return {};
     std::error_code failure;
     std::vector<std::string> names;
     fs::directory_iterator each(folder.empty() ? fs::path(".") : folder, failure);
     for (; !failure && each != fs::directory_iterator() && names.size() < kMostFiles; each.increment(failure)) {
         const std::string name = each->path().filename().string();
-        std::error_code ignored;
-        if (ending_of(name) == ending && fs::is_regular_file(each->path(), ignored))
+        if (ending_of(name) == ending && is_on_disk(each->path().string(), root))
             names.push_back(name.substr(0, name.size() - ending.size()));
     }
     const std::string name = wanted.filename().string();

@@ -7,7 +7,10 @@
 
 namespace patina {
 
-// Nothing if no file of the folder has the same ending and nearly this name.
-std::string near_file(const std::string& path);
+class Root;
+
+// Nothing if no file of the folder has the same ending and nearly this name, or if the folder must not be listed
+// (disk/disk.h).
+std::string near_file(const std::string& path, const Root* root = nullptr);
 
 }  // namespace patina

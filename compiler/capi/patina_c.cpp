@@ -25,7 +25,9 @@ std::optional<std::string> answer(patina_reply reply) {
 }
 
 void use(const patina_callbacks& given, CompileOptions& options) {
+    // A program whose own function reads also says what is there, and not the disk: by the other one, or by reading.
     if (given.read) {
+        options.files.exists = nullptr;
         options.files.read = [given](const std::string& path) {
             patina_reply reply;
             given.read(given.user, path.c_str(), &reply);

@@ -26,6 +26,8 @@ public:
         if (const Json* values = json.find("switches")) switches(*values);
         options_.lighting = read_text(reading_, json, "lighting");
         options_.include_dirs = texts(json, "includeDirs");
+        if (std::string root = read_text(reading_, json, "root"); !root.empty())
+            options_.files = disk({.root = std::move(root)});
         options_.keep_variants = flag(json, "keepVariants");
         options_.accept_parts = flag(json, "acceptParts");
         options_.hashes = flag(json, "hashes");

@@ -1,11 +1,9 @@
 #include "compiler/cli/files.h"
 
-#include <cerrno>
-#include <cstring>
+#include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <iostream>
-#include <iterator>
+
+#include "compiler/base/disk/disk.h"
 
 #include "compiler/cli/failures/failures.h"
 
@@ -14,21 +12,12 @@ namespace fs = std::filesystem;
 
 std::optional<std::string> read_file(const std::string& path, std::string& error) {
     work_on_file(path);
-    std::error_code failure;
-    if (fs::is_directory(path, failure)) {
-        error = "it is a folder";
-        return std::nullopt;
-    }
-    std::ifstream file(path, std::ios::binary);
-    if (!file) {
-        error = std::strerror(errno);
-        return std::nullopt;
-    }
-    return std::string(std::istreambuf_iterator<char>(file), {});
-}
-
-std::string read_standard_input() {
-    return std::string(std::istreambuf_iterator<char>(std::cin), {});
+    if (path == "-") return read_standard_input(kMostTextBytes, error);
+    DiskFile file = read_disk(path, kMostTextBytes);
+    if (!file.bytes) error = file.why.empty() ? "No such file or directory" : file.why;
+    // "patina fmt <(git show HEAD:rust.graph.json)", "/dev/stdin"
+    if (file.why == "it is a FIFO") error += ": pipe it into standard input, which is named '-'";
+    return std::move(file.bytes);
 }
 
 bool is_scene(std::string_view path) {

@@ -7,9 +7,8 @@
 
 namespace patina::cli {
 
-// The text of a file, or nothing and `error`.
+// The text of a file, at most 64 MiB of it, or nothing and `error`. "-" is standard input.
 std::optional<std::string> read_file(const std::string& path, std::string& error);
-std::string read_standard_input();
 
 // By its name.
 bool is_scene(std::string_view path);

@@ -50,7 +50,7 @@ void add_folder(const Console& console, const std::string& folder, std::initiali
 
 void add_list(const Console& console, const std::string& list, Inputs& inputs) {
     std::string error;
-    const std::optional<std::string> text = list == "-" ? read_standard_input() : read_file(list, error);
+    const std::optional<std::string> text = read_file(list, error);
     if (!text) {
         complain(console, Complaint::CannotRead, {list, error});
         inputs.exit = Exit::Wrong;

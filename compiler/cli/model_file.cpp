@@ -2,17 +2,15 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <utility>
+
+#include "compiler/base/disk/disk.h"
 
 namespace patina::cli {
 
 runtime::Outcome<ModelFile> import_model(const std::string& path, importers::Options options) {
     using importers::Remark;
-    importers::Source source{.path = path, .start = std::string(importers::kStart, '\0')};
-    std::ifstream file(path, std::ios::binary);
-    file.read(source.start.data(), static_cast<std::streamsize>(source.start.size()));
-    source.start.resize(static_cast<std::size_t>(file.gcount()));
+    const importers::Source source{.path = path, .start = read_beginning(path, importers::kStart).bytes.value_or("")};
     const importers::Importer* importer = importers::importer_of(source);
     if (!importer) return runtime::Failure{"'" + path + "' is no model that can be read"};
     options.folder = path;

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <map>
 
+#include "compiler/base/disk/disk.h"
 #include "compiler/cli/failures/failures.h"
 #include "patina/name_value.h"
 #include "patina/output_name.h"
@@ -135,6 +136,28 @@ void add_include_option(CLI::App& command, std::vector<std::string>& folders) {
         ->type_name("DIR")
         ->check(is_folder)
         ->allow_extra_args(false);
+    add_root_option(command);
+}
+
+void add_root_option(CLI::App& command) {
+    command
+        .add_option_function<std::string>("--root", confine_disk,
+                                          "Read nothing outside of this folder, whatever a graph names: for graphs of "
+                                          "strangers. The files of the command line lie in it, too")
+        ->type_name("DIR")
+        ->check(is_folder);
+}
+
+void add_pixels_option(Program& program, CLI::App& command) {
+    command
+        .add_option_function<std::size_t>(
+            "--max-pixels",
+            [&program](std::size_t most) {
+                if (program.limit_pixels) program.limit_pixels(most);
+            },
+            "Refuse pictures of more pixels before they are decoded; default: 67108864, which is 8192 x 8192")
+        ->type_name("N")
+        ->check(CLI::Range(std::size_t{1}, std::size_t{1} << 28));
 }
 
 std::vector<std::pair<std::string, std::string>> PathOptions::switches() const {

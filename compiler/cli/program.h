@@ -84,6 +84,7 @@ struct Program {
         std::function<Exit(const Console&)> work;
     };
     std::vector<Command> commands;
+    void (*limit_pixels)(std::size_t most) = nullptr;  // in patina-render alone, too
 };
 
 // A new subcommand with --help, --quiet and --diagnostics; commands.def has its summary. `examples` are shown below its
@@ -93,8 +94,12 @@ CLI::App& add_command(Program& program, std::string name, const std::vector<std:
 void set_check(CLI::App& command, std::function<void()> check);
 void set_work(Program& program, CLI::App& command, std::function<Exit(const Console&)> work);
 
-// -I, repeatable: every command that reads graphs has it.
+// -I, repeatable, and --root: every command that reads graphs has them.
 void add_include_option(CLI::App& command, std::vector<std::string>& folders);
+// --root: from then on, this process reads nothing outside of a folder. -I has it already.
+void add_root_option(CLI::App& command);
+// --max-pixels, of commands that read pictures. It has an effect where a picture can be read: in patina-render.
+void add_pixels_option(Program& program, CLI::App& command);
 
 // --path and -D: the rendering path, and which parts of it.
 struct PathOptions {

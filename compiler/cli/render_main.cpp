@@ -4,6 +4,7 @@
 #include "compiler/cli/diff/report.h"
 #include "compiler/cli/node_sheet/node_sheet.h"
 #include "runtime/picture/image.h"
+#include "runtime/picture/picture_bounds.h"
 
 namespace {
 
@@ -14,6 +15,7 @@ std::optional<Exit> set_up(Program& program, int, char**) {
     program.compare_pictures = compare_pictures;
     program.encode_picture = patina::runtime::encode_image;
     program.write_node_sheet = write_node_sheet;
+    program.limit_pixels = patina::runtime::limit_pixels;
     add_check(program);
     add_diff(program);
     add_import(program);

@@ -225,7 +225,7 @@ std::unique_ptr<GraphText> read_graph_text(const std::string& path, std::string 
     text->kind = top_level_kind(*text->json);
     if (text->kind == ObjectKind::Scene) {
         const auto as_written = [](const std::string& name, Span) { return name; };
-        const SceneFiles files{.find = as_written, .require = as_written};
+        const SceneFiles files{.find = as_written, .require = as_written, .require_graph = as_written};
         const Reading reading{text->sources, text->ast, text->diagnostics};
         read_scene(reading, *text->json, path, name_of_file(path), files);
         note_colors(*text->json, *text);

@@ -393,6 +393,7 @@ constexpr std::array kOptions = {
     KeyInfo{"switches", "values of switches, variants and specialization constants"},
     KeyInfo{"lighting", "a lighting model in place of the graph's own"},
     KeyInfo{"includeDirs", "folders that are searched after the graph's own"},
+    KeyInfo{"root", "a folder: no file outside of it is read"},
     KeyInfo{"keepVariants", "shaders keep all values of variants without a value"},
     KeyInfo{"acceptParts", "a lighting graph or a sub-graph is compiled, too"},
     KeyInfo{"hashes", "the reflection has the hash of each pass"},

@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
-#include <iterator>
+#include <algorithm>
 
 #include "compiler/base/broken_text.h"
+#include "compiler/base/disk/disk.h"
 
 namespace patina::importers {
 
@@ -36,10 +36,28 @@ std::string printable(std::string_view text) {
     return made;
 }
 
+std::optional<std::string> read_text(const std::string& path, std::string& why) {
+    DiskFile file = read_disk(path, kMostTextBytes);
+    if (!file.bytes)
+        why = file.why.empty() ? fmt::format("there is no file '{}'", path)
+                               : fmt::format("cannot read '{}': {}", path, file.why);
+    return std::move(file.bytes);
+}
+
+std::optional<std::string> read_named_text(const std::string& path, std::span<const std::string_view> endings,
+                                           std::string& why) {
+    std::optional<std::string> text = read_text(path, why);
+    const std::string real = text ? without_links(path) : std::string();
+    const auto fits = [&](std::string_view ending) { return real.ends_with(ending); };
+    if (!text || std::ranges::any_of(endings, fits)) return text;
+    why = fmt::format("cannot read '{}': its name has none of the endings {}", path, fmt::join(endings, ", "));
+    return {};
+}
+
 std::optional<std::string> why_unreadable(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
-    const std::string text{std::istreambuf_iterator<char>(file), {}};
-    const std::optional<BrokenText> wrong = broken_text(text);
+    std::string unread;
+    const std::optional<std::string> text = read_text(path, unread);
+    const std::optional<BrokenText> wrong = text ? broken_text(*text) : std::nullopt;
     if (!wrong) return std::nullopt;
     return fmt::format("{}:{}:1: {}", path, wrong->line, wrong->what);
 }

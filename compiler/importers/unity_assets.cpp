@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 
+#include "compiler/base/disk/disk.h"
 #include "compiler/base/text.h"
 
 namespace patina::importers {
@@ -34,11 +34,8 @@ std::string guid_after(std::string_view text) {
 }
 
 std::string guid_of(const fs::path& meta) {
-    std::string text(512, '\0');
-    std::ifstream file(meta, std::ios::binary);
-    file.read(text.data(), static_cast<std::streamsize>(text.size()));
-    text.resize(static_cast<std::size_t>(file.gcount()));
-    return guid_after(text);
+    const DiskFile file = read_beginning(meta.string(), 512);
+    return file.bytes ? guid_after(*file.bytes) : std::string();
 }
 
 }  // namespace
@@ -49,7 +46,7 @@ Assets::Assets(const std::string& source, std::vector<std::string> folders) : fo
     const fs::path own = fs::absolute(source, ignored).parent_path();
     folders_.push_back(own.string());
     for (fs::path each = own; each.has_relative_path(); each = each.parent_path())
-        if (each.filename() == "Assets") {
+        if (each.filename() == "Assets" && why_outside(each.string()).empty()) {
             folders_.back() = each.string();
             break;
         }
@@ -62,6 +59,7 @@ const Assets::Index& Assets::index(std::span<const std::string_view> endings) {
     std::size_t count = 0;
     for (const std::string& folder : folders_) {
         std::error_code wrong;
+        if (!is_folder_on_disk(folder)) continue;
         fs::recursive_directory_iterator each(folder, fs::directory_options::skip_permission_denied, wrong), end;
         for (; !wrong && each != end && count < kMostFiles; each.increment(wrong), ++count) {
             if (each.depth() >= kDeepest) each.disable_recursion_pending();
@@ -92,11 +90,10 @@ std::optional<Assets::Found> Assets::find(std::string_view guid, std::string_vie
                                           std::span<const std::string_view> endings) {
     if (guid.empty() && name.empty()) return {};
     const Index& all = index(endings);
-    std::error_code ignored;
     if (const auto found = all.by_guid.find(lower(std::string(guid))); found != all.by_guid.end()) {
         std::vector<std::string> there;
         for (const std::string& path : found->second)
-            if (fs::is_regular_file(path, ignored)) there.push_back(path);
+            if (is_on_disk(path)) there.push_back(path);
         if (!there.empty()) return Found{.path = there.front(), .other = there.size() > 1 ? there[1] : std::string()};
     }
     if (name.empty()) return {};

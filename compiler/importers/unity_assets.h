@@ -19,6 +19,8 @@ inline constexpr std::string_view kIncludes[] = {".hlsl", ".cginc", ".cg", ".hls
 inline constexpr std::string_view kPictures[] = {".png", ".jpg",  ".jpeg", ".tga",  ".exr", ".hdr",
                                                  ".tif", ".tiff", ".bmp",  ".webp", ".psd"};
 
+inline constexpr std::string_view kMetas[] = {".meta"};
+
 class Assets {
 public:
     // `folders`: where to search; none: the folder of the source, or the nearest one above it that is called Assets.

@@ -4,9 +4,8 @@
 
 #include <algorithm>
 #include <charconv>
-#include <fstream>
-#include <iterator>
 
+#include "compiler/importers/source_text.h"
 #include "compiler/importers/unity_yaml.h"
 
 namespace patina::importers {
@@ -42,9 +41,9 @@ void read_sampler(const Yaml* settings, Picture& made) {
 }
 
 void read_settings(const std::string& path, Picture& made) {
-    std::ifstream file(path + ".meta", std::ios::binary);
-    const std::string text{std::istreambuf_iterator<char>(file), {}};
-    const YamlFile meta = read_yaml(path + ".meta", text);
+    std::string why;
+    const std::optional<std::string> text = read_named_text(path + ".meta", kMetas, why);
+    const YamlFile meta = read_yaml(path + ".meta", text.value_or(""));
     const Yaml* importer = meta.documents.empty() ? nullptr : meta.documents.front().find("TextureImporter");
     if (!meta.error.empty()) made.differences.push_back("its import settings cannot be read: " + meta.error);
     if (!importer) return;

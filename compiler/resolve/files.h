@@ -2,17 +2,19 @@
 // and a file that changes meanwhile is the same for everyone: compilations for several engines, or of several variants,
 // share a Files. What the caller's functions throw becomes an answer, too.
 //
-//   Files files(options.files);
+//   Files files(options);
 //   const Files::Answer& rust = files.read("rust.subgraph.json");   // its text, or why there is none
 #pragma once
 
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "compiler/base/disk/disk.h"
 #include "patina/options.h"
 
 namespace patina::graph {
@@ -21,6 +23,20 @@ namespace patina::graph {
 // ours, too: that exception goes on.
 bool succeeds(const std::function<void()>& call, std::string& why,
               std::string_view unknown = "the program's function failed");
+// The functions of disk(). Files knows them again by their types: it reads no more of a file than a compilation may
+// have, and tells texts of the disk from those of a program.
+struct DiskPart {
+    std::shared_ptr<const Root> root{};  // null: all of it, or what the process is confined to
+    std::size_t most_bytes = 0;
+};
+struct ReadFromDisk {
+    DiskPart part;
+    std::optional<std::string> operator()(const std::string& path) const;
+};
+struct FindOnDisk {
+    DiskPart part;
+    bool operator()(const std::string& path) const;
+};
 
 class Files {
 public:
@@ -31,6 +47,7 @@ public:
         bool is_read = false;
         std::optional<std::string> text{};
         std::string why{};
+        std::size_t too_large = 0;  // the bytes of a file that has too many to be read
     };
     struct Path {
         std::string path{};  // empty: there is none
@@ -43,7 +60,8 @@ public:
         Path path{};
     };
 
-    explicit Files(const FileSystem& system) : system_(system) {}
+    // The options live longer.
+    explicit Files(const CompileOptions& options) : options_(options) {}
 
     // Nothing is looked up.
     Path resolve(const std::string& from, const std::string& name);
@@ -53,7 +71,11 @@ public:
     // A part that is compiled from its text is used by its name, and must not be what a file of that name holds.
     void give_part(const std::string& path, std::string text);
 
-    bool is_disk() const { return !system_.read && !system_.exists; }
+    // True if texts are those of files on the disk, which can be anything, and not of the program's own.
+    bool reads_disk() const { return part_that_is_read() != nullptr; }
+    bool looks_on_disk() const { return part_that_is_searched() != nullptr; }
+    // Advice for a file of the disk that is not there; nothing for another file system.
+    std::string advice_for(const std::string& path) const;
     // Of all texts that were read, and of the graph, if that was given as text.
     std::size_t bytes() const { return bytes_; }
     void add_bytes(std::size_t bytes) { bytes_ += bytes; }
@@ -63,7 +85,11 @@ public:
     const std::vector<Resolved>& resolved() const { return resolved_; }
 
 private:
-    const FileSystem& system_;
+    // Null: the program reads itself, and says itself what is there.
+    const DiskPart* part_that_is_read() const;
+    const DiskPart* part_that_is_searched() const;
+
+    const CompileOptions& options_;
     std::map<std::string, Answer> answers_{};
     std::vector<Resolved> resolved_{};
     std::size_t bytes_ = 0;

@@ -1,10 +1,9 @@
 #include "compiler/resolve/session.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <set>
 
-#include "compiler/base/near_file.h"
+#include "compiler/base/disk/disk.h"
 #include "compiler/json/json.h"
 #include "compiler/nodelang/parse.h"
 #include "compiler/resolve/check_graph.h"
@@ -44,12 +43,18 @@ std::vector<std::string> candidates(Session& session, const std::string& name, c
     return paths;
 }
 
-std::string first_that_exists(Session& session, const std::vector<std::string>& paths, Span where) {
+// What the program's file system fails at is reported. On the disk, `obstacle` is what is there and is no file.
+std::string first_that_exists(Session& session, const std::vector<std::string>& paths, Span where,
+                              std::string& obstacle) {
     for (const std::string& path : paths) {
         const Files::Answer& answer = session.files.find(path);
         if (*answer.exists) return path;
         session.missing.insert(path);
-        if (!answer.why.empty()) session.diagnostics.report(Code::CannotRead, where, path, answer.why);
+        if (answer.why.empty()) continue;
+        if (!session.files.looks_on_disk())
+            session.diagnostics.report(Code::CannotRead, where, path, answer.why);
+        else if (obstacle.empty())
+            obstacle = answer.why;
     }
     return {};
 }
@@ -64,11 +69,22 @@ std::string first_with_text(Session& session, const std::vector<std::string>& pa
     return {};
 }
 
-bool is_folder(const Session& session, const std::vector<std::string>& paths) {
-    std::error_code ignored;
-    return session.files.is_disk() && std::any_of(paths.begin(), paths.end(), [&](const std::string& path) {
-               return std::filesystem::is_directory(path, ignored);
-           });
+bool has_own_ending(std::string_view path) {
+    constexpr std::string_view kEndings[] = {".graph.json",    ".subgraph.json", ".lighting.json",
+                                             ".workflow.json", ".scene.json",    ".hlsl"};
+    return std::any_of(std::begin(kEndings), std::end(kEndings),
+                       [&](std::string_view ending) { return path.ends_with(ending); });
+}
+
+// Whether a text of the disk may stand in messages. One that a graph names may be any file of the machine. It is ours
+// if its name says so, which is not the name that somebody gave to a link, or if it is a JSON object with the key
+// "patina" or has the attribute of a node or a pass.
+bool is_ours(const std::string& path, std::string_view text) {
+    if (has_own_ending(without_links(path))) return true;
+    if (text.find("[node(") != text.npos || text.find("[pass(") != text.npos) return true;
+    const std::size_t first = text.find_first_not_of(" \t\r\n\xef\xbb\xbf");
+    const bool begins_as_json = first != text.npos && (text[first] == '{' || text[first] == '/');  // a comment
+    return begins_as_json && text.find("\"patina\"") != text.npos;
 }
 
 // A name that is given twice means what it means once.
@@ -104,22 +120,24 @@ Session::Session(const Library& the_library, const CompileOptions& the_options, 
       paths(&the_library.paths),
       path(request.path),
       sources(&the_library.sources),
-      own_files(the_options.files),
+      own_files(the_options),
       files(the_files ? *the_files : *own_files) {}
 
 std::string find_file(Session& session, const std::string& name, const std::string& from, Span where) {
-    return first_that_exists(session, candidates(session, name, from, where), where);
+    std::string ignored;
+    return first_that_exists(session, candidates(session, name, from, where), where, ignored);
 }
 
 std::string require_file(Session& session, const std::string& name, const std::string& from, Span where) {
     const std::size_t errors = session.diagnostics.error_count();
     const std::vector<std::string> paths = candidates(session, name, from, where);
-    std::string path = first_that_exists(session, paths, where);
+    std::string obstacle;
+    std::string path = first_that_exists(session, paths, where, obstacle);
     if (!path.empty()) return path;
     add_missing(session, paths);
-    if (session.diagnostics.error_count() != errors) return path;
-    if (is_folder(session, paths))
-        session.diagnostics.report(Code::CannotRead, where, name, "it is a folder");
+    if (session.diagnostics.error_count() != errors) return {};
+    if (!obstacle.empty())
+        session.diagnostics.report(Code::CannotRead, where, name, obstacle);
     else
         session.diagnostics.report(Code::MissingFile, where, name);
     return {};
@@ -135,9 +153,49 @@ std::string require_source(Session& session, const std::string& name, const std:
     return path;
 }
 
+namespace {
+
+// Reports a file of the disk that is not one of ours.
+bool may_be_quoted(Session& session, const std::string& path, std::string_view text, Span where) {
+    if (!session.files.reads_disk() || is_ours(path, text)) return true;
+    session.diagnostics.report(Code::CannotRead, where, path, "it is neither a graph nor a file of nodes")
+        .note("the name of a graph ends with .graph.json or .subgraph.json, and that of a file of nodes with .hlsl");
+    return false;
+}
+
+// Of a text that was not read, or is not used.
+void report_too_large(Session& session, const std::string& path, std::size_t bytes, const std::string& why,
+                      Span where) {
+    const std::uint32_t base = session.sources.add(path, {});
+    if (bytes > kMaxJsonBytes) {
+        session.diagnostics.report(Code::TooLarge, {base, base}, bytes, kMaxJsonBytes);
+        return;
+    }
+    session.files.add_bytes(bytes);
+    const Span place = where ? where : Span{base, base};
+    if (!is_over_bytes(session, place)) session.diagnostics.report(Code::CannotRead, place, path, why);
+}
+
+}  // namespace
+
+std::string require_graph(Session& session, const std::string& name, const std::string& from, Span where) {
+    std::string path = require_source(session, name, from, where);
+    if (path.empty()) return path;
+    const Files::Answer& answer = session.files.read(path);
+    if (!answer.text)
+        session.diagnostics.report(Code::CannotRead, where, path, answer.why);
+    else if (may_be_quoted(session, path, *answer.text, where))
+        return path;
+    return {};
+}
+
 std::optional<std::uint32_t> load_source(Session& session, const std::string& path, Span where) {
     const Files::Answer& answer = session.files.read(path);
     session.dependencies.push_back(path);
+    if (answer.too_large > 0) {
+        report_too_large(session, path, answer.too_large, answer.why, where);
+        return {};
+    }
     if (!answer.text && !answer.why.empty()) {
         session.diagnostics.report(Code::CannotRead, where, path, answer.why);
         return {};
@@ -145,15 +203,16 @@ std::optional<std::uint32_t> load_source(Session& session, const std::string& pa
     if (!answer.text) {
         session.missing.insert(path);
         DiagnosticRecord& record = session.diagnostics.report(Code::MissingFile, where, path);
-        const std::string advice = session.files.is_disk() ? near_file(path) : std::string();
+        const std::string advice = session.files.advice_for(path);
         if (!advice.empty()) record.note(advice);
         return {};
     }
     if (answer.text->size() > kMaxJsonBytes) {
-        const std::uint32_t base = session.sources.add(path, {});
-        session.diagnostics.report(Code::TooLarge, {base, base}, answer.text->size(), kMaxJsonBytes);
+        report_too_large(session, path, answer.text->size(), answer.why, where);
         return {};
     }
+    // What a user names is read, whatever its name is. But who names a folder has not seen where its links lead.
+    if ((where || has_own_ending(path)) && !may_be_quoted(session, path, *answer.text, where)) return {};
     const std::uint32_t base = session.sources.add(path, *answer.text);
     if (is_over_bytes(session, where ? where : Span{base, base})) return {};
     return base;

@@ -89,8 +89,11 @@ std::string find_file(Session& session, const std::string& name, const std::stri
 // The same for a file that must be there: reports if there is none. A source is read at once, and not asked for before.
 std::string require_file(Session& session, const std::string& name, const std::string& from, Span where);
 std::string require_source(Session& session, const std::string& name, const std::string& from, Span where);
+// The same for a graph that is compiled later, by its path alone.
+std::string require_graph(Session& session, const std::string& name, const std::string& from, Span where);
 // Loads a file's text into the source map and adds the file to the dependencies. Reports at `where` if it cannot be
-// read.
+// read. A file of the disk that a text names (`where` is set) can be any file of the machine: if it is not one of
+// ours, it is refused as a whole, so that no message quotes it.
 std::optional<std::uint32_t> load_source(Session& session, const std::string& path, Span where);
 // Reports at `where` that the texts are more than the program allows. True if they are.
 bool is_over_bytes(Session& session, Span where);

@@ -12,11 +12,10 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <set>
 #include <vector>
 
+#include "compiler/base/disk/disk.h"
 #include "patina/patina.h"
 #include "runtime/files/folder_lock.h"
 #include "runtime/files/leftovers.h"
@@ -30,6 +29,12 @@ constexpr int kMostLinks = 40;  // as many as Linux follows
 
 std::string cannot_write(const std::string& path, const std::string& why) {
     return "cannot write '" + path + "': " + why;
+}
+
+std::string unread(const std::string& path, const DiskFile& file) {
+    if (!file.why.empty()) return "cannot read '" + path + "': " + file.why;
+    const std::string advice = file_suggestion(path);
+    return "there is no file '" + path + "'" + (advice.empty() ? "" : ": " + advice);
 }
 
 // The folder of a file.
@@ -98,9 +103,7 @@ std::string write_to_stream(const OutputFile& file, const Destination& to) {
 // True if the file holds these bytes already.
 bool holds(const std::string& path, const struct stat& there, std::string_view bytes) {
     if (!S_ISREG(there.st_mode) || std::size_t(there.st_size) != bytes.size()) return false;
-    std::ifstream in(path, std::ios::binary);
-    const std::string held(std::istreambuf_iterator<char>(in), {});
-    return in && held == bytes;
+    return read_disk(path, bytes.size(), anywhere()).bytes == bytes;
 }
 
 // Files on their way to their names. What has not arrived is taken back.
@@ -237,11 +240,20 @@ std::string obstacle_to(const std::string& path) {
 }
 
 std::string no_file(const std::string& path) {
-    std::error_code ignored;
-    if (fs::is_directory(path, ignored)) return "cannot read '" + path + "': it is a folder";
-    if (fs::is_regular_file(path, ignored)) return "";
-    const std::string advice = file_suggestion(path);
-    return "there is no file '" + path + "'" + (advice.empty() ? "" : ": " + advice);
+    const DiskFile file = look_on_disk(path);
+    return file.bytes ? std::string() : unread(path, file);
+}
+
+Outcome<std::string> read_file(const std::string& path, std::uint64_t most) {
+    DiskFile file = read_disk(path, most);
+    if (!file.bytes) return Failure{unread(path, file)};
+    return std::move(*file.bytes);
+}
+
+Outcome<std::string> read_start(const std::string& path, std::size_t count) {
+    DiskFile file = read_beginning(path, count);
+    if (!file.bytes) return Failure{unread(path, file)};
+    return std::move(*file.bytes);
 }
 
 std::string write_files(std::span<const OutputFile> files) {

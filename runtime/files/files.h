@@ -11,8 +11,11 @@
 //   // empty: written
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string>
+
+#include "runtime/outcome.h"
 
 namespace patina::runtime {
 
@@ -40,8 +43,12 @@ Destination destination_of(const std::string& path);
 // What would be in the way of writing a file there, as write_files() would say it; empty: nothing that can be seen now.
 std::string obstacle_to(const std::string& path);
 
-// Nothing, or why no file can be read there: "there is no file 'sizi.glb': did you mean 'suzi.glb'?", "cannot read
-// 'out': it is a folder".
+// The bytes of a file, at most so many (compiler/base/disk/disk.h). "there is no file 'sizi.glb': did you mean
+// 'suzi.glb'?", "cannot read 'out': it is a folder", "cannot read 'a.exr': it has more than 1000 bytes".
+Outcome<std::string> read_file(const std::string& path, std::uint64_t most);
+// The first bytes of a file.
+Outcome<std::string> read_start(const std::string& path, std::size_t count);
+// Nothing, or why no file can be read there, in the same words.
 std::string no_file(const std::string& path);
 
 // Makes missing folders and writes everything, or nothing. Returns nothing, or what is wrong: "cannot write 'x': ...".

@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <system_error>
 
+#include "compiler/base/disk/disk.h"
+
 namespace patina::runtime {
 namespace {
 
@@ -18,7 +20,9 @@ void look_into(const fs::path& folder, bool is_outermost, FolderContents& below)
     for (const fs::directory_iterator end; !error && at != end; at.increment(error)) {
         if (at->path().filename().string().starts_with('.')) continue;
         std::error_code ignored;
-        const fs::file_status status = at->status(ignored);
+        // A link that leads out of what may be read is as one that leads nowhere.
+        const bool is_outside = at->is_symlink(ignored) && !why_outside(at->path().string()).empty();
+        const fs::file_status status = is_outside ? fs::file_status() : at->status(ignored);
         if (fs::is_regular_file(status) || !fs::exists(status))  // a link that leads nowhere is said when it is read
             below.files.push_back(at->path().lexically_normal().string());
         else if (fs::is_directory(status) && !at->is_symlink(ignored))
@@ -31,7 +35,10 @@ void look_into(const fs::path& folder, bool is_outermost, FolderContents& below)
 
 FolderContents look_below(const std::string& folder) {
     FolderContents below;
-    look_into(folder, true, below);
+    if (std::string why = why_outside(folder); !why.empty())
+        below.unread.push_back({.path = folder, .why = std::move(why)});
+    else
+        look_into(folder, true, below);
     std::ranges::sort(below.files);
     std::ranges::sort(below.folders);
     std::ranges::sort(below.unread, {}, &UnreadFolder::path);

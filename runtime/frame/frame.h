@@ -24,7 +24,7 @@
 #include "patina/interpret.h"
 #include "patina/reflection.h"
 #include "runtime/mesh/mesh.h"
-#include "runtime/picture/area.h"
+#include "runtime/picture/image.h"
 #include "runtime/values/material_values.h"
 #include "runtime/values/textures.h"
 

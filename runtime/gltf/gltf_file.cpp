@@ -6,9 +6,9 @@
 #include <cstdio>
 #include <exception>
 #include <filesystem>
-#include <fstream>
 #include <optional>
 
+#include "compiler/base/disk/disk.h"
 #include "runtime/files/bytes.h"
 #include "runtime/files/files.h"
 #include "runtime/gltf/gltf_draco.h"
@@ -18,8 +18,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The container's own limit for a .glb is 4 GB; a file of that size takes several times as much memory.
-constexpr std::uintmax_t kMostBytes = std::uintmax_t{2} << 30;
+// Of a file and of all buffers that it names, together. The container's own limit for a .glb is 4 GB; a file of that
+// size takes several times as much memory.
+constexpr std::uint64_t kMostBytes = std::uint64_t{2} << 30;
 
 // A .glb begins with 12 bytes: its mark, its version and its size. Each chunk begins with its size and its kind.
 constexpr std::size_t kHeader = 12, kChunkHeader = 8;
@@ -73,48 +74,47 @@ bool keep_picture(tinygltf::Image* image, int, std::string*, std::string*, int, 
     return true;
 }
 
-// tinygltf reads files through these: it must neither expand "~" nor read what is not a regular file.
+// tinygltf reads files through these, which do not expand "~".
 bool exists(const std::string& path, void*) {
-    std::error_code error;
-    return fs::is_regular_file(path, error);
+    return is_on_disk(path);
 }
 std::string same(const std::string& path, void*) {
     return path;
 }
-bool read_whole(std::vector<unsigned char>* out, std::string* why, const std::string& path, void*) {
-    std::error_code error;
-    const std::uintmax_t size = fs::file_size(path, error);
-    if (error || size > kMostBytes) {
-        *why += path + (error ? ": " + error.message() : " is larger than 2 GB") + "\n";
+// `left`: the bytes that may still be read, a std::uint64_t.
+bool read_whole(std::vector<unsigned char>* out, std::string* why, const std::string& path, void* left) {
+    std::uint64_t& most = *static_cast<std::uint64_t*>(left);
+    const DiskFile file = read_disk(path, most);
+    if (!file.bytes) {
+        *why += path + ": " + (file.why.empty() ? "it cannot be read" : file.why) + "\n";
         return false;
     }
-    std::ifstream in(path, std::ios::binary);
-    out->resize(size);
-    in.read(reinterpret_cast<char*>(out->data()), static_cast<std::streamsize>(size));
-    if (!in) *why += path + ": it cannot be read\n";
-    return static_cast<bool>(in);
+    most -= file.bytes->size();
+    out->assign(file.bytes->begin(), file.bytes->end());
+    return true;
 }
 
-// What is wrong with the container of a .glb, and where; empty: nothing. (glTF 2.0, section 4.4.)
-std::string container_mistake(std::string_view all) {
-    const Bytes bytes(all);
-    if (all.empty()) return "the file is empty";
-    if (all.size() < kHeader && bytes.says(0, std::string_view("glTF").substr(0, all.size())))
-        return fmt::format("the file has {} bytes, less than the header of a .glb: it is cut off", all.size());
-    const auto first = static_cast<unsigned char>(all[0]);
-    const bool is_text = first == '{' || first == '[' || first <= ' ' || first == 0xef;
+// What is wrong with the container of a .glb, and where; empty: nothing. (glTF 2.0, section 4.4.) `size`: of the file,
+// whose first bytes these are.
+std::string container_mistake(std::string_view start, std::uint64_t size) {
+    const Bytes bytes(start);
+    if (start.empty()) return "the file is empty";
+    if (start.size() < kHeader && bytes.says(0, std::string_view("glTF").substr(0, start.size())))
+        return fmt::format("the file has {} bytes, less than the header of a .glb: it is cut off", start.size());
+    const auto first = static_cast<unsigned char>(start[0]);
+    // White space, or the mark of UTF-8.
+    const bool is_text = std::string_view("{[ \t\r\n\xef").find(static_cast<char>(first)) != std::string_view::npos;
     if (!has_header_of_glb(bytes))
         return is_text ? "" : "byte 0: it begins neither with 'glTF', as a .glb does, nor with '{', as a .gltf does";
     const std::uint64_t version = *bytes.little_endian(4, 4), stated = *bytes.little_endian(8, 4);
     if (version != 2) return fmt::format("byte 4: version {} of the container is not read, only 2", version);
-    if (stated > all.size())
-        return fmt::format("byte 8: the file shall have {} bytes, and has {}: it is cut off", stated, all.size());
-    const Bytes chunks(all.substr(0, stated));
-    if (!chunks.has(kHeader, kChunkHeader)) return fmt::format("byte 8: {} bytes hold no chunk", stated);
-    if (!chunks.says(kHeader + 4, "JSON")) return "byte 16: the first chunk is not JSON";
+    if (stated > size)
+        return fmt::format("byte 8: the file shall have {} bytes, and has {}: it is cut off", stated, size);
+    if (stated < kHeader + kChunkHeader) return fmt::format("byte 8: {} bytes hold no chunk", stated);
+    if (!bytes.says(kHeader + 4, "JSON")) return "byte 16: the first chunk is not JSON";
     // tinygltf forgets the header of the second chunk when it compares sizes.
-    for (std::uint64_t at = kHeader; chunks.has(at, kChunkHeader);) {
-        const std::uint64_t held = *chunks.little_endian(at, 4), left = chunks.size() - at - kChunkHeader;
+    for (std::uint64_t at = kHeader; at + kChunkHeader <= stated && bytes.has(at, kChunkHeader);) {
+        const std::uint64_t held = *bytes.little_endian(at, 4), left = stated - at - kChunkHeader;
         if (held > left)
             return fmt::format("byte {}: the {} chunk shall have {} bytes, and {} are left", at,
                                at == kHeader ? "first" : "next", held, left);
@@ -164,14 +164,21 @@ std::string_view picture_bytes(const tinygltf::Model& model, std::size_t index) 
 Outcome<tinygltf::Model> open_gltf(const std::string& path) {
     std::vector<unsigned char> bytes;
     std::string why, warning;
-    if (std::string error = no_file(path); !error.empty()) return Failure{std::move(error)};
-    if (!read_whole(&bytes, &why, path, nullptr)) return Failure{"cannot read " + one_line(why)};
-    if (std::string mistake = container_mistake(text_of(bytes)); !mistake.empty())
+    std::uint64_t left = kMostBytes;
+    {
+        // What is wrong with the first bytes is wrong with the file, however large that is.
+        const DiskFile start = read_beginning(path, kHeader + kChunkHeader);
+        if (!start.bytes) return Failure{no_file(path)};
+        if (std::string mistake = container_mistake(*start.bytes, start.size); !mistake.empty())
+            return Failure{path + ": " + mistake};
+    }
+    if (!read_whole(&bytes, &why, path, &left)) return Failure{"cannot read " + one_line(why)};
+    if (std::string mistake = container_mistake(text_of(bytes), bytes.size()); !mistake.empty())
         return Failure{path + ": " + mistake};
     bytes = readable(std::move(bytes));
     tinygltf::TinyGLTF reader;
     reader.SetImageLoader(keep_picture, nullptr);
-    reader.SetFsCallbacks({exists, same, read_whole, nullptr, nullptr});
+    reader.SetFsCallbacks({exists, same, read_whole, nullptr, &left});
     const std::string folder = fs::path(path).parent_path().string();
     tinygltf::Model model;
     bool is_read = false;
@@ -189,7 +196,10 @@ Outcome<tinygltf::Model> open_gltf(const std::string& path) {
         if (why.starts_with("File not found : "))
             return Failure{path + ": the file '" + why.substr(17) + "' cannot be read"};
         if (const std::string mistake = short_chunk(why); !mistake.empty()) return Failure{path + ": " + mistake};
-        if (const std::string place = located(why); !place.empty() && !has_header_of_glb(Bytes(text_of(bytes))))
+        const bool is_glb = has_header_of_glb(Bytes(text_of(bytes)));
+        // The parser's message quotes the text; a link may have this name and lead to any file.
+        if (!is_glb && !without_links(path).ends_with(".gltf")) return Failure{path + ": it is broken JSON"};
+        if (const std::string place = located(why); !place.empty() && !is_glb)
             return Failure{path + place};
         return Failure{path + " is not a glTF file that can be read: " + (why.empty() ? "it is broken" : why)};
     }

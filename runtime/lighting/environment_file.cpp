@@ -4,24 +4,21 @@
 #include <bit>
 #include <chrono>
 #include <cmath>
-#include <fstream>
 #include <mutex>
 #include <numbers>
-#include <sstream>
 
+#include "runtime/files/files.h"
 #include "runtime/lighting/map_cache.h"
 #include "runtime/lighting/panorama.h"
 #include "runtime/picture/image.h"
+#include "runtime/picture/picture_bounds.h"
 
 namespace patina::runtime {
 namespace {
 
 // The bytes of a file; nothing if it cannot be read, of which load_image() knows the reason.
 std::string bytes_of(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
-    std::ostringstream bytes;
-    bytes << file.rdbuf();
-    return std::move(bytes).str();
+    return read_file(path, most_picture_bytes()).value;
 }
 
 Outcome<Panorama> load_panorama(const std::string& path) {

@@ -9,9 +9,9 @@
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <vector>
 
+#include "compiler/base/disk/disk.h"
 #include "runtime/files/files.h"
 #include "runtime/lighting/prefilter.h"
 
@@ -119,19 +119,22 @@ std::string MapCache::name_of(std::string_view picture, double rotation) {
 
 std::optional<KeptEnvironment> MapCache::read(const std::string& name) const {
     if (folder_.empty()) return std::nullopt;
-    std::ifstream file(path_of(name), std::ios::binary);
+    const std::string path = path_of(name);
+    // The cache is the program's own, wherever graphs may read.
+    const DiskFile start = read_beginning(path, sizeof(Header), anywhere());
     Header header;
-    if (!file.read(reinterpret_cast<char*>(&header), sizeof header)) return std::nullopt;
+    if (!start.bytes || start.bytes->size() != sizeof header) return std::nullopt;
+    std::memcpy(&header, start.bytes->data(), sizeof header);
     const bool is_known = std::memcmp(header.magic, Header{}.magic, sizeof header.magic) == 0 &&
                           header.version == kVersion && header.face_size >= kSmallestFace &&
                           header.face_size <= kLargestFace && std::has_single_bit(header.face_size);
     if (!is_known) return std::nullopt;
-    std::error_code failure;
-    const std::size_t count = count_of(header.face_size);
-    if (fs::file_size(path_of(name), failure) != sizeof header + count * sizeof(float) || failure) return std::nullopt;
+    const std::size_t count = count_of(header.face_size), size = sizeof header + count * sizeof(float);
+    if (start.size != size) return std::nullopt;
+    const DiskFile file = read_disk(path, size, anywhere());
+    if (!file.bytes || file.bytes->size() != size) return std::nullopt;
     std::vector<float> numbers(count);
-    if (!file.read(reinterpret_cast<char*>(numbers.data()), std::streamsize(count * sizeof(float))))
-        return std::nullopt;
+    std::memcpy(numbers.data(), file.bytes->data() + sizeof header, count * sizeof(float));
     if (fingerprint(bytes_of(numbers)) != header.fingerprint) return std::nullopt;
     return unpacked(numbers, header.face_size);
 }

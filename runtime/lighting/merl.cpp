@@ -5,10 +5,9 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
-#include <filesystem>
-#include <fstream>
 #include <numbers>
 
+#include "compiler/base/disk/disk.h"
 #include "runtime/files/files.h"
 
 namespace patina::runtime {
@@ -20,6 +19,7 @@ constexpr double kPi = std::numbers::pi;
 // The scale factors of the database's numbers.
 constexpr std::array<double, 3> kScale = {1.0 / 1500, 1.15 / 1500, 1.66 / 1500};
 constexpr int kMostAngles = 1024;
+constexpr std::int64_t kMostEntries = std::int64_t{1} << 24;  // 400 MB; the database's tables have 1.5 million
 
 std::string shown_counts(std::array<std::int32_t, 3> counts) {
     return std::to_string(counts[0]) + " x " + std::to_string(counts[1]) + " x " + std::to_string(counts[2]);
@@ -28,17 +28,16 @@ std::string shown_counts(std::array<std::int32_t, 3> counts) {
 }  // namespace
 
 Outcome<MerlTable> read_merl(const std::string& path) {
-    if (std::string error = no_file(path); !error.empty()) return Failure{std::move(error)};
-    std::error_code failure;
-    const std::uintmax_t size = std::filesystem::file_size(path, failure);
-    std::ifstream file(path, std::ios::binary);
-    if (failure || !file)
-        return Failure{"cannot read '" + path + "': " + (failure ? failure.message() : "no such file")};
     std::array<std::int32_t, 3> counts{};
-    if (size < sizeof counts || !file.read(reinterpret_cast<char*>(counts.data()), sizeof counts))
+    const DiskFile start = read_beginning(path, sizeof counts);
+    if (!start.bytes) return Failure{no_file(path)};
+    const std::uintmax_t size = start.size;
+    if (start.bytes->size() < sizeof counts)
         return Failure{"'" + path + "' is not a MERL table: it has " + std::to_string(size) + " bytes"};
+    std::memcpy(counts.data(), start.bytes->data(), sizeof counts);
     const bool is_table = counts[0] == counts[1] &&
-                          std::all_of(counts.begin(), counts.end(), [](int n) { return n > 0 && n <= kMostAngles; });
+                          std::all_of(counts.begin(), counts.end(), [](int n) { return n > 0 && n <= kMostAngles; }) &&
+                          std::int64_t{counts[0]} * counts[1] * counts[2] <= kMostEntries;
     if (!is_table)
         return Failure{"'" + path + "' is not a MERL table: its counts of angles are " + shown_counts(counts) +
                        ", and a table has 90 x 90 x 180"};
@@ -48,11 +47,15 @@ Outcome<MerlTable> read_merl(const std::string& path) {
         return Failure{"'" + path + "' is " + (size < needed ? "cut off" : "too long") + ": a table of " +
                        shown_counts(counts) + " angles has " + std::to_string(needed) + " bytes, and it has " +
                        std::to_string(size)};
+    const Outcome<std::string> file = read_file(path, needed);
+    if (!file) return Failure{file.error};
+    if (file.value.size() != needed) return Failure{"cannot read '" + path + "': it changed meanwhile"};
+    const char* from = file.value.data() + sizeof counts;
     for (std::size_t c = 0; c < 3; c++) {
         std::vector<double>& channel = table.channels[c];
         channel.resize(table.entries());
-        file.read(reinterpret_cast<char*>(channel.data()), std::streamsize(channel.size() * sizeof(double)));
-        if (!file) return Failure{"cannot read '" + path + "'"};
+        std::memcpy(channel.data(), from, channel.size() * sizeof(double));
+        from += channel.size() * sizeof(double);
         for (double& value : channel) {
             // A texture of floats cannot hold larger numbers; measured values are below a million.
             if (!(std::abs(value) < 1e30)) return Failure{"'" + path + "' holds a value that is not a reflectance"};

@@ -20,7 +20,7 @@
 #include <span>
 
 #include "runtime/lights/shadow_fit.h"
-#include "runtime/picture/area.h"
+#include "runtime/picture/image.h"
 #include "runtime/scene/view.h"
 
 namespace patina::runtime {

@@ -30,6 +30,11 @@ struct Image {
     std::span<const float> at(int x, int y) const { return {pixels.data() + 4 * (std::size_t(y) * width + x), 4}; }
 };
 
+// A part of an image, in pixels from the top left.
+struct PixelArea {
+    int x = 0, y = 0, width = 0, height = 0;
+};
+
 inline constexpr int kLargestImage = 16384;  // pixels on a side
 
 Image make_image(int width, int height, float red = 0, float green = 0, float blue = 0, float alpha = 1);
@@ -46,8 +51,8 @@ float to_unit_range(float value);
 // What an 8-bit file keeps of encoded values: clamped to 0..1 and rounded to n / 255; NaN becomes 0.
 Image quantized(const Image& encoded);
 
-// Any format that OpenImageIO reads (read_image.cpp). One channel is a grey, two a grey and alpha; without alpha it
-// is 1.
+// Any format that OpenImageIO reads (read_image.cpp), within the limits of picture_bounds.h. One channel is a grey, two
+// a grey and alpha; without alpha it is 1.
 Outcome<Image> load_image(const std::string& path);
 // The same from the bytes of a file; `path` says the format by its ending, and names it in messages.
 Outcome<Image> decode_image(const std::string& path, std::string_view bytes);
@@ -59,6 +64,14 @@ using MemoryFiles = std::map<std::string, std::string>;
 // from linear values. EXR: 32-bit float, the values as they are.
 Outcome<std::string> encode_png(const Image& linear);
 Outcome<std::string> encode_exr(const Image& linear);
+// One EXR file with several pictures: the channels R, G, B and A are the picture, and each layer has channels of its
+// own
+// ("normalWS.R"), as compositing programs and OpenImageIO name them. 32-bit floats, the numbers as they are.
+struct Layer {
+    std::string name{};
+    Image image{};  // as large as the picture
+};
+Outcome<std::string> encode_layers(const Image& picture, std::span<const Layer> layers);
 // By the ending of the name: .png or .exr.
 Outcome<std::string> encode_image(const std::string& path, const Image& linear);
 

@@ -1,40 +1,39 @@
 // Pictures from files. A file is not trusted: it can be named as another kind, end too early, or claim more pixels than
-// it has, or than fit into memory.
+// it has, or than fit into memory. Its bytes are read here, with their limit, and OpenImageIO decodes them in memory.
+// It cannot do that for some formats (HEIF, ICO, SGI, FITS, Cineon and raw pictures): it opens those by name, after the
+// same reader has looked whether the file may be opened.
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
 #include <algorithm>
 #include <cstdint>
 #include <exception>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <new>
 
+#include "compiler/base/disk/disk.h"
 #include "runtime/files/files.h"
 #include "runtime/picture/image.h"
 #include "runtime/picture/openimageio.h"
+#include "runtime/picture/picture_bounds.h"
 #include "runtime/picture/picture_kind.h"
 
 namespace patina::runtime {
 namespace {
 
-// As floats, a picture of so many takes 2 GiB.
-constexpr std::size_t kMostPixels = std::size_t(kLargestImage) * kLargestImage / 2;
-constexpr std::uintmax_t kMostBytes = std::uintmax_t(1) << 32;  // of a file
-
 Failure unreadable(const std::string& path, const std::string& why) {
     return {"cannot read '" + path + "' as an image: " + why};
 }
 
-std::string size_fault(const OIIO::ImageSpec& spec) {
-    if (spec.width < 1 || spec.height < 1 || spec.depth > 1) return "it has no pixels, or is a volume";
-    const std::string size = "it is " + std::to_string(spec.width) + " x " + std::to_string(spec.height) + " pixels";
-    if (spec.width > kLargestImage || spec.height > kLargestImage)
-        return size + ", and the limit is " + std::to_string(kLargestImage) + " on a side";
-    if (std::size_t(spec.width) * std::size_t(spec.height) > kMostPixels)
-        return size + ", and the limit is " + std::to_string(kMostPixels) + " in all";
-    return "";
+std::string fault_of(const OIIO::ImageSpec& spec) {
+    if (spec.width < 1 || spec.height < 1 || spec.depth > 1 || spec.deep || spec.nchannels < 1)
+        return "it has no pixels, or is a volume";
+    const auto size = [](int number) { return static_cast<std::uint64_t>(std::max(number, 1)); };
+    std::string fault = size_fault(size(spec.width), size(spec.height), size(spec.nchannels));
+    // A tile is decoded as a whole, even if the picture is smaller.
+    if (fault.empty() && spec.tile_width > 0 && spec.tile_height > 0 &&
+        size(spec.tile_width) * size(spec.tile_height) > most_pixels())
+        fault = "its tiles are larger than the largest picture";
+    return fault;
 }
 
 // Some rows at a time: a file that claims many more pixels than it has fails before they take memory.
@@ -60,25 +59,45 @@ bool read_rows(OIIO::ImageInput& input, const OIIO::ImageSpec& spec, int channel
     return true;
 }
 
-Outcome<Image> read_image(const std::string& path, OIIO::Filesystem::IOProxy* bytes) {
-    OIIO::ImageSpec straight;
-    straight.attribute("oiio:UnassociatedAlpha", 1);  // a texture's alpha is data: keep the colours under it
-    if (bytes) straight.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &bytes);
-    auto input = OIIO::ImageInput::open(path, &straight);
-    if (!input) return unreadable(path, reason(OIIO::geterror()));
-    const OIIO::ImageSpec spec = input->spec();
-    if (const std::string fault = size_fault(spec); !fault.empty()) return unreadable(path, fault);
+// `name` says the format by its ending.
+std::unique_ptr<OIIO::ImageInput> opened(const std::string& name, OIIO::Filesystem::IOProxy& bytes) {
+    OIIO::ImageSpec wanted;
+    wanted.attribute("oiio:UnassociatedAlpha", 1);  // a texture's alpha is data: keep the colours under it
+    OIIO::Filesystem::IOProxy* proxy = &bytes;
+    wanted.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &proxy);
+    return OIIO::ImageInput::open(name, &wanted);
+}
+
+std::unique_ptr<OIIO::ImageInput> opened_by_name(const std::string& path) {
+    OIIO::ImageSpec wanted;
+    wanted.attribute("oiio:UnassociatedAlpha", 1);
+    return OIIO::ImageInput::open(path, &wanted);
+}
+
+Outcome<Image> read_image(const std::string& path, OIIO::ImageInput& input) {
+    const OIIO::ImageSpec spec = input.spec();
+    if (const std::string fault = fault_of(spec); !fault.empty()) return unreadable(path, fault);
     Image image{.width = spec.width, .height = spec.height, .bits = int(spec.format.size() * 8), .pixels = {}};
     image.pixels.reserve(4 * std::size_t(spec.width) * std::size_t(spec.height));
     const int channels = std::clamp(spec.nchannels, 1, 4);
-    if (!read_rows(*input, spec, channels, image)) return unreadable(path, reason(input->geterror()));
+    if (!read_rows(input, spec, channels, image)) return unreadable(path, reason(input.geterror()));
     return image;
 }
 
-Outcome<Image> checked_image(const std::string& path, std::string_view bytes, OIIO::Filesystem::IOProxy* proxy) {
+// `file`: where OpenImageIO may open the picture itself, if it must; empty: nowhere.
+Outcome<Image> checked_image(const std::string& path, std::string_view bytes, const std::string& file) {
     if (const std::string fault = picture_fault(path, bytes); !fault.empty()) return unreadable(path, fault);
+    if (const std::string fault = header_fault(bytes); !fault.empty()) return unreadable(path, fault);
     try {
-        return read_image(path, proxy);
+        MemoryReader memory(bytes);
+        std::unique_ptr<OIIO::ImageInput> input = opened(path, memory);
+        const std::string why = input ? std::string() : reason(OIIO::geterror());
+        if (!input && !file.empty() && !picture_kind(bytes)) input = opened_by_name(file);
+        if (!input) {
+            OIIO::geterror();  // or it would be the next file's
+            return unreadable(path, why);
+        }
+        return read_image(path, *input);
     } catch (const std::bad_alloc&) {
         return unreadable(path, "there is not enough memory for its pixels");
     } catch (const std::exception&) {
@@ -87,39 +106,34 @@ Outcome<Image> checked_image(const std::string& path, std::string_view bytes, OI
     }
 }
 
-// The bytes of a file; of a large one that needs no check of its end, only the first.
-std::string bytes_of(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
+// The bytes of a picture's file. Of one that is named as another kind, only the first: that is its mistake.
+Outcome<std::string> bytes_of(const std::string& path) {
     constexpr std::size_t kFirst = 64;
-    std::string bytes(kFirst, '\0');
-    file.read(bytes.data(), std::streamsize(kFirst));
-    bytes.resize(std::size_t(file.gcount()));
-    const PictureKind* const kind = picture_kind(bytes);
-    if (kind && kind->is_whole && file) bytes.append(std::istreambuf_iterator<char>(file), {});
-    return bytes;
+    Outcome<std::string> start = read_start(path, kFirst);
+    if (!start || start.value.size() < kFirst) return start;
+    const PictureKind* const kind = picture_kind(start.value);
+    if (kind && !kind->is_readable) return start;
+    return read_file(path, most_picture_bytes());
 }
 
 }  // namespace
 
 Outcome<Image> load_image(const std::string& path) {
-    std::error_code ignored;
-    if (std::string error = no_file(path); !error.empty()) return Failure{std::move(error)};
-    if (std::filesystem::file_size(path, ignored) > kMostBytes) return unreadable(path, "it is larger than 4 GiB");
-    if (!std::ifstream(path, std::ios::binary)) return Failure{"cannot read '" + path + "': it cannot be opened"};
-    return checked_image(path, bytes_of(path), nullptr);
+    const Outcome<std::string> bytes = bytes_of(path);
+    return bytes ? checked_image(path, bytes.value, without_links(path)) : Failure{bytes.error};
 }
 
 Outcome<Image> decode_image(const std::string& path, std::string_view bytes) {
-    MemoryReader reader(bytes);
-    return checked_image(path, bytes, &reader);
+    return checked_image(path, bytes, "");
 }
 
 PictureNotes load_notes(const std::string& path) {
     PictureNotes notes;
-    std::error_code ignored;
-    if (!std::filesystem::is_regular_file(path, ignored)) return notes;
+    const Outcome<std::string> bytes = bytes_of(path);
+    if (!bytes || !header_fault(bytes.value).empty()) return notes;
     try {
-        const auto input = OIIO::ImageInput::open(path);
+        MemoryReader memory(bytes.value);
+        const auto input = opened(path, memory);
         if (!input) {
             OIIO::geterror();  // or it would be the next file's
             return notes;

@@ -1,5 +1,6 @@
 #include "runtime/picture/stated_space.h"
 
+#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
 #include <algorithm>
@@ -7,8 +8,11 @@
 #include <cmath>
 #include <cstdint>
 #include <exception>
-#include <fstream>
 #include <map>
+
+#include "runtime/files/files.h"
+#include "runtime/picture/openimageio.h"
+#include "runtime/picture/picture_bounds.h"
 
 namespace patina::runtime {
 namespace {
@@ -26,25 +30,21 @@ StatedSpace of_profile(const OIIO::ImageSpec& spec) {
     return {};
 }
 
-// The chunks that tell a colour space, which stand before the pixels; none if the file is no PNG.
-std::map<std::string, std::string> chunks_of(const std::string& path) {
+// The chunks that tell a colour space, which stand before the pixels; none if the bytes are no PNG.
+std::map<std::string, std::string> chunks_of(std::string_view bytes) {
     std::map<std::string, std::string> chunks;
-    std::ifstream file(path, std::ios::binary);
-    const auto read = [&](std::size_t count) {
-        std::string bytes(count, '\0');
-        file.read(bytes.data(), std::streamsize(count));
-        return file ? bytes : std::string();
-    };
-    if (read(8) != "\x89PNG\r\n\x1a\n") return chunks;
-    for (;;) {
-        const std::string head = read(8);
-        if (head.empty() || head.substr(4) == "IDAT") return chunks;
+    if (!bytes.starts_with("\x89PNG\r\n\x1a\n")) return chunks;
+    bytes.remove_prefix(8);
+    while (bytes.size() >= 8 && bytes.substr(4, 4) != "IDAT") {
         std::uint32_t length = 0;
-        for (std::size_t i = 0; i < 4; ++i) length = length << 8 | static_cast<unsigned char>(head[i]);
+        for (std::size_t i = 0; i < 4; ++i) length = length << 8 | static_cast<unsigned char>(bytes[i]);
         constexpr std::uint32_t kShort = 8;  // those whose contents count
-        chunks[head.substr(4)] = length <= kShort ? read(length) : std::string();
-        file.seekg(std::streamoff(length <= kShort ? 0 : length) + 4, std::ios::cur);
+        const std::string name(bytes.substr(4, 4));
+        bytes.remove_prefix(8);
+        chunks[name] = length <= kShort ? std::string(bytes.substr(0, length)) : std::string();
+        bytes.remove_prefix(std::min<std::size_t>(bytes.size(), std::size_t{length} + 4));
     }
+    return chunks;
 }
 
 StatedSpace of_cicp(const std::string& chunk) {
@@ -71,13 +71,20 @@ StatedSpace of_chunks(const std::map<std::string, std::string>& chunks, const OI
 }
 
 StatedSpace stated_in(const std::string& path) {
-    const auto input = OIIO::ImageInput::open(path);
+    const Outcome<std::string> file = read_file(path, most_picture_bytes());
+    if (!file || !header_fault(file.value).empty()) return {};
+    const std::string_view bytes = file.value;
+    MemoryReader memory(bytes);
+    OIIO::Filesystem::IOProxy* proxy = &memory;
+    OIIO::ImageSpec wanted;
+    wanted.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &proxy);
+    const auto input = OIIO::ImageInput::open(path, &wanted);
     if (!input) {
         OIIO::geterror();  // or it would be the next file's
         return {};
     }
     const OIIO::ImageSpec spec = input->spec();
-    if (const auto chunks = chunks_of(path); !chunks.empty()) return of_chunks(chunks, spec);
+    if (const auto chunks = chunks_of(bytes); !chunks.empty()) return of_chunks(chunks, spec);
     if (const StatedSpace stated = of_profile(spec); stated.space != ColorSpace::None) return stated;
     constexpr int kExifSrgb = 1;
     if (spec.get_int_attribute("Exif:ColorSpace") == kExifSrgb) return {ColorSpace::Srgb, "its Exif data"};

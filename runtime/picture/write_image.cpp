@@ -10,7 +10,6 @@
 
 #include "runtime/files/files.h"
 #include "runtime/picture/image.h"
-#include "runtime/picture/layers.h"
 #include "runtime/picture/openimageio.h"
 
 namespace patina::runtime {

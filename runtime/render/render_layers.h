@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "runtime/picture/layers.h"
+#include "runtime/picture/image.h"
 #include "runtime/render/render_request.h"
 
 namespace patina::runtime {

@@ -6,11 +6,11 @@
 #include <charconv>
 #include <chrono>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 
+#include "compiler/base/disk/disk.h"
 #include "runtime/files/files.h"
 #include "runtime/picture/flip.h"
+#include "runtime/picture/picture_bounds.h"
 #include "runtime/picture/tone.h"
 
 namespace patina::runtime {
@@ -35,11 +35,6 @@ PictureRecord record_of(PictureNotes notes) {
     const std::string& bytes = notes[kCost];
     std::from_chars(bytes.data(), bytes.data() + bytes.size(), record.spirv_bytes);
     return record;
-}
-
-std::string read_file(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
 }
 
 // Without the line that says which version made them, so that a new version alone changes no reference.
@@ -103,7 +98,7 @@ private:
         }
         reference_ = quantized(reference.value);  // what OpenImageIO makes of a byte may be off in the last bit
         result_.then = record_of(load_notes(result_.reference));
-        if (options_.keeps_pictures) result_.reference_png = read_file(result_.reference);
+        if (options_.keeps_pictures) result_.reference_png = read_file(result_.reference, most_picture_bytes()).value;
         result_.other_driver = !result_.then.device.empty() &&
                                (result_.then.device != result_.now.device || result_.then.driver != result_.now.driver);
         Tolerance tolerance = planned_.tolerance;
@@ -139,7 +134,7 @@ private:
         if (text_reference_.empty()) return true;
         std::error_code ignored;
         if (!fs::exists(text_reference_, ignored)) return false;
-        result_.text_diff = differences(read_file(text_reference_), text);
+        result_.text_diff = differences(read_file(text_reference_, kMostTextBytes).value, text);
         if (const std::size_t count = changed_lines(result_.text_diff); count > 0)
             fail(fmt::format("{} lines of the shaders differ from '{}'", count, text_reference_));
         return true;

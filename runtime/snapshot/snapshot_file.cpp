@@ -10,11 +10,10 @@
 #include <charconv>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <set>
 #include <vector>
 
+#include "compiler/base/disk/disk.h"
 #include "patina/complaints.h"
 #include "patina/segments.h"
 #include "runtime/gltf/gltf_model.h"
@@ -226,9 +225,7 @@ Problem wrong_unless(bool good, std::string message) {
 
 // A property's value, in the words of the command line.
 std::string value_of(const Entry& entry, const std::filesystem::path& folder) {
-    std::error_code ignored;
-    const bool is_file =
-        entry.kind == Entry::Kind::Text && std::filesystem::is_regular_file(folder / entry.text, ignored);
+    const bool is_file = entry.kind == Entry::Kind::Text && is_on_disk((folder / entry.text).string());
     return is_file ? (folder / entry.text).string() : entry.text;
 }
 
@@ -291,8 +288,7 @@ Problem add_to_environment(const Entry& entry, const std::filesystem::path& fold
             return {R"('environment' is a picture, such as "sunset.hdr", studio or none; or an object, such as )" +
                     std::string(find_key(kObjectKeys, "environment")->example)};
         const bool is_word = is_alone && (entry.text == "studio" || entry.text == "none");
-        std::error_code ignored;
-        if (!is_word && !std::filesystem::is_regular_file(folder / entry.text, ignored))
+        if (!is_word && !is_on_disk((folder / entry.text).string()))
             return {.message = "there is no file '" + (folder / entry.text).string() + "'", .code = "cannot-read"};
         request.environment = (is_word ? entry.text : (folder / entry.text).string()) + request.environment;
         return {};
@@ -422,14 +418,12 @@ std::string default_graph(const std::filesystem::path& folder, const std::string
 
 // The text, or why there is none.
 Outcome<std::string> read_text(const std::string& path) {
-    std::error_code error;
-    std::uintmax_t size = std::filesystem::file_size(path, error);
-    if (error) return Failure{error.message()};
-    if (size > kLargestFile) return Failure{fmt::format("it has {} bytes, too many for a snapshot", size)};
-    std::ifstream file(path, std::ios::binary);
-    std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
-    if (!file.good() && !file.eof()) return Failure{"its contents cannot be read"};
-    return text;
+    // A link with this name may lead to any file, which messages would quote.
+    if (!without_links(path).ends_with(".json")) return Failure{"it is a link to a file that is no snapshot"};
+    DiskFile file = read_disk(path, kLargestFile);
+    if (file.bytes) return std::move(*file.bytes);
+    if (file.is_too_large) return Failure{fmt::format("it has {} bytes, too many for a snapshot", file.size)};
+    return Failure{file.why.empty() ? "No such file or directory" : file.why};
 }
 
 }  // namespace

@@ -28,7 +28,7 @@ bool is_cancelled(const Diagnostics& diagnostics) {
 
 std::string key_of(const Compiler& compiler, const graph::Library& library, const std::string& path,
                    const std::string* text, const CompileOptions& options) {
-    graph::Files files(options.files);
+    graph::Files files(options);
     CompileOptions asked = options;
     asked.targets.clear();
     if (text && asked.accept_parts) files.give_part(path, *text);

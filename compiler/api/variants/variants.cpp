@@ -84,7 +84,7 @@ public:
         : plan_(plan),
           options_(std::move(options)),
           finished_(finished),
-          files_(options_.files),
+          files_(options_),
           gathering_(compiler, path, files_, trail, made_) {
         options_.hashes = true;
         options_.keep_variants = false;

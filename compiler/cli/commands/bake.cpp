@@ -82,6 +82,7 @@ void add_bake(Program& program) {
         {"patina bake rust.graph.json -o rust", "patina bake rust.graph.json --mesh chair.glb --size 2048 -o chair",
          "patina bake lava.graph.json --time 0 -o lava",
          "patina bake rust.graph.json --workflow specular-glossiness --format exr -o rust"});
+    add_pixels_option(program, command);
     auto arguments = std::make_shared<Arguments>();
     runtime::RenderRequest& request = arguments->request;
     request.size = 1024;

@@ -161,11 +161,13 @@ Checked check_file(const Compiler& compiler, const Arguments& arguments, const I
 }  // namespace
 
 void add_check(Program& program) {
-    CLI::App& command = add_command(program, "check",
-                                    {"patina check rust.graph.json", "patina check art/*.graph.json --quiet",
-                                     "patina check rust.graph.json --diagnostics=json", "patina check wave.node.hlsl",
-                                     "patina check mine.pass.hlsl", "patina check art --jobs 4 --no-validate",
-                                     "patina check art --max-instructions 600 --max-textures 8"});
+    CLI::App& command = add_command(
+        program, "check",
+        {"patina check rust.graph.json", "patina check art/*.graph.json --quiet",
+         "patina check rust.graph.json --diagnostics=json", "patina check wave.node.hlsl",
+         "patina check mine.pass.hlsl", "patina check upload/rust.graph.json --root upload",
+         "patina check art --jobs 4 --no-validate", "patina check art --max-instructions 600 --max-textures 8"});
+    add_pixels_option(program, command);
     const CLI::Range is_count(std::uint32_t{0}, std::numeric_limits<std::uint32_t>::max());
     auto arguments = std::make_shared<Arguments>();
     add_input_options(command, arguments->inputs,

@@ -159,6 +159,7 @@ void add_compile(Program& program) {
          "patina compile art -o out --jobs 4 --list-outputs out/all.txt   # out has the folders of art",
          "git ls-files -z '*.graph.json' | patina compile --files - -o out",
          "patina compile rust.graph.json -t spirv -o out --depfile",
+         "patina compile upload/rust.graph.json --root upload -o out   # a stranger's graph reads nothing else",
          "patina compile art -o out --list-outputs out/all.txt --depfile --depend-on-outputs   # a step of a build",
          "patina compile rust.graph.json -t unity -o Assets/Shaders   # 'patina engines' lists what there is",
          "patina compile rust.graph.json --path deferred -D shadows -o out",

@@ -38,7 +38,8 @@ bool read_both(const Console& console, const Arguments& arguments, Both& both) {
     const std::string new_name = arguments.files.size() == kGitWordsOfRename ? arguments.files[7] : name;
     const auto read = [&](const std::string& file, const std::string& path, Version& version) {
         std::string error;
-        std::optional<std::string> text = read_file(file, error);
+        // This is how git names the side that has no file.
+        std::optional<std::string> text = git && file == "/dev/null" ? std::string() : read_file(file, error);
         if (!text) {
             complain(console, Complaint::CannotRead, {file, error});
             return false;
@@ -124,11 +125,15 @@ void add_diff(Program& program) {
                                     {"patina diff old.graph.json rust.graph.json",
                                      "patina diff old.graph.json rust.graph.json --picture change.png",
                                      "patina diff old.graph.json rust.graph.json --json",
+                                     "git show HEAD:rust.graph.json | patina diff - rust.graph.json",
                                      "GIT_EXTERNAL_DIFF='patina diff --git' git diff rust.graph.json",
                                      "git difftool -x 'patina diff --name \"$MERGED\"' rust.graph.json",
                                      "Exit codes: 0 nothing changed in meaning, 1 something did, 2 trouble"});
+    add_pixels_option(program, command);
     auto arguments = std::make_shared<Arguments>();
-    command.add_option("FILE", arguments->files, "Two versions of a graph or a scene; an empty file: there was none")
+    command
+        .add_option("FILE", arguments->files,
+                    "Two versions of a graph or a scene; an empty file: there was none; -: standard input")
         ->required()
         ->type_name(" ");
     command

@@ -173,6 +173,7 @@ void add_env(Program& program) {
     CLI::App& command = add_command(program, "env",
                                     {"patina env sunset.hdr", "patina env sunset.hdr --json",
                                      "patina env sunset.hdr --rotation 90 -o light", "patina env studio -o light"});
+    add_pixels_option(program, command);
     auto arguments = std::make_shared<Arguments>();
     command
         .add_option("FILE", arguments->choice.path,

@@ -16,7 +16,13 @@ struct Arguments {
 };
 
 Exit format_standard_input(const Console& console, const Compiler& compiler) {
-    const Compiler::Formatted formatted = compiler.format("<stdin>", read_standard_input());
+    std::string error;
+    std::optional<std::string> text = read_file("-", error);
+    if (!text) {
+        complain(console, Complaint::CannotRead, {"standard input", error});
+        return Exit::Wrong;
+    }
+    const Compiler::Formatted formatted = compiler.format("<stdin>", std::move(*text));
     if (!formatted.ok) {
         report(console, formatted.diagnostics);
         return Exit::Wrong;
@@ -27,6 +33,10 @@ Exit format_standard_input(const Console& console, const Compiler& compiler) {
 
 Exit format_file(const Console& console, const Compiler& compiler, const Arguments& arguments,
                  const std::string& path) {
+    if (is_stream(path)) {
+        complain(console, Complaint::NotAFile, {path});
+        return Exit::Wrong;
+    }
     std::string error;
     const std::optional<std::string> text = read_file(path, error);
     if (!text) {
@@ -39,10 +49,6 @@ Exit format_file(const Console& console, const Compiler& compiler, const Argumen
     if (formatted.text == *text) return Exit::Ok;
     if (arguments.check) {
         complain(console, Complaint::NotFormatted, {path});
-        return Exit::Wrong;
-    }
-    if (is_stream(path)) {
-        complain(console, Complaint::NotAFile, {path});
         return Exit::Wrong;
     }
     OutputFiles files;

@@ -4,12 +4,11 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <memory>
 #include <tuple>
 #include <utility>
 
+#include "compiler/base/disk/disk.h"
 #include "compiler/cli/commands/commands.h"
 #include "compiler/cli/failures/failures.h"
 #include "compiler/cli/json_text.h"
@@ -34,11 +33,7 @@ struct Arguments {
 };
 
 importers::Source source_of(const std::string& path) {
-    importers::Source source{.path = path, .start = std::string(importers::kStart, '\0')};
-    std::ifstream file(path, std::ios::binary);
-    file.read(source.start.data(), static_cast<std::streamsize>(source.start.size()));
-    source.start.resize(static_cast<std::size_t>(file.gcount()));
-    return source;
+    return {.path = path, .start = read_beginning(path, importers::kStart).bytes.value_or("")};
 }
 
 bool makes_pictures(const std::string& path) {
@@ -162,11 +157,7 @@ runtime::Outcome<OutputFiles> files_of(const Imported& made, const fs::path& fol
 
 // The file is there already, as it would be written: several imports share it, such as a sub-graph of two graphs.
 bool is_there(const runtime::OutputFile& file) {
-    std::error_code ignored;
-    if (!fs::is_regular_file(file.path, ignored) || fs::file_size(file.path, ignored) != file.bytes.size())
-        return false;
-    std::ifstream stream(file.path, std::ios::binary);
-    return std::string{std::istreambuf_iterator<char>(stream), {}} == file.bytes;
+    return read_disk(file.path, file.bytes.size(), anywhere()).bytes == file.bytes;
 }
 
 Exit import_file(const Console& console, const Arguments& arguments, const std::string& file, PictureEncoder encode) {
@@ -224,6 +215,7 @@ void add_import(Program& program) {
     std::vector<std::string_view> examples;
     for (const Importer& importer : importers::importers()) examples.push_back(importer.example);
     examples.push_back("patina import *.binary -o measured && patina render measured/gold-paint.graph.json");
+    examples.push_back("patina import upload/wood.mtlx --root upload -o wood");
     CLI::App& command = add_command(program, "import", examples);
     auto arguments = std::make_shared<Arguments>();
     command.add_option("FILES", arguments->files, "Files to import: " + formats())->required()->type_name(" ");
@@ -241,6 +233,7 @@ void add_import(Program& program) {
     command.add_flag("--report", arguments->shows_remarks,
                      "Print what became of each part of the files: exact, approximate or refused, and why");
     command.add_flag("--json", arguments->json, "Print the same as JSON, one object a file, instead of warnings");
+    add_root_option(command);
     set_work(program, command, [arguments, &program](const Console& console) {
         if (console.json && arguments->json) {
             complain(console, Complaint::MixedOutput, {"--json"});

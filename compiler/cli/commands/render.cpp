@@ -331,6 +331,7 @@ void add_render(Program& program) {
          "patina render room.scene.json --path deferred -o room.png",
          "patina render room.scene.json --node albedo --object wall -o albedo.png",
          "patina render rust.graph.json --light 'directional direction=1,1,1 intensity=2' --ambient 0.1 --via cpu",
+         "patina render upload/rust.graph.json --root upload --max-pixels 4194304 -o rust.png",
          "patina render chair.glb -o chair.png", "patina render chair.glb --camera Front --variant Oak -o front.png",
          "patina render rust.graph.json --exposure -1 --tonemap khronos-neutral -o rust.png",
          "patina render rust.graph.json --env 'sunset.hdr rotation=90' -o rust.png",
@@ -338,6 +339,7 @@ void add_render(Program& program) {
          "patina render rust.graph.json --node lighting/fresnel --of-light 0 -o fresnel.png",
          "patina render rust.graph.json --aov baseColor,normalWS,mask -o rust.exr",
          "patina render rust.graph.json --lighting all --size 160 -o models.png"});
+    add_pixels_option(program, command);
     auto arguments = std::make_shared<Arguments>();
     runtime::RenderRequest& request = arguments->request;
     command

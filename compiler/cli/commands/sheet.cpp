@@ -54,6 +54,7 @@ void add_sheet(Program& program) {
     CLI::App& command = add_command(program, "sheet",
                                     {"patina sheet art", "patina sheet art -o art.html --env sunset.hdr --size 384",
                                      "patina sheet art --path deferred --no-node-pictures"});
+    add_pixels_option(program, command);
     auto arguments = std::make_shared<Arguments>();
     runtime::SheetOptions& options = arguments->options;
     command

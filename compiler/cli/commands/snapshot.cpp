@@ -190,6 +190,7 @@ void add_snapshot(Program& program) {
          "patina snapshot art --update metal/rust    # its picture becomes the reference",
          "patina snapshot art --report report.html --junit results.xml", "patina snapshot art --shard 2/5 --json",
          "patina snapshot art --tolerance share=0.01,perceptual=0.02"});
+    add_pixels_option(program, command);
     auto arguments = std::make_shared<Arguments>();
     runtime::SnapshotOptions& options = arguments->options;
     command

@@ -336,6 +336,7 @@ void add_trace(Program& program) {
          "patina trace rust.graph.json --pixel 20,30 --size 64 --mesh torus --set _Roughness=0.2 --places",
          "patina trace rust.graph.json --pixel 256,200 --light 'point position=1,2,0' --double --json",
          "patina trace room.scene.json --pixel 256,200", "patina trace room.scene.json --pixel 256,200 --object wall"});
+    add_pixels_option(program, command);
     auto arguments = std::make_shared<Arguments>();
     command
         .add_option(

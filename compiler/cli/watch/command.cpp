@@ -65,6 +65,7 @@ void add_watch(Program& program) {
         program, "watch",
         {"patina watch art -o out", "patina watch rust.graph.json -t glsl -o out --render rust.png   # open rust.html",
          "patina watch room.scene.json art -o out --render room.png --size 256"});
+    add_pixels_option(program, command);
     auto arguments = std::make_shared<WatchArguments>();
     add_input_options(command, arguments->compile.inputs, "Material graphs (JSON), a scene to draw");
     add_target_options(command, arguments->compile);

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "compiler/base/disk/disk.h"
+
 namespace patina::cli {
 namespace {
 
@@ -14,7 +16,7 @@ constexpr std::chrono::nanoseconds kTick = 20ms;
 
 Stamp stamp_of(const std::string& path) {
     struct stat there {};
-    if (::stat(path.c_str(), &there) != 0) return {};
+    if (!why_outside(path).empty() || ::stat(path.c_str(), &there) != 0) return {};
     return {.is_there = true,
             .nanoseconds = std::int64_t(there.st_mtim.tv_sec) * 1'000'000'000 + there.st_mtim.tv_nsec,
             .size = there.st_size,

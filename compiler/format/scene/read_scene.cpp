@@ -136,7 +136,7 @@ SceneMaterial read_material(SceneReading& reading, const Json& json, UniqueNames
     Span name{};
     read_name(reading, json, "material", material.name, name, names);
     material.place = place_of(reading, name ? name : opening(json));
-    if (const Json* graph = json.find("graph")) material.graph = read_file_name(reading, *graph, "'graph'");
+    if (const Json* graph = json.find("graph")) material.graph = read_graph_name(reading, *graph, "'graph'");
     material.set = read_set(reading, json);
     return material;
 }

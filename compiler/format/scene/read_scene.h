@@ -15,6 +15,8 @@ struct SceneFiles {
     std::function<std::string(const std::string& name, Span where)> find;
     // The same; reports at `where` that there is none.
     std::function<std::string(const std::string& name, Span where)> require;
+    // The same for a graph: reports a file of the disk that is none.
+    std::function<std::string(const std::string& name, Span where)> require_graph;
 };
 
 // Returns a scene even after errors (the parts that could be read). `name`: the scene's name if the file states none.

@@ -96,6 +96,13 @@ SceneFileName read_file_name(SceneReading& reading, const Json& json, std::strin
     return {.path = std::move(path), .place = place_of(reading, inside(json.span))};
 }
 
+SceneFileName read_graph_name(SceneReading& reading, const Json& json, std::string_view what) {
+    const std::string* name = read_string(reading, json, what);
+    if (!name) return {};
+    std::string path = reading.files.require_graph(*name, inside(json.span));
+    return {.path = std::move(path), .place = place_of(reading, inside(json.span))};
+}
+
 void report_impossible(Reading& reading, const Json& object, std::string_view key, std::string_view wanted) {
     const JsonMember* member = find_member(object, key);
     reading.diagnostics.report(Code::ImpossibleValue, member ? member->value.span : opening(object), key, wanted);

@@ -31,6 +31,8 @@ std::optional<std::array<double, 4>> read_scene_color(Reading& reading, const Js
 void read_color(Reading& reading, const Json& object, std::string_view key, SceneVector& target);
 // Reports a file that does not exist.
 SceneFileName read_file_name(SceneReading& reading, const Json& json, std::string_view what);
+// The same for a graph.
+SceneFileName read_graph_name(SceneReading& reading, const Json& json, std::string_view what);
 
 void report_impossible(Reading& reading, const Json& object, std::string_view key, std::string_view wanted);
 

@@ -6,8 +6,8 @@
 #include <array>
 #include <charconv>
 #include <filesystem>
-#include <fstream>
 
+#include "compiler/base/disk/disk.h"
 #include "compiler/importers/gltf/gltf_object.h"
 
 namespace patina::importers::gltf {
@@ -17,24 +17,24 @@ namespace fs = std::filesystem;
 
 // The JSON of either form; empty if the file or its first chunk is cut off.
 std::string json_of(const std::string& path, bool& is_binary) {
-    std::ifstream file(path, std::ios::binary);
-    std::error_code error;
-    const std::uintmax_t whole = fs::file_size(path, error);
-    std::string head(20, '\0');
-    file.read(head.data(), 20);
-    is_binary = head.starts_with("glTF");
-    std::uintmax_t size = error ? 0 : whole;
+    constexpr std::size_t kHeaders = 20;
+    const DiskFile head = read_beginning(path, kHeaders);
+    if (!head.bytes) return {};
+    is_binary = head.bytes->starts_with("glTF");
+    std::uint64_t size = head.size, before = 0;
     if (is_binary) {
-        if (whole < 20) return {};
+        if (head.bytes->size() < kHeaders) return {};
+        before = kHeaders;
         size = 0;
-        for (std::size_t i = 0; i < 4; ++i) size |= std::uintmax_t{static_cast<unsigned char>(head[12 + i])} << (8 * i);
-        if (size > whole - 20) return {};
-    } else {
-        file.clear();
-        file.seekg(0);
+        for (std::size_t i = 0; i < 4; ++i)
+            size |= std::uint64_t{static_cast<unsigned char>((*head.bytes)[12 + i])} << (8 * i);
+        if (size > head.size - kHeaders) return {};
     }
-    std::string text(size, '\0');
-    file.read(text.data(), static_cast<std::streamsize>(size));
+    // One byte more than the parser takes: it says that there are too many.
+    DiskFile file = read_beginning(path, static_cast<std::size_t>(before + std::min(size, kMostTextBytes + 1)));
+    if (!file.bytes || file.bytes->size() < before) return {};
+    std::string text = std::move(*file.bytes);
+    text.erase(0, static_cast<std::size_t>(before));
     // A glb's text is padded with spaces, by some programs with zeros.
     while (!text.empty() && text.back() == '\0') text.pop_back();
     return text;
@@ -105,15 +105,14 @@ std::string element_mistake(std::string_view list, const Json& element, std::str
                                    held);
             }
         } else if (uri && uri->kind == Json::Kind::String) {
-            std::error_code error;
-            if (uri->string.find("%") == std::string::npos &&
-                !fs::is_regular_file(fs::path(folder) / uri->string, error))
+            const DiskFile held = look_on_disk((fs::path(folder) / uri->string).string());
+            if (uri->string.find("%") == std::string::npos && !held.bytes)
                 return fmt::format("the file '{}' cannot be read", graph::shown(uri->string));
-            const std::uintmax_t held = fs::file_size(fs::path(folder) / uri->string, error);
-            if (!error && length && length->kind == Json::Kind::Number && length->number > static_cast<double>(held)) {
+            if (held.bytes && length && length->kind == Json::Kind::Number &&
+                length->number > static_cast<double>(held.size)) {
                 key = "byteLength";
                 return fmt::format("the buffer shall have {:.0f} bytes, and the file '{}' has {}", length->number,
-                                   graph::shown(uri->string), held);
+                                   graph::shown(uri->string), held.size);
             }
         }
     }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "compiler/base/disk/disk.h"
 #include "compiler/importers/mtlx/colors.h"
 #include "compiler/importers/mtlx/special_nodes.h"
 
@@ -91,7 +92,7 @@ std::string GraphMaker::texture(Scope& scope, const Element& node, std::string_v
     std::string file;
     std::error_code wrong;
     for (const fs::path& each : candidates) {
-        if (!file.empty() || !fs::is_regular_file(each, wrong)) continue;
+        if (!file.empty() || !is_on_disk(each.string())) continue;
         const fs::path output = fs::absolute(import_.folder.empty() ? "." : import_.folder, wrong).lexically_normal();
         const fs::path picture = fs::absolute(each, wrong).lexically_normal();
         file = (picture.parent_path().lexically_relative(output) / picture.filename()).generic_string();

@@ -4,12 +4,11 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 
 #include "compiler/base/text.h"
 #include "compiler/importers/refusals.h"
 #include "compiler/importers/shadergraph/graph_maker.h"
+#include "compiler/importers/source_text.h"
 
 namespace patina::importers::shadergraph {
 namespace {
@@ -40,12 +39,13 @@ std::string Project::add_graph(const std::string& path, const std::string& name)
 }
 
 SubgraphPorts Project::read_graph(const std::string& path, const std::string& name) {
-    std::ifstream file(path, std::ios::binary);
-    if (!file) return {.error = fmt::format("cannot read '{}'", path)};
-    std::string text{std::istreambuf_iterator<char>(file), {}};
+    std::string why;
+    // The first is the one that the user names.
+    std::optional<std::string> text = open_.empty() ? read_text(path, why) : read_named_text(path, kGraphs, why);
+    if (!text) return {.error = std::move(why)};
     std::size_t bad = 0;
-    const bool is_text = is_utf8(text, bad);
-    Documents documents = read_documents(path, std::move(text));
+    const bool is_text = is_utf8(*text, bad);
+    Documents documents = read_documents(path, std::move(*text));
     const Misreads misreads(documents);
     const ShaderGraph graph = read_shader_graph(documents, misreads);
     if (!graph.error.empty()) return {.error = graph.error};

@@ -4,10 +4,9 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <optional>
 
+#include "compiler/base/disk/disk.h"
 #include "compiler/importers/unitymaterial/chosen_state.h"
 #include "compiler/json/json.h"
 
@@ -165,9 +164,7 @@ std::string scene_of(const std::string& name, const std::string& graph, const st
 
 // The text of the graph that the output folder has already.
 std::optional<std::string> text_in(const std::string& folder, const std::string& name) {
-    std::ifstream file(fs::path(folder.empty() ? "." : folder) / name, std::ios::binary);
-    if (!file) return std::nullopt;
-    return std::string{std::istreambuf_iterator<char>(file), {}};
+    return read_disk((fs::path(folder.empty() ? "." : folder) / name).string(), kMostTextBytes).bytes;
 }
 
 }  // namespace

@@ -5,10 +5,11 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <fstream>
-#include <iterator>
+#include <optional>
 #include <set>
 #include <utility>
+
+#include "compiler/importers/source_text.h"
 
 namespace patina::importers::unitymaterial {
 namespace {
@@ -277,11 +278,12 @@ bool MaterialFile::has(const std::string& property) const {
     return numbers.contains(property) || colors.contains(property) || textures.contains(property);
 }
 
-MaterialFile read_material(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
-    if (!file) return {.error = fmt::format("cannot read '{}'", path)};
-    const std::string text{std::istreambuf_iterator<char>(file), {}};
-    const YamlFile yaml = read_yaml(path, text);
+MaterialFile read_material(const std::string& path, bool is_named_by_user) {
+    std::string why;
+    const std::optional<std::string> text =
+        is_named_by_user ? read_text(path, why) : read_named_text(path, kMaterials, why);
+    if (!text) return {.error = std::move(why)};
+    const YamlFile yaml = read_yaml(path, *text);
     if (!yaml.error.empty()) return {.error = yaml.error};
     MaterialFile made{.path = path};
     bool has_one = false;

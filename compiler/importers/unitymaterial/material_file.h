@@ -72,7 +72,9 @@ struct MaterialFile {
     bool has(const std::string& property) const;
 };
 
-MaterialFile read_material(const std::string& path);
+inline constexpr std::string_view kMaterials[] = {".mat"};
+// A file that another file names must have that ending (read_named_text()).
+MaterialFile read_material(const std::string& path, bool is_named_by_user = true);
 
 // "0.5"; false: it is no number, or not finite in 32 bits.
 bool read_finite(std::string_view text, double& number);

@@ -12,7 +12,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kDeepest = 32;
-constexpr std::string_view kMaterials[] = {".mat"};
 constexpr int kOwnQueue = 16;  // of m_ModifiedSerializedProperties
 
 template <class Saved>
@@ -72,7 +71,7 @@ MaterialFile read_with_parents(const std::string& path, Assets& assets) {
         } else if (chain.size() > kDeepest) {
             located(fmt::format("m_Parent: more than {} materials are variants of one another", kDeepest));
         } else {
-            const MaterialFile parent = read_material(found->path);
+            const MaterialFile parent = read_material(found->path, false);
             const std::string file = fs::path(found->path).filename().string();
             if (!parent.error.empty()) {
                 made.error = parent.error;

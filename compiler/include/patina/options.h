@@ -61,8 +61,21 @@ struct FileSystem {
     std::function<std::optional<std::string>(const std::string& path)> read{};
 };
 
+// Which part of the disk a compilation reads.
+//
+//   options.files = patina::disk({.root = "uploads/42"});   // a graph of a stranger's
+struct DiskOptions {
+    // Nothing outside of this folder is read, and nothing tells whether it is there, whatever a graph names: "..",
+    // absolute paths and symbolic links that lead outside are errors. That holds for the graph and for
+    // CompileOptions::include_dirs, too. Empty: all of the disk. A folder that is not there holds nothing.
+    std::string root{};
+    std::size_t most_bytes = std::size_t{64} << 20;  // of one file; at most 64 MiB. More is an error, and is not read
+};
+
 // The disk, with all three functions set: for a file system that adds to it.
 PATINA_API FileSystem disk();
+// The same for a part of it.
+PATINA_API FileSystem disk(const DiskOptions& options);
 
 // What a program allows a compilation. One that needs more ends with the error `over-budget`. The defaults are far
 // above what materials need, so that a graph of a stranger ends in seconds and needs less than about 2 GB of memory. A
@@ -73,7 +86,9 @@ struct Limits {
 
     // The nodes of a graph; each use of a sub-graph counts all of its nodes. The error names the node that passes it.
     std::size_t nodes = 1'000'000;
-    std::size_t source_bytes = 256u << 20;  // of all texts that are read: the graph and the files that it names
+    // Of all texts that are read: the graph and the files that it names. Of a file of the disk, no more is read than
+    // what is left; a single one has at most 64 MiB.
+    std::size_t source_bytes = 256u << 20;
     std::size_t shader_bytes = 256u << 20;  // of all texts that are written
     // The instructions that nodes, functions and passes are made of, before they are simplified. The rounds of a loop
     // that is written out ([unroll]) count each. The error is at the statement or the node that passes it.

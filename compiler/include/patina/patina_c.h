@@ -116,6 +116,7 @@ PATINA_API void patina_reply_error(patina_reply* reply, const char* reason);
 //   "switches"      object: values of switches, variants and specialization constants
 //   "lighting"      a lighting model instead of the graph's own
 //   "includeDirs"   list of folders that are searched after the graph's own
+//   "root"          a folder of the disk: nothing outside of it is read, whatever a graph names
 //   "keepVariants"  true: the shaders keep all values of variants that "switches" leaves open
 //   "acceptParts"   true: also compiles a lighting graph or a sub-graph
 //   "hashes"        true: the reflection has the hash of each pass

@@ -1,7 +1,11 @@
 // What the compiler asks of a program's own file system, and what it does with the answers.
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
 #include <map>
 #include <set>
 #include <stdexcept>
@@ -11,6 +15,8 @@
 
 namespace patina {
 namespace {
+
+namespace fs = std::filesystem;
 
 using Texts = std::map<std::string, std::string>;
 
@@ -311,6 +317,111 @@ TEST(FileSystem, OfTheDiskSaysWhyAFileCannotBeRead) {
     EXPECT_EQ(resolved("pack://a.graph.json", "../../rust.png"), "pack://rust.png");
     EXPECT_EQ(resolved("pack://stone/a.graph.json", "/rust.png"), "pack://rust.png");
     EXPECT_EQ(resolved("m/a.graph.json", "pack://stone/../rust.png"), "pack://stone/../rust.png");
+}
+
+// The diagnostics of a graph that names a file, with files of a folder that the test makes.
+class DiskFiles : public testing::Test {
+protected:
+    DiskFiles() {
+        std::string name = (fs::temp_directory_path() / "patina_files_XXXXXX").string();
+        folder = mkdtemp(name.data());
+        fs::create_directories(folder / "art");
+        write("art/wave.node.hlsl", kWave);
+        write("out.node.hlsl", kWave);
+        write("secret", "open sesame\n");
+    }
+    ~DiskFiles() override { fs::remove_all(folder); }
+    std::string at(const std::string& name) const { return (folder / name).string(); }
+    void write(const std::string& name, const std::string& text) const { std::ofstream(at(name)) << text; }
+    static std::string using_node(const std::string& name) {
+        return R"({ "patina": 1, "workflow": "unlit", "nodes": [ { "id": "a", "node": ")" + name +
+               R"(" } ], "surface": { "color": "a" } })";
+    }
+
+    fs::path folder;
+};
+
+TEST_F(DiskFiles, ARootHoldsAllThatACompilationReads) {
+    CompileOptions options;
+    options.files = disk({.root = at("art")});
+    write("art/good.graph.json", using_node("./wave.node.hlsl"));
+    EXPECT_TRUE(compiler().compile_file(at("art/good.graph.json"), options).ok);
+    write("out.graph.json", using_node("./out.node.hlsl"));
+    const std::string outside = "it is outside of the root folder '" + at("art") + "'";
+    EXPECT_NE(said(compiler().compile_file(at("out.graph.json"), options)).find(outside), std::string::npos);
+    fs::create_symlink("../out.node.hlsl", folder / "art/link.node.hlsl");
+    fs::create_symlink("..", folder / "art/up");
+    for (const std::string& name :
+         {std::string("../out.node.hlsl"), at("out.node.hlsl"), std::string("./link.node.hlsl"),
+          std::string("./up/out.node.hlsl"), std::string("../nowhere.node.hlsl"), std::string("/etc/passwd")}) {
+        write("art/bad.graph.json", using_node(name));
+        const Result result = compiler().compile_file(at("art/bad.graph.json"), options);
+        EXPECT_FALSE(result.ok);
+        EXPECT_NE(said(result).find(outside), std::string::npos) << name << said(result);
+    }
+    write("art/picture.graph.json", kGraph);
+    std::string textured = kGraph;
+    textured.replace(textured.find("./rust.png"), 10, "../secret");
+    EXPECT_NE(said(compiler().compile_text(at("art/t.graph.json"), textured, options)).find(outside),
+              std::string::npos);
+    // Another root has another answer, though the compiler keeps results.
+    options.files = disk({.root = at("")});
+    for (int i = 0; i < 3; ++i) EXPECT_TRUE(compiler().compile_file(at("out.graph.json"), options).ok);
+    options.files = disk({.root = at("art")});
+    EXPECT_FALSE(compiler().compile_file(at("out.graph.json"), options).ok);
+    EXPECT_NE(compiler().cache_key(at("out.graph.json"), options), compiler().cache_key(at("out.graph.json"), {}));
+}
+
+TEST_F(DiskFiles, AFileThatIsNoneOfOursIsNeverQuoted) {
+    fs::create_symlink("secret", folder / "link.node.hlsl");
+    fs::create_symlink("secret", folder / "link.subgraph.json");
+    write("token.json", "{ \"token\": \"sesame\" ");
+    for (const FileSystem& files : {FileSystem{}, disk()}) {
+        CompileOptions options;
+        options.files = files;
+        options.dump = {"graph", "ir"};
+        for (const std::string name :
+             {"./secret", "./link.node.hlsl", "./link.subgraph.json", "./token.json", "/proc/self/environ"}) {
+            write("a.graph.json", using_node(name));
+            const Result result = compiler().compile_file(at("a.graph.json"), options);
+            EXPECT_NE(said(result).find("it is neither a graph nor a file of nodes"), std::string::npos)
+                << said(result);
+            for (const Diagnostic& each : result.diagnostics)
+                EXPECT_EQ((to_text(each) + to_json(each) + each.source_line).find("sesame"), std::string::npos) << name;
+            for (const Dump& dump : result.dumps) EXPECT_EQ(dump.text.find("sesame"), std::string::npos);
+        }
+    }
+    // What the program names is its own, and so are texts of its own file system.
+    EXPECT_NE(said(compiler().compile_file(at("secret"))).find("open sesame"), std::string::npos);
+    CompileOptions own;
+    own.files.read = [](const std::string&) { return std::optional<std::string>("open sesame"); };
+    EXPECT_NE(said(compiler().compile_text("x", using_node("./some-id"), own)).find("open sesame"), std::string::npos);
+    // A graph without the ending is one by its content.
+    write("mine", R"({ "patina": 1, "kind": "subgraph", "nodes": [ }, "outputs": { } })");
+    write("a.graph.json", using_node("./mine"));
+    EXPECT_NE(said(compiler().compile_file(at("a.graph.json"))).find("\"nodes\": [ }"), std::string::npos);
+}
+
+TEST_F(DiskFiles, NoMoreIsReadThanWhatIsLeftOfTheBudget) {
+    write("a.graph.json", using_node("./large.node.hlsl"));
+    write("large.node.hlsl", kWave);
+    fs::resize_file(at("large.node.hlsl"), 60u << 20);
+    CompileOptions options;
+    options.limits.source_bytes = 10'000;
+    rusage before{}, after{};
+    getrusage(RUSAGE_SELF, &before);
+    const Result result = compiler().compile_file(at("a.graph.json"), options);
+    getrusage(RUSAGE_SELF, &after);
+    EXPECT_NE(said(result).find("more than the budget of 10000 (node 'a') [over-budget]"), std::string::npos)
+        << said(result);
+    EXPECT_LT(after.ru_maxrss - before.ru_maxrss, 30 << 10) << "kilobytes";
+    fs::resize_file(at("a.graph.json"), std::uintmax_t{2} << 30);
+    EXPECT_NE(said(compiler().compile_file(at("a.graph.json"))).find("[too-large]"), std::string::npos);
+    options = {};
+    options.files = disk({.most_bytes = 100});
+    write("a.graph.json", using_node("./wave.node.hlsl") + std::string(100, ' '));
+    EXPECT_NE(said(compiler().compile_file(at("a.graph.json"), options)).find("it has more than 100 bytes"),
+              std::string::npos);
 }
 
 // A compiler keeps what it made of a function. The text of a [foreign] one is a part of what it is made of.

@@ -280,6 +280,29 @@ TEST(CApi, ResolvesNamesAndAsksForTexturesAlone) {
     EXPECT_TRUE(missing.says("rust.png")) << patina_result_messages(missing.handle);
 }
 
+TEST(CApi, ARootHoldsAllThatIsRead) {
+    const Compiler compiler;
+    constexpr const char* kRoot = R"({ "root": "tests/unit/compiler", "targets": [] })";
+    Result outside, inside, of_program;
+    outside.status =
+        patina_compile_file(compiler.handle, "examples/graphs/none.graph.json", kRoot, nullptr, &outside.handle);
+    EXPECT_EQ(outside.status, PATINA_HAS_ERRORS);
+    EXPECT_TRUE(outside.says("it is outside of the root folder 'tests/unit/compiler'"));
+    inside.status = patina_compile(compiler.handle, "tests/unit/compiler/a.graph.json", kGraph, std::strlen(kGraph),
+                                   kRoot, nullptr, &inside.handle);
+    EXPECT_TRUE(inside.says("there is no file './dots.node.hlsl'"));
+    // The program's own files are not those of the disk.
+    Files files;
+    files.texts["../dots.node.hlsl"] = kDots;
+    std::string graph = kGraph;
+    graph.replace(graph.find("./dots"), 6, "../dots");
+    const patina_callbacks callbacks = {
+        .user = &files, .read = Files::read_one, .exists = nullptr, .resolve = nullptr, .cancelled = nullptr};
+    of_program.status = patina_compile(compiler.handle, "a.graph.json", graph.data(), graph.size(), kRoot, &callbacks,
+                                       &of_program.handle);
+    EXPECT_EQ(of_program.status, PATINA_OK) << patina_result_messages(of_program.handle);
+}
+
 TEST(CApi, EndsWhatIsCancelledOrTooLarge) {
     const Compiler compiler;
     Files files;

@@ -4,18 +4,20 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <pugixml.hpp>
 #include <set>
 
+#include "compiler/base/disk/disk.h"
 #include "compiler/base/text.h"
+#include "compiler/importers/source_text.h"
 
 namespace patina::importers::mtlx {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMostBytes = 64u << 20, kMostElements = 200000, kDeepest = 32, kMostFiles = 200;
+constexpr std::string_view kDocuments[] = {".mtlx"};
+constexpr std::size_t kMostElements = 200000, kDeepest = 32, kMostFiles = 200;
 constexpr double kNewest = 1.39;
 
 struct Place {
@@ -33,11 +35,11 @@ public:
         if (!seen_.insert(key).second) return {};
         if (seen_.size() > kMostFiles)
             return fmt::format("{}: it includes more than {} files", path.string(), kMostFiles);
-        std::ifstream file(path, std::ios::binary);
-        if (!file) return fmt::format("{}: the file cannot be read", path.string());
-        const auto size = fs::file_size(path, wrong);
-        if (!wrong && size > kMostBytes) return fmt::format("{}: the file is larger than 64 MiB", path.string());
-        std::string text((std::istreambuf_iterator<char>(file)), {});
+        std::string why;
+        const std::optional<std::string> read =
+            is_main ? read_text(path.string(), why) : read_named_text(path.string(), kDocuments, why);
+        if (!read) return why;
+        const std::string& text = *read;
         if (text.empty()) return fmt::format("{}: the file is empty", path.string());
         const std::vector<std::size_t> lines = line_starts(text);
         std::size_t bad = 0;
@@ -173,8 +175,7 @@ private:
         std::vector<fs::path> candidates = {from.path.parent_path() / name};
         for (const std::string& folder : folders_) candidates.push_back(fs::path(folder) / name);
         for (const fs::path& each : candidates) {
-            std::error_code wrong;
-            if (!name.empty() && fs::is_regular_file(each, wrong)) return read(each, false);
+            if (!name.empty() && is_on_disk(each.string())) return read(each, false);
         }
         // What the standard library declares is known.
         const bool is_standard =

@@ -4,8 +4,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 
 #include "compiler/base/text.h"
 #include "compiler/importers/shadergraph/code/engine_words.h"
@@ -16,6 +14,7 @@
 #include "compiler/importers/shadergraph/code/unknown_words.h"
 #include "compiler/importers/shadergraph/conversions/conversions.h"
 #include "compiler/importers/shadergraph/graph_maker.h"
+#include "compiler/importers/source_text.h"
 
 namespace patina::importers::shadergraph {
 namespace {
@@ -196,9 +195,10 @@ Code from_file(GraphMaker& maker, std::size_t index, std::string_view own) {
         return {
             .error = fmt::format("the file of its function '{}' is not in {}", own, maker.project().assets.folders()),
             .is_missing = true};
-    std::ifstream file(found->path, std::ios::binary);
-    const std::string text{std::istreambuf_iterator<char>(file), {}};
-    const Included whole = with_includes(found->path, text, maker.project().assets.searched());
+    std::string why;
+    const std::optional<std::string> text = read_named_text(found->path, kIncludes, why);
+    if (!text) return {.error = std::move(why)};
+    const Included whole = with_includes(found->path, *text, maker.project().assets.searched());
     HlslText code = in_node_language(whole.text);
     if (!code.error.empty())
         return {.error = code.error + (whole.count > 0 ? ", counted with the files that it includes" : "")};

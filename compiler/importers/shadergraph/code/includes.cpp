@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <optional>
 #include <set>
 #include <string_view>
 #include <vector>
+
+#include "compiler/base/disk/disk.h"
+#include "compiler/importers/source_text.h"
+#include "compiler/importers/unity_assets.h"
 
 namespace patina::importers::shadergraph {
 namespace {
@@ -48,10 +50,14 @@ public:
             if (!file) {
                 made.text += line;
             } else if (depth < kDeepest && made.text.size() < kLongest && !taken_.contains(*file)) {
-                std::ifstream stream(*file, std::ios::binary);
-                const std::string inner{std::istreambuf_iterator<char>(stream), {}};
+                std::string why;
+                const std::optional<std::string> inner = read_named_text(file->string(), kIncludes, why);
+                if (!inner) {
+                    made.text += line;
+                    continue;
+                }
                 ++made.count;
-                add(*file, inner, depth + 1);
+                add(*file, *inner, depth + 1);
                 made.text += "\n";
             }
         }
@@ -65,7 +71,7 @@ private:
         places.insert(places.end(), folders_.begin(), folders_.end());
         std::error_code ignored;
         for (const fs::path& each : places)
-            if (fs::is_regular_file(each / name, ignored)) return fs::weakly_canonical(each / name, ignored);
+            if (is_on_disk((each / name).string())) return fs::weakly_canonical(each / name, ignored);
         return {};
     }
 

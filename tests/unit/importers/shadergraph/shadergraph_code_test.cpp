@@ -1,6 +1,8 @@
 // Custom functions of Unity's shader graphs: what their code becomes.
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
 #include "tests/unit/importers/shadergraph/shadergraph_import.h"
 
 namespace patina::importers {
@@ -190,6 +192,33 @@ TEST(ShaderGraphCode, IncludesBesideTheFileAreRead) {
         "Glow.hlsl",
         "#include \"Deep0.hlsl\"\nvoid Glow_float(float3 A, float B, out float3 Out) { Out = A * Half(B); }\n", kGuid);
     EXPECT_TRUE(import_graph(one_node(custom("", "Glow", 0), 2)).has_refused);
+}
+
+// An include becomes a part of the node file and of messages: it must not be any file of the machine.
+TEST(ShaderGraphCode, IncludesOfFilesThatAreNoCodeAreLeftAlone) {
+    namespace fs = std::filesystem;
+    const std::string body = "void Glow_float(float3 A, float B, out float3 Out) { Out = A * B; }\n";
+    const fs::path folder = fs::path(save_shader_graph("secret", "float sesame() { return 1; }\n")).parent_path();
+    fs::remove(folder / "Link.hlsl");
+    fs::create_symlink("secret", folder / "Link.hlsl");
+    for (const std::string name : {"secret", "Link.hlsl", "/etc/passwd", "/proc/self/environ"}) {
+        save_shader_graph("Glow.hlsl", "#include \"" + name + "\"\n" + body, kGuid);
+        const Imported made = import_graph(one_node(custom("", "Glow", 0), 2));
+        std::string all = made.error;
+        for (const TextFile& each : made.graphs) all += each.text;
+        for (const Remark& each : made.remarks) all += each.part + each.text;
+        EXPECT_EQ(all.find("sesame"), std::string::npos) << name;
+        EXPECT_EQ(all.find("root:"), std::string::npos) << name;
+        EXPECT_EQ(all.find("PATH="), std::string::npos) << name;
+    }
+    // The file of the function itself can be a link, too.
+    fs::remove(folder / "Glow.hlsl");
+    fs::create_symlink("secret", folder / "Glow.hlsl");
+    const std::string refused = remarks(import_graph(one_node(custom("", "Glow", 0), 2)), Remark::Kind::LeftOut);
+    EXPECT_NE(refused.find("has none of the endings .hlsl"), std::string::npos) << refused;
+    EXPECT_EQ(refused.find("sesame"), std::string::npos) << refused;
+    fs::remove(folder / "Glow.hlsl");
+    fs::remove(folder / "Link.hlsl");
 }
 
 TEST(ShaderGraphCode, OverloadsAreTakenByTheirArgumentsOrRefused) {
