@@ -101,7 +101,7 @@ void leave_out_targets(Compilation& c, std::size_t material, std::size_t first_p
     const auto passes = std::span(c.passes).subspan(first_pass);
     for (link::LinkedPass& made : passes) {
         const graph::LoweredPass& pass = *made.pass;
-        if (const std::uint32_t unread = link::unread_targets(pass, passes, *c.session.declarations))
+        if (const std::uint32_t unread = link::unread_targets(pass, passes))
             made = link::link_pass(*c.materials[material], c.linked[material], pass, c.session, c.result, unread);
     }
 }

@@ -316,9 +316,9 @@ EvalResult Compiler::evaluate(std::string_view node, std::span<const std::pair<s
             const auto values = read_arguments(session, callee->function, arguments);
             diagnostics.set_context(name, {});
             if (diagnostics.has_errors()) return;
-            Evaluation evaluation = evaluate_call(
-                {session.library, callee->declarations, session.sources, names, &effort}, callee->function, values,
-                single ? Precision::Float : Precision::Double, diagnostics, {});
+            Evaluation evaluation =
+                evaluate_call({session.library, callee->declarations, session.sources, names, &effort},
+                              callee->function, values, single ? Precision::Float : Precision::Double, diagnostics, {});
             result.outputs = std::move(evaluation.outputs);
         });
         result.ok = !diagnostics.has_errors();

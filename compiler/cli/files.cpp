@@ -4,7 +4,6 @@
 #include <filesystem>
 
 #include "compiler/base/disk/disk.h"
-
 #include "compiler/cli/failures/failures.h"
 
 namespace patina::cli {

@@ -187,10 +187,9 @@ bool reads_elsewhere(const Linked& linked, const graph::LoweredPass& pass, const
     return counts_texels(fragment, globals) || !OwnPixel(linked, pass).is_everywhere();
 }
 
-std::uint32_t unread_targets(const graph::LoweredPass& pass, std::span<const LinkedPass> passes,
-                             const nodelang::Declarations& declarations) {
-    const nodelang::StructDecl* written = declarations.structure(pass.declaration->fragment->result.name);
-    if (!written || written->members.empty() || !written->members.back().attribute("optional")) return 0;
+std::uint32_t unread_targets(const graph::LoweredPass& pass, std::span<const LinkedPass> passes) {
+    const std::uint32_t most = pass.declaration->optional_targets;
+    if (most == 0) return 0;
     std::set<std::string_view> read;
     for (const LinkedPass& each : passes) {
         for (const ir::Module* stage : {&each.fragment, &each.vertex}) {
@@ -204,8 +203,7 @@ std::uint32_t unread_targets(const graph::LoweredPass& pass, std::span<const Lin
     }
     const std::vector<RenderTarget>& targets = pass.declaration->state.targets;
     std::uint32_t unread = 0;
-    for (std::size_t i = targets.size(); i-- > 0 && !read.contains(targets[i].name); ++unread)
-        if (!written->members[i].attribute("optional")) break;
+    while (unread < most && !read.contains(targets[targets.size() - 1 - unread].name)) ++unread;
     return unread;
 }
 

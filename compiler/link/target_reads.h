@@ -22,7 +22,6 @@ bool reads_elsewhere(const Linked& linked, const graph::LoweredPass& pass, const
                      const ir::Module& vertex);
 
 // How many of the last [optional] targets of a pass none of the material's linked passes reads.
-std::uint32_t unread_targets(const graph::LoweredPass& pass, std::span<const LinkedPass> passes,
-                             const nodelang::Declarations& declarations);
+std::uint32_t unread_targets(const graph::LoweredPass& pass, std::span<const LinkedPass> passes);
 
 }  // namespace patina::link

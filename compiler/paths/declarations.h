@@ -153,6 +153,7 @@ struct PassDecl {
     std::vector<std::string_view> extra_along;  // further requested paths for which it draws the extra passes
     std::vector<std::pair<std::string_view, std::string_view>> tags;  // for an engine that selects passes by tag
     std::vector<std::string_view> guards;                             // by render target: a condition, or empty
+    std::uint32_t optional_targets = 0;                               // the last so many; not written if nobody reads
     std::vector<ir::StageText> vertex_texts, fragment_texts;          // lines of the engine's file
     // An earlier file declared it, so the current file may replace it.
     bool is_older_vertex = false, is_older_fragment = false;

@@ -217,6 +217,7 @@ void read_members(const nodelang::FunctionDecl& fragment, const nodelang::Struct
             diagnostics.report(Code::BadAttribute, member.span, "optional",
                                fmt::format("is missing on '{}', which follows an optional target", member.name));
         is_after_optional |= member.attribute("optional") != nullptr;
+        if (is_after_optional) ++pass.optional_targets;
         RenderTarget& target = pass.state.targets.emplace_back();
         target.location = static_cast<std::uint32_t>(pass.state.targets.size() - 1);
         const Attribute* guard = member.attribute("onlyIf");

@@ -199,8 +199,7 @@ Outcome<tinygltf::Model> open_gltf(const std::string& path) {
         const bool is_glb = has_header_of_glb(Bytes(text_of(bytes)));
         // The parser's message quotes the text; a link may have this name and lead to any file.
         if (!is_glb && !without_links(path).ends_with(".gltf")) return Failure{path + ": it is broken JSON"};
-        if (const std::string place = located(why); !place.empty() && !is_glb)
-            return Failure{path + place};
+        if (const std::string place = located(why); !place.empty() && !is_glb) return Failure{path + place};
         return Failure{path + " is not a glTF file that can be read: " + (why.empty() ? "it is broken" : why)};
     }
     if (std::string mistake = expand_draco(model); !mistake.empty()) return Failure{path + ": " + mistake};
