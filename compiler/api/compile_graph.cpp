@@ -22,7 +22,7 @@ Result compile_for_engine(const CompilerImpl& compiler, const Source& source, co
     const Watched watched(trail, session.diagnostics, &pass);
     session.kept = &compiler.kept;
     Result result;
-    graph::watched(session, [&] {
+    graph::until_stopped(session, [&] {
         const std::optional<std::uint32_t> base = add_source(session, source);
         if (!base) return;
         Compilation compilation{

@@ -250,7 +250,7 @@ NodeFileResult Compiler::check_node_file(const std::string& path, const CompileO
         graph::Session session(*impl_->library, options);
         const Watched watched(trail, session.diagnostics);
         Effort effort;
-        graph::watched(session, [&] {
+        graph::until_stopped(session, [&] {
             const graph::NodeFile* const file = graph::load_node_file(session, path, {});
             if (!file) return;
             const EvaluationContext context{.library = session.library,
@@ -271,7 +271,7 @@ namespace {
 
 SceneResult read_scene_file(graph::Session& session, const std::string& path) {
     SceneResult result;
-    graph::watched(session, [&] {
+    graph::until_stopped(session, [&] {
         const std::optional<std::uint32_t> base = graph::load_source(session, path, {});
         if (!base) return;
         const std::unique_ptr<graph::Json> json = graph::parse_json(session.sources, *base, session.diagnostics);
@@ -309,7 +309,7 @@ EvalResult Compiler::evaluate(std::string_view node, std::span<const std::pair<s
         const Watched watched(trail, diagnostics);
         EvalResult result;
         Effort effort;
-        graph::watched(session, [&] {
+        graph::until_stopped(session, [&] {
             const std::optional<Callee> callee = find_callee(session, node);
             if (!callee) return;
             const std::string_view name = callee->function.name;
@@ -334,7 +334,7 @@ EvalResult Compiler::evaluate_expression(std::string_view expression, std::span<
         graph::Session session(*impl_->library, options);
         EvalResult result;
         Effort effort;
-        graph::watched(session, [&] {
+        graph::until_stopped(session, [&] {
             const nodelang::Expr* const parsed =
                 read_argument(std::string(expression), session.sources, session.ast, session.diagnostics);
             if (!parsed) return;

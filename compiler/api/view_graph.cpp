@@ -222,7 +222,7 @@ GraphView view(const Compiler& compiler, const std::string& path, const CompileO
     graph::Session session(library, own);
     const Watched watched(trail, session.diagnostics);
     GraphView view;
-    graph::watched(session, [&] {
+    graph::until_stopped(session, [&] {
         const std::optional<std::uint32_t> base = graph::load_source(session, path, {});
         if (!base) return;
         const std::unique_ptr<graph::Json> json = graph::parse_json(session.sources, *base, session.diagnostics);

@@ -107,7 +107,7 @@ bool call_program(Session& session, const std::function<void()>& function);
 void report_stop(Session& session, const Stopped& stopped);
 // Does the work, which may end early.
 template <class Work>
-void watched(Session& session, const Work& work) {
+void until_stopped(Session& session, const Work& work) {
     try {
         work();
     } catch (const Stopped& stopped) {

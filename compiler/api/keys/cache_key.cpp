@@ -33,7 +33,7 @@ std::string key_of(const Compiler& compiler, const graph::Library& library, cons
     asked.targets.clear();
     if (text && asked.accept_parts) files.give_part(path, *text);
     graph::Session session(library, asked, &files);
-    graph::watched(session, [&] {
+    graph::until_stopped(session, [&] {
         std::optional<std::uint32_t> base =
             text ? std::optional(session.sources.add(path, *text)) : graph::load_source(session, path, {});
         if (!session.request.functions) graph::find_path(session);

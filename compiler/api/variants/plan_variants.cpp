@@ -296,7 +296,7 @@ VariantPlan Compiler::plan_variants(const std::string& path, VariantsWanted want
         const Watched watched(trail, session.diagnostics);
         VariantPlan made;
         if (made.diagnostics = impl_->overlay_errors; !made.diagnostics.empty()) return made;
-        graph::watched(session, [&] {
+        graph::until_stopped(session, [&] {
             plan(*impl_, session, path, wanted, std::min(limit, kMostVariants), progress, trail, made);
         });
         const std::vector<Diagnostic> own = to_public(session.diagnostics, session.sources);

@@ -73,7 +73,7 @@ MtlxExport write(const Compiler& compiler, const std::string& path, const MtlxOp
     MtlxExport made;
     Result result;
     std::string_view pass;
-    graph::watched(session, [&] {
+    graph::until_stopped(session, [&] {
         const std::optional<std::uint32_t> base = graph::load_source(session, path, {});
         if (!base) return;
         Compilation compilation{.session = session, .source = *base, .path = path, .result = result, .pass = pass};
