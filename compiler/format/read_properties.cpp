@@ -1,5 +1,8 @@
 #include <algorithm>
 #include <climits>
+#include <set>
+#include <span>
+#include <string>
 
 #include "compiler/base/file_names.h"
 #include "compiler/base/text.h"
@@ -10,7 +13,7 @@ namespace patina::graph {
 namespace {
 
 // Whoever reads a property looks for its name, and for the value of an enum, among all of them.
-constexpr std::size_t kMostProperties = 4096;
+constexpr std::size_t kMostProperties = 16384;
 constexpr std::size_t kMostValues = 1024;
 
 // The number of components that a range limits. Alpha is coverage and has no range.
@@ -252,15 +255,13 @@ std::vector<Property> read_properties(Reading& reading, const Json& array, Uniqu
     if (array.elements.size() > kMostProperties) {
         reading.diagnostics.report(Code::TooMany, array.elements[kMostProperties].span, array.elements.size(),
                                    "properties", kMostProperties);
-        return properties;
     }
-    for (const Json& element : array.elements) {
+    std::set<std::string> known;
+    for (const Json& element : std::span(array.elements).first(std::min(array.elements.size(), kMostProperties))) {
         if (!expect(reading, element, Json::Kind::Object, "a property")) continue;
         Property property = read_property(reading, element, names);
-        const bool is_second = std::any_of(properties.begin(), properties.end(),
-                                           [&](const Property& first) { return first.name == property.name; });
         // A second one has been reported, and so has one without a name.
-        if (!is_second && !property.name.empty()) properties.push_back(std::move(property));
+        if (!property.name.empty() && known.insert(property.name).second) properties.push_back(std::move(property));
     }
     return properties;
 }

@@ -35,7 +35,7 @@ float DistributionCharlie(
 // alpha 0.
 float charlieCurve(float cosine, float alpha) {
     float t = (1 - alpha) * (1 - alpha);
-    float rise = lerp(3.82987, 3.32435, t) * pow(max(cosine, 0), lerp(0.19823, 0.16801, t));
+    float rise = lerp(3.82987, 3.32435, t) * pow(max(cosine, 0), max(lerp(0.19823, 0.16801, t), 0.1));
     return lerp(21.5473, 25.3245, t) / (1 + rise) + lerp(-1.9776, -1.27393, t) * cosine + lerp(-4.32054, -4.85967, t);
 }
 

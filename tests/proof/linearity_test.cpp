@@ -33,8 +33,8 @@ const std::map<std::string, Formula> kFormulas = {
     {"blinn-phong", {.has_diffuse_color = true}},
     {"cl-pbr-specular", {.has_diffuse_color = true}},
     {"cook-torrance", {.has_diffuse_color = true}},
-    // The hue of the base colour, which its brightness divides, colours the highlight and the sheen.
-    {"disney-principled", {.is_linear_in_base_color = false}},
+    // Its sheen and its tints are off, and nothing else reads the hue, for which the brightness divides.
+    {"disney-principled", {}},
     // The base colour is f0 as well, and (1 - F) base colour has its square.
     {"energy-conserving", {.is_linear_in_base_color = false}},
     {"gltf", {.is_linear_in_base_color = false}},

@@ -85,7 +85,7 @@ struct Limits {
     static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
     // The nodes of a graph; each use of a sub-graph counts all of its nodes. The error names the node that passes it.
-    std::size_t nodes = 1'000'000;
+    std::size_t nodes = std::size_t{1} << 22;
     // Of all texts that are read: the graph and the files that it names. Of a file of the disk, no more is read than
     // what is left; a single one has at most 64 MiB.
     std::size_t source_bytes = 256u << 20;

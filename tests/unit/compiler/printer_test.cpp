@@ -55,8 +55,10 @@ TEST(Expressions, SplatsThatMustBeVectors) {
     Fixture f({kFloat3, kFloat});
     const Value s = f.b->splat(f.b->param(1), 3), two = f.b->splat_constant(kFloat3, 2);
     f.finish(f.b->emit(Op::Add, {f.b->emit(Op::Pow, {f.b->param(0), s}), f.b->emit(Op::Pow, {f.b->param(0), two})}));
-    EXPECT_EQ(f.body("glsl"), "return pow(a, vec3(b)) + pow(a, vec3(2.0));\n");
-    EXPECT_EQ(f.body("hlsl"), "return pow(a, b.xxx) + pow(a, float3(2.0, 2.0, 2.0));\n");
+    EXPECT_EQ(f.body("glsl"),
+              "return pow(mix(a, vec3(1.0), equal(vec3(b), vec3(0.0))), vec3(b)) + pow(a, vec3(2.0));\n");
+    EXPECT_EQ(f.body("hlsl"),
+              "return pow(b.xxx == 0.0 ? float3(1.0, 1.0, 1.0) : a, b.xxx) + pow(a, float3(2.0, 2.0, 2.0));\n");
 }
 
 TEST(Expressions, ComponentsJoinToSwizzles) {

@@ -45,7 +45,7 @@ TEST(BrokenUnityMaterial, IsReportedAtItsPlace) {
     expect_error("%YAML 1.1\n--- !u!21 &2100000\nMaterial:\n", R"(x\.mat:3:[0-9]+: the material has no values)");
     expect_error(std::string("\x00\x01\x02", 3) + good, "the file is not text; in Unity, set .*'Force Text'");
     const Imported missing = import_file("/nowhere/x.mat");
-    EXPECT_EQ(missing.error, "cannot read '/nowhere/x.mat'");
+    EXPECT_EQ(missing.error, "there is no file '/nowhere/x.mat'");
 }
 
 // What multiplies or lies deep in a small file is refused before anything is built of it.
