@@ -35,6 +35,7 @@ std::optional<Exit> set_up(Program& program, int argc, char** argv) {
     if (first == "nodes" && std::any_of(argv, argv + argc, asks_for_sheet)) home = Home::Render;
     if (home != Home::Patina) return turn_into(home, argv);
     add_licences_option(program);
+    if (first == "--licences" || first == "--licenses") return {};  // 'fmt' is a library there, and no command
 #define COMMAND(name, home, summary)                \
     if constexpr (Home::home == Home::Patina) {     \
         add_##name(program);                        \

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <atomic>
 
+#include "runtime/files/bytes.h"
 #include "runtime/picture/image.h"
 
 namespace patina::runtime {
@@ -195,7 +196,26 @@ std::string size_fault(std::uint64_t width, std::uint64_t height, std::uint64_t 
     return {};
 }
 
+namespace {
+
+// The bits of each channel. OpenImageIO 2.4 widens a channel until it has 8 bits, which never ends if it has none.
+std::string dds_fault(std::string_view all) {
+    constexpr std::uint64_t kAlpha = 1, kColors = 0x40;  // DDPF_ALPHAPIXELS, DDPF_RGB
+    const Bytes bytes(all);
+    const auto flags = bytes.little_endian(80, 4);
+    if (!flags || (*flags & kColors) == 0) return {};
+    for (const std::uint64_t at : {92, 96, 100, 104}) {
+        const auto mask = bytes.little_endian(at, 4);
+        const bool is_read = at != 104 || (*flags & kAlpha) != 0;
+        if (is_read && mask && *mask == 0) return "its header states a channel without bits";
+    }
+    return {};
+}
+
+}  // namespace
+
 std::string header_fault(std::string_view bytes) {
+    if (bytes.starts_with("DDS ")) return dds_fault(bytes);
     if (bytes.starts_with("\x76\x2f\x31\x01"sv)) return exr_fault(bytes);
     if (bytes.starts_with("RIFF") && bytes.size() > 12 && bytes.substr(8, 4) == "WEBP") return webp_fault(bytes);
     const bool is_jpeg2000 = bytes.starts_with("\xff\x4f\xff\x51") || bytes.starts_with("\0\0\0\x0cjP  "sv);

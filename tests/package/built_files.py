@@ -66,6 +66,8 @@ class Build:
                 word = output_of("gcc", f"-print-file-name=lib{word[2:]}.a").strip()
                 if not word.startswith("/"):
                     continue  # a part of the C library without an archive of its own
+                if word.endswith(".a") and not output_of("ar", "t", word).strip():
+                    continue  # an empty archive: the C library holds what it once held
             if word.startswith("/") and not word.startswith(f"{self.folder}/"):
                 paths.add(os.path.realpath(word))
         return paths

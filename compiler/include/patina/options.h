@@ -154,7 +154,7 @@ struct CompileOptions {
     std::vector<std::string> include_dirs{};  // searched after the folder of the file that names another
 
     // --- what is allowed
-    Limits limits{};
+    Limits limits{};  // default: those of Limits
 
     // --- what the result also has
     // The steps whose text goes to Result::dumps: "graph", "ir", "linked", "tidy", "rates".
