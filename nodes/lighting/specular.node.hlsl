@@ -58,9 +58,9 @@ float BlinnPhongHighlight(
     return lobe * ((e + 2) / (8 * (exp2(-0.5 * e) + e)) * (e + 4));
 }
 
-// Zero to the power of zero is not defined; where the cosine is zero, the highlight is zero for every exponent.
+// Where the cosine is zero, the highlight is zero for every exponent, of zero too.
 float HighlightLobe(float cosine, float exponent) {
-    float lobe = pow(cosine > 0 ? cosine : 1, exponent);
+    float lobe = pow(max(cosine, 1e-30), exponent);
     return cosine > 0 ? lobe : 0;
 }
 

@@ -16,9 +16,9 @@ using namespace std::string_view_literals;
 std::atomic<std::size_t> allowed{kMostPixels};
 
 // Numbers of a file, which may end too early: then it is no longer good, and the numbers are 0.
-class Bytes {
+class ByteStream {
 public:
-    explicit Bytes(std::string_view all) : left_(all) {}
+    explicit ByteStream(std::string_view all) : left_(all) {}
 
     bool is_good() const { return is_good_; }
     std::string_view take(std::size_t count) {
@@ -62,7 +62,7 @@ struct ExrPart {
 
 std::uint64_t channels_of(std::string_view list) {
     std::uint64_t count = 0;
-    for (Bytes from(list); from.is_good(); ++count) {
+    for (ByteStream from(list); from.is_good(); ++count) {
         if (from.word().empty()) break;
         from.take(16);  // type, linearity, sampling
     }
@@ -70,7 +70,7 @@ std::uint64_t channels_of(std::string_view list) {
 }
 
 // False: the headers are at their end.
-bool read_part(Bytes& from, ExrPart& part) {
+bool read_part(ByteStream& from, ExrPart& part) {
     bool has_any = false;
     for (;;) {
         const std::string_view name = from.word();
@@ -79,7 +79,7 @@ bool read_part(Bytes& from, ExrPart& part) {
         from.word();
         const std::size_t size = from.little(4);
         const std::string_view value = from.take(size);
-        Bytes in(value);
+        ByteStream in(value);
         if (name == "dataWindow") {
             const std::int64_t left = in.whole(), top = in.whole(), right = in.whole(), bottom = in.whole();
             part.width = right - left + 1;
@@ -109,7 +109,7 @@ std::string exr_fault(std::string_view bytes) {
     // OpenEXR keeps two chunks for each core.
     constexpr std::uint64_t kMostChunk = std::uint64_t{64} << 20, kBytesOfOffset = 8, kBytesOfNumber = 4;
     constexpr unsigned kManyParts = 0x1000;
-    Bytes from(bytes.substr(4));
+    ByteStream from(bytes.substr(4));
     const bool has_parts = (from.little(4) & kManyParts) != 0;
     std::uint64_t chunks = 0;
     for (ExrPart part; read_part(from, part); part = {}) {
@@ -135,7 +135,7 @@ std::string exr_fault(std::string_view bytes) {
 // --- WebP: RFC 9649, sections 2.5 to 2.7.
 
 std::string webp_fault(std::string_view bytes) {
-    Bytes from(bytes.substr(12));
+    ByteStream from(bytes.substr(12));
     const std::string_view kind = from.take(4);
     from.take(4);
     if (kind == "VP8X") {
@@ -158,7 +158,7 @@ std::string webp_fault(std::string_view bytes) {
 std::string jpeg2000_fault(std::string_view bytes) {
     const std::size_t at = bytes.find("\xff\x4f\xff\x51");
     if (at == bytes.npos) return {};
-    Bytes from(bytes.substr(at + 4));
+    ByteStream from(bytes.substr(at + 4));
     from.take(4);
     const std::uint64_t right = from.big(4), bottom = from.big(4), left = from.big(4), top = from.big(4);
     from.take(16);
