@@ -7,8 +7,11 @@ target_include_directories(fuzz PRIVATE ${CMAKE_SOURCE_DIR})
 target_compile_definitions(fuzz PRIVATE PATINA_SOURCE="${CMAKE_SOURCE_DIR}")
 # `build/fuzz all 100000` makes so many of each kind. The preset `asan` builds it with sanitizers.
 add_test(NAME fuzz_quick COMMAND fuzz all quick)
-foreach(kind IN ITEMS graph scene node pass options reflection merge snapshot png jpeg webp exr hdr tiff tga bmp gif dds psd
+# With sanitizers, which see what an ordinary build survives, so many are the slow tests.
+if(CMAKE_CXX_FLAGS MATCHES "fsanitize")
+  foreach(kind IN ITEMS graph scene node pass options reflection merge snapshot png jpeg webp exr hdr tiff tga bmp gif dds psd
         merl map gltf glb mtlx mat shadergraph)
   add_test(NAME fuzz_${kind} COMMAND fuzz ${kind} slow)
   set_tests_properties(fuzz_${kind} PROPERTIES LABELS slow TIMEOUT 7200)  # sanitizers make it ten times slower
-endforeach()
+  endforeach()
+endif()
