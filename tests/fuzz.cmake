@@ -10,8 +10,8 @@ add_test(NAME fuzz_quick COMMAND fuzz all quick)
 # With sanitizers, which see what an ordinary build survives, so many are the slow tests.
 if(CMAKE_CXX_FLAGS MATCHES "fsanitize")
   foreach(kind IN ITEMS graph scene node pass options reflection merge snapshot png jpeg webp exr hdr tiff tga bmp gif dds psd
-        merl map gltf glb mtlx mat shadergraph)
-  add_test(NAME fuzz_${kind} COMMAND fuzz ${kind} slow)
-  set_tests_properties(fuzz_${kind} PROPERTIES LABELS slow TIMEOUT 7200)  # sanitizers make it ten times slower
+          merl map gltf glb mtlx mat shadergraph)
+    add_test(NAME fuzz_${kind} COMMAND fuzz ${kind} slow)
+    set_tests_properties(fuzz_${kind} PROPERTIES LABELS slow TIMEOUT 7200)  # sanitizers make it ten times slower
   endforeach()
 endif()
