@@ -15,7 +15,7 @@
 #include "runtime/picture/image.h"
 #include "runtime/picture/openimageio.h"
 #include "runtime/picture/picture_bounds.h"
-#include "runtime/picture/picture_kind.h"
+#include "runtime/picture/formats/picture_kind.h"
 
 namespace patina::runtime {
 namespace {

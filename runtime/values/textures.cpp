@@ -10,7 +10,7 @@
 
 #include "patina/complaints.h"
 #include "runtime/lighting/split_sum.h"
-#include "runtime/picture/stated_space.h"
+#include "runtime/picture/formats/stated_space.h"
 #include "runtime/values/texture_layers.h"
 
 namespace patina::runtime {

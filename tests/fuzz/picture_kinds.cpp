@@ -9,8 +9,8 @@
 #include "runtime/lighting/merl.h"
 #include "runtime/lighting/prefilter.h"
 #include "runtime/picture/image.h"
-#include "runtime/picture/picture_kind.h"
-#include "runtime/picture/stated_space.h"
+#include "runtime/picture/formats/picture_kind.h"
+#include "runtime/picture/formats/stated_space.h"
 #include "tests/fuzz/fuzz.h"
 
 namespace patina::fuzz {

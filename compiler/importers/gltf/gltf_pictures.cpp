@@ -8,7 +8,7 @@
 #include <filesystem>
 
 #include "runtime/gltf/gltf_file.h"
-#include "runtime/picture/picture_kind.h"
+#include "runtime/picture/formats/picture_kind.h"
 
 namespace patina::importers::gltf {
 namespace {

@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "runtime/picture/image.h"
-#include "runtime/picture/stated_space.h"
+#include "runtime/picture/formats/stated_space.h"
 
 namespace patina::runtime {
 namespace {

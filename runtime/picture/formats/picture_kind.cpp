@@ -1,4 +1,4 @@
-#include "runtime/picture/picture_kind.h"
+#include "runtime/picture/formats/picture_kind.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "runtime/picture/stated_space.h"
+#include "runtime/picture/formats/stated_space.h"
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
