@@ -4,8 +4,15 @@
 //   const Bytes bytes(file);
 //   const auto length = bytes.big_endian(8, 4);              // std::nullopt: the file ends before
 //   const auto chunk = length ? bytes.part(16, *length) : std::nullopt;
+//
+// ByteStream reads one number behind another, and is asked at the end whether all of them were there:
+//
+//   ByteStream from(file);
+//   const auto width = from.big(4), height = from.big(4);
+//   if (!from.is_good()) ...                                 // the file ends before
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -45,6 +52,35 @@ private:
     }
 
     std::string_view all_;
+};
+
+// Behind the end, and from then on, everything that is taken is 0 or empty.
+class ByteStream {
+public:
+    explicit ByteStream(std::string_view all) : all_(all) {}
+
+    bool is_good() const { return is_good_; }
+    std::string_view take(std::uint64_t count) {
+        const std::optional<std::string_view> taken = is_good_ ? all_.part(at_, count) : std::nullopt;
+        is_good_ = taken.has_value();
+        if (is_good_) at_ += count;
+        return taken.value_or(std::string_view());
+    }
+    // Up to a zero byte, which is taken, too.
+    std::string_view word() {
+        const std::string_view left = all_.part(at_, all_.size() - at_).value_or(std::string_view());
+        const std::string_view taken = take(std::min(left.find('\0'), left.size()));
+        take(1);
+        return taken;
+    }
+    // Of 0 to 8 bytes.
+    std::uint64_t big(std::uint64_t count) { return Bytes(take(count)).big_endian(0, count).value_or(0); }
+    std::uint64_t little(std::uint64_t count) { return Bytes(take(count)).little_endian(0, count).value_or(0); }
+
+private:
+    Bytes all_;
+    std::uint64_t at_ = 0;
+    bool is_good_ = true;
 };
 
 }  // namespace patina::runtime

@@ -2,170 +2,14 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <atomic>
 
-#include "runtime/files/bytes.h"
 #include "runtime/picture/image.h"
 
 namespace patina::runtime {
 namespace {
 
-using namespace std::string_view_literals;
-
 std::atomic<std::size_t> allowed{kMostPixels};
-
-// Numbers of a file, which may end too early: then it is no longer good, and the numbers are 0.
-class ByteStream {
-public:
-    explicit ByteStream(std::string_view all) : left_(all) {}
-
-    bool is_good() const { return is_good_; }
-    std::string_view take(std::size_t count) {
-        is_good_ = is_good_ && count <= left_.size();
-        if (!is_good_) return {};
-        const std::string_view taken = left_.substr(0, count);
-        left_.remove_prefix(count);
-        return taken;
-    }
-    // Up to a zero byte, which is taken, too.
-    std::string_view word() {
-        const std::string_view taken = take(std::min(left_.find('\0'), left_.size()));
-        take(1);
-        return taken;
-    }
-    std::uint64_t little(std::size_t count) { return number(count, false); }
-    std::uint64_t big(std::size_t count) { return number(count, true); }
-    std::int64_t whole() { return static_cast<std::int32_t>(little(4)); }
-
-private:
-    std::uint64_t number(std::size_t count, bool is_big) {
-        std::uint64_t made = 0;
-        const std::string_view from = take(count);
-        for (std::size_t i = 0; i < from.size(); ++i)
-            made = made << 8 | static_cast<unsigned char>(from[is_big ? i : from.size() - 1 - i]);
-        return made;
-    }
-
-    std::string_view left_;
-    bool is_good_ = true;
-};
-
-// --- OpenEXR: "OpenEXR File Layout", headers of attributes: name, type, size, value.
-
-struct ExrPart {
-    std::int64_t width = 0, height = 0;
-    std::uint64_t channels = 0, tile_width = 0, tile_height = 0, chunks = 0;
-    unsigned char compression = 0;
-    bool is_deep = false;
-};
-
-std::uint64_t channels_of(std::string_view list) {
-    std::uint64_t count = 0;
-    for (ByteStream from(list); from.is_good(); ++count) {
-        if (from.word().empty()) break;
-        from.take(16);  // type, linearity, sampling
-    }
-    return count;
-}
-
-// False: the headers are at their end.
-bool read_part(ByteStream& from, ExrPart& part) {
-    bool has_any = false;
-    for (;;) {
-        const std::string_view name = from.word();
-        if (name.empty() || !from.is_good()) return has_any && from.is_good();
-        has_any = true;
-        from.word();
-        const std::size_t size = from.little(4);
-        const std::string_view value = from.take(size);
-        ByteStream in(value);
-        if (name == "dataWindow") {
-            const std::int64_t left = in.whole(), top = in.whole(), right = in.whole(), bottom = in.whole();
-            part.width = right - left + 1;
-            part.height = bottom - top + 1;
-        } else if (name == "channels") {
-            part.channels = channels_of(value);
-        } else if (name == "compression") {
-            part.compression = static_cast<unsigned char>(in.little(1));
-        } else if (name == "tiles") {
-            part.tile_width = in.little(4);
-            part.tile_height = in.little(4);
-        } else if (name == "chunkCount") {
-            part.chunks = in.little(4);
-        } else if (name == "type") {
-            part.is_deep = value.starts_with("deep");
-        }
-    }
-}
-
-// Rows that are compressed together: none, RLE, ZIPS; ZIP; PIZ, PXR24, B44, B44A, DWAA; DWAB.
-std::uint64_t rows_of_chunk(unsigned char compression) {
-    constexpr std::uint64_t kRows[] = {1, 1, 1, 16, 32, 16, 32, 32, 32, 256};
-    return compression < std::size(kRows) ? kRows[compression] : 256;
-}
-
-std::string exr_fault(std::string_view bytes) {
-    // OpenEXR keeps two chunks for each core.
-    constexpr std::uint64_t kMostChunk = std::uint64_t{64} << 20, kBytesOfOffset = 8, kBytesOfNumber = 4;
-    constexpr unsigned kManyParts = 0x1000;
-    ByteStream from(bytes.substr(4));
-    const bool has_parts = (from.little(4) & kManyParts) != 0;
-    std::uint64_t chunks = 0;
-    for (ExrPart part; read_part(from, part); part = {}) {
-        if (part.is_deep) return "it is a deep picture, which has no single value for a pixel";
-        if (part.width < 1 || part.height < 1) return "its header states no size";
-        const auto width = static_cast<std::uint64_t>(part.width), height = static_cast<std::uint64_t>(part.height);
-        if (std::string fault = size_fault(width, height, part.channels); !fault.empty()) return fault;
-        const std::uint64_t tile_width = part.tile_width, tile_height = part.tile_height;
-        const bool has_tiles = tile_width > 0 && tile_height > 0;
-        const std::uint64_t rows = rows_of_chunk(part.compression);
-        const std::uint64_t chunk = has_tiles ? tile_width * std::min(tile_height, kMostChunk) : width * rows;
-        if (tile_width > kMostChunk || chunk > kMostChunk / kBytesOfNumber / std::max<std::uint64_t>(part.channels, 1))
-            return fmt::format("its pieces have more than {} MiB each", kMostChunk >> 20);
-        chunks += std::max(part.chunks, has_tiles ? ((width - 1) / tile_width + 1) * ((height - 1) / tile_height + 1)
-                                                  : (height - 1) / rows + 1);
-        if (chunks > bytes.size() / kBytesOfOffset)
-            return "it is cut off, or its header is damaged: it states more pieces than it has";
-        if (!has_parts) break;
-    }
-    return {};
-}
-
-// --- WebP: RFC 9649, sections 2.5 to 2.7.
-
-std::string webp_fault(std::string_view bytes) {
-    ByteStream from(bytes.substr(12));
-    const std::string_view kind = from.take(4);
-    from.take(4);
-    if (kind == "VP8X") {
-        from.take(4);
-        const std::uint64_t width = from.little(3) + 1, height = from.little(3) + 1;
-        return from.is_good() ? size_fault(width, height, 4) : std::string();
-    }
-    if (kind == "VP8L") {
-        from.take(1);
-        const std::uint64_t sizes = from.little(4);
-        return size_fault((sizes & 0x3fff) + 1, (sizes >> 14 & 0x3fff) + 1, 4);
-    }
-    from.take(6);
-    const std::uint64_t width = from.little(2) & 0x3fff, height = from.little(2) & 0x3fff;
-    return from.is_good() ? size_fault(width, height, 4) : std::string();
-}
-
-// --- JPEG 2000: ISO 15444-1, the marker SIZ behind that of the beginning.
-
-std::string jpeg2000_fault(std::string_view bytes) {
-    const std::size_t at = bytes.find("\xff\x4f\xff\x51");
-    if (at == bytes.npos) return {};
-    ByteStream from(bytes.substr(at + 4));
-    from.take(4);
-    const std::uint64_t right = from.big(4), bottom = from.big(4), left = from.big(4), top = from.big(4);
-    from.take(16);
-    const std::uint64_t channels = from.big(2);
-    if (!from.is_good() || right <= left || bottom <= top) return "its header states no size";
-    return size_fault(right - left, bottom - top, channels);
-}
 
 }  // namespace
 
@@ -194,32 +38,6 @@ std::string size_fault(std::uint64_t width, std::uint64_t height, std::uint64_t 
             "allows another number",
             width, height, channels, most_pixels());
     return {};
-}
-
-namespace {
-
-// The bits of each channel. OpenImageIO 2.4 widens a channel until it has 8 bits, which never ends if it has none.
-std::string dds_fault(std::string_view all) {
-    constexpr std::uint64_t kAlpha = 1, kColors = 0x40;  // DDPF_ALPHAPIXELS, DDPF_RGB
-    const Bytes bytes(all);
-    const auto flags = bytes.little_endian(80, 4);
-    if (!flags || (*flags & kColors) == 0) return {};
-    for (const std::uint64_t at : {92, 96, 100, 104}) {
-        const auto mask = bytes.little_endian(at, 4);
-        const bool is_read = at != 104 || (*flags & kAlpha) != 0;
-        if (is_read && mask && *mask == 0) return "its header states a channel without bits";
-    }
-    return {};
-}
-
-}  // namespace
-
-std::string header_fault(std::string_view bytes) {
-    if (bytes.starts_with("DDS ")) return dds_fault(bytes);
-    if (bytes.starts_with("\x76\x2f\x31\x01"sv)) return exr_fault(bytes);
-    if (bytes.starts_with("RIFF") && bytes.size() > 12 && bytes.substr(8, 4) == "WEBP") return webp_fault(bytes);
-    const bool is_jpeg2000 = bytes.starts_with("\xff\x4f\xff\x51") || bytes.starts_with("\0\0\0\x0cjP  "sv);
-    return is_jpeg2000 ? jpeg2000_fault(bytes) : std::string();
 }
 
 }  // namespace patina::runtime

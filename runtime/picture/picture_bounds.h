@@ -1,7 +1,5 @@
-// How large a picture may be. Libraries that decode pictures take memory for all pixels, or for tables of places in the
-// file, some of them while they open a file; so the sizes are read from its header first. It opens no file.
+// How large a picture may be.
 //
-//   header_fault(bytes);                // "it is 16384 x 16384 pixels, more than ...: --max-pixels allows more"
 //   size_fault(4096, 4096, 4);          // nothing: that is allowed
 #pragma once
 
@@ -22,8 +20,5 @@ std::uint64_t most_picture_bytes();
 
 // What is wrong with a picture of this size, or nothing. More than four channels count as more pixels.
 std::string size_fault(std::uint64_t width, std::uint64_t height, std::uint64_t channels);
-// The same of a file whose decoder must not be asked first: OpenEXR, WebP, JPEG 2000. Nothing for other kinds. A header
-// that cannot be read is the decoder's to report, unless it states more than the file can hold.
-std::string header_fault(std::string_view bytes);
 
 }  // namespace patina::runtime

@@ -12,10 +12,11 @@
 
 #include "compiler/base/disk/disk.h"
 #include "runtime/files/files.h"
+#include "runtime/picture/formats/header_fault.h"
+#include "runtime/picture/formats/picture_kind.h"
 #include "runtime/picture/image.h"
 #include "runtime/picture/openimageio.h"
 #include "runtime/picture/picture_bounds.h"
-#include "runtime/picture/formats/picture_kind.h"
 
 namespace patina::runtime {
 namespace {

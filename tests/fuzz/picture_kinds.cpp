@@ -8,9 +8,9 @@
 #include "runtime/lighting/map_cache.h"
 #include "runtime/lighting/merl.h"
 #include "runtime/lighting/prefilter.h"
-#include "runtime/picture/image.h"
 #include "runtime/picture/formats/picture_kind.h"
 #include "runtime/picture/formats/stated_space.h"
+#include "runtime/picture/image.h"
 #include "tests/fuzz/fuzz.h"
 
 namespace patina::fuzz {

@@ -9,31 +9,16 @@
 #include <vector>
 
 #include "runtime/files/bytes.h"
+#include "runtime/picture/formats/png_chunks.h"
 
 namespace patina::runtime {
 namespace {
 
 using namespace std::string_view_literals;
 
-// Length, name, data, checksum: the checksum is of name and data (PNG specification, annex D).
-struct PngChunk {
-    std::string_view name{}, checked{};
-    std::uint64_t checksum = 0;
-    std::size_t end = 0;
-};
-std::optional<PngChunk> png_chunk(const Bytes& bytes, std::size_t at) {
-    const auto length = bytes.big_endian(at, 4);
-    const auto checked = length ? bytes.part(at + 4, *length + 4) : std::nullopt;
-    const auto checksum = checked ? bytes.big_endian(at + 4 + checked->size(), 4) : std::nullopt;
-    if (!checksum) return std::nullopt;
-    return PngChunk{
-        .name = checked->substr(0, 4), .checked = *checked, .checksum = *checksum, .end = at + 8 + checked->size()};
-}
-constexpr std::size_t kPngHeader = 8;
-
 // The last chunk is IEND.
 bool is_whole_png(std::string_view bytes) {
-    std::optional<PngChunk> chunk = png_chunk(Bytes(bytes), kPngHeader);
+    std::optional<PngChunk> chunk = png_chunk(Bytes(bytes));
     while (chunk && chunk->name != "IEND") chunk = png_chunk(Bytes(bytes), chunk->end);
     return chunk.has_value();
 }
@@ -55,7 +40,7 @@ std::uint32_t crc_of(std::string_view bytes) {
 
 // Of the chunks that a picture needs: their names begin with a capital.
 bool is_intact_png(std::string_view bytes) {
-    std::optional<PngChunk> chunk = png_chunk(Bytes(bytes), kPngHeader);
+    std::optional<PngChunk> chunk = png_chunk(Bytes(bytes));
     while (chunk) {
         const bool is_needed = (chunk->name[0] & 0x20) == 0;
         if (is_needed && crc_of(chunk->checked) != chunk->checksum) return false;
@@ -164,7 +149,7 @@ struct Row {
     std::size_t inner_at = 0;  // where `inner` stands
 };
 constexpr Row kRows[] = {
-    {{"PNG", kPng, true, is_whole_png, is_intact_png}, "\x89PNG\r\n\x1a\n"sv},
+    {{"PNG", kPng, true, is_whole_png, is_intact_png}, kPngSignature},
     {{"JPEG", kJpeg, true, is_whole_jpeg}, "\xff\xd8\xff"sv},
     {{"WebP", kWebp, true, is_whole_webp}, "RIFF"sv, "WEBP"sv, 8},
     {{"OpenEXR", kExr}, "\x76\x2f\x31\x01"sv},

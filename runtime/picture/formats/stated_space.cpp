@@ -3,14 +3,14 @@
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
-#include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <cstdint>
 #include <exception>
 #include <map>
 
 #include "runtime/files/files.h"
+#include "runtime/picture/formats/header_fault.h"
+#include "runtime/picture/formats/png_chunks.h"
 #include "runtime/picture/openimageio.h"
 #include "runtime/picture/picture_bounds.h"
 
@@ -31,23 +31,16 @@ StatedSpace of_profile(const OIIO::ImageSpec& spec) {
 }
 
 // The chunks that tell a colour space, which stand before the pixels; none if the bytes are no PNG.
-std::map<std::string, std::string> chunks_of(std::string_view bytes) {
-    std::map<std::string, std::string> chunks;
-    if (!bytes.starts_with("\x89PNG\r\n\x1a\n")) return chunks;
-    bytes.remove_prefix(8);
-    while (bytes.size() >= 8 && bytes.substr(4, 4) != "IDAT") {
-        std::uint32_t length = 0;
-        for (std::size_t i = 0; i < 4; ++i) length = length << 8 | static_cast<unsigned char>(bytes[i]);
-        constexpr std::uint32_t kShort = 8;  // those whose contents count
-        const std::string name(bytes.substr(4, 4));
-        bytes.remove_prefix(8);
-        chunks[name] = length <= kShort ? std::string(bytes.substr(0, length)) : std::string();
-        bytes.remove_prefix(std::min<std::size_t>(bytes.size(), std::size_t{length} + 4));
-    }
+std::map<std::string_view, std::string_view> chunks_of(std::string_view bytes) {
+    std::map<std::string_view, std::string_view> chunks;
+    if (!bytes.starts_with(kPngSignature)) return chunks;
+    const Bytes all(bytes);
+    for (auto chunk = png_chunk(all); chunk && chunk->name != "IDAT"; chunk = png_chunk(all, chunk->end))
+        chunks[chunk->name] = chunk->data();
     return chunks;
 }
 
-StatedSpace of_cicp(const std::string& chunk) {
+StatedSpace of_cicp(std::string_view chunk) {
     constexpr char kLinear = 8, kSrgb = 13;  // transfer characteristics of ITU-T H.273
     const char transfer = chunk.size() == 4 ? chunk[1] : '\0';
     if (transfer == kLinear) return {ColorSpace::Linear, "its cICP chunk"};
@@ -55,14 +48,13 @@ StatedSpace of_cicp(const std::string& chunk) {
 }
 
 // 100000 times the exponent of the file: 45455 is 1 / 2.2, which stands for sRGB.
-StatedSpace of_gama(const std::string& chunk) {
-    std::uint32_t gamma = 0;
-    for (const char c : chunk) gamma = gamma << 8 | static_cast<unsigned char>(c);
+StatedSpace of_gama(std::string_view chunk) {
+    const std::uint64_t gamma = Bytes(chunk).big_endian(0, 4).value_or(0);
     if (gamma == 100000) return {ColorSpace::Linear, "its gAMA chunk"};
     return std::abs(double(gamma) - 45455) < 100 ? StatedSpace{ColorSpace::Srgb, "its gAMA chunk"} : StatedSpace{};
 }
 
-StatedSpace of_chunks(const std::map<std::string, std::string>& chunks, const OIIO::ImageSpec& spec) {
+StatedSpace of_chunks(const std::map<std::string_view, std::string_view>& chunks, const OIIO::ImageSpec& spec) {
     if (const auto cicp = chunks.find("cICP"); cicp != chunks.end()) return of_cicp(cicp->second);
     if (chunks.contains("iCCP")) return of_profile(spec);
     if (chunks.contains("sRGB")) return {ColorSpace::Srgb, "its sRGB chunk"};

@@ -14,8 +14,9 @@
 #include <fstream>
 #include <vector>
 
-#include "runtime/picture/image.h"
+#include "runtime/picture/formats/header_fault.h"
 #include "runtime/picture/formats/stated_space.h"
+#include "runtime/picture/image.h"
 
 namespace patina::runtime {
 namespace {

@@ -11,10 +11,10 @@
 #include <random>
 
 #include "runtime/lighting/environment_file.h"
-#include "runtime/picture/image.h"
-#include "runtime/picture/openimageio.h"
 #include "runtime/picture/formats/picture_kind.h"
 #include "runtime/picture/formats/stated_space.h"
+#include "runtime/picture/image.h"
+#include "runtime/picture/openimageio.h"
 #include "runtime/values/textures.h"
 
 namespace patina::runtime {

@@ -1,0 +1,16 @@
+// What the header of a picture says that its decoder must not be given. Libraries that decode pictures take memory for
+// all pixels, or for tables of places in the file, some of them while they open a file; so the sizes are read first.
+//
+//   header_fault(bytes);                // "it is 16384 x 16384 pixels, and the limit is ...: --max-pixels allows ..."
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace patina::runtime {
+
+// Of OpenEXR, WebP, JPEG 2000 and DDS; nothing for other kinds, whose decoders take memory late. A header that cannot
+// be read is the decoder's to report, unless it states more than the file can hold.
+std::string header_fault(std::string_view bytes);
+
+}  // namespace patina::runtime
