@@ -19,7 +19,7 @@ Result compile_for_engine(const CompilerImpl& compiler, const Source& source, co
                           graph::Files& files, Trail& trail) {
     graph::Session session(*compiler.library, options, &files);
     std::string_view pass;
-    const Watched watched(trail, session.diagnostics, &pass);
+    const TrailGuard guard(trail, session.diagnostics, &pass);
     session.kept = &compiler.kept;
     Result result;
     graph::until_stopped(session, [&] {

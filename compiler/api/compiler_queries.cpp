@@ -151,7 +151,7 @@ Compiler& Compiler::operator=(Compiler&&) noexcept = default;
 
 const Compiler::Impl::Described& Compiler::Impl::describe() const {
     return described.get([&] {
-        const Watch nobody;
+        const Cancellation nobody;
         auto made = std::make_unique<Described>();
         auto& [nodes, semantics, workflows, lighting_models, paths] = *made;
         const EvaluationContext context{*library, library->declarations, library->sources};
@@ -199,7 +199,7 @@ const std::vector<PathInfo>& Compiler::paths() const {
 }
 const std::vector<EngineInfo>& Compiler::engines() const {
     return impl_->engines.get([&] {
-        const Watch nobody;
+        const Cancellation nobody;
         return std::make_unique<std::vector<EngineInfo>>(describe_engines(*impl_->library));
     });
 }
@@ -248,7 +248,7 @@ NodeFileResult Compiler::check_node_file(const std::string& path, const CompileO
     return guarded<NodeFileResult>(path, [&](Trail& trail) {
         NodeFileResult result;
         graph::Session session(*impl_->library, options);
-        const Watched watched(trail, session.diagnostics);
+        const TrailGuard guard(trail, session.diagnostics);
         Effort effort;
         graph::until_stopped(session, [&] {
             const graph::NodeFile* const file = graph::load_node_file(session, path, {});
@@ -295,7 +295,7 @@ SceneResult read_scene_file(graph::Session& session, const std::string& path) {
 SceneResult Compiler::read_scene(const std::string& path, const CompileOptions& options) const {
     return guarded<SceneResult>(path, [&](Trail& trail) {
         graph::Session session(*impl_->library, options);
-        const Watched watched(trail, session.diagnostics);
+        const TrailGuard guard(trail, session.diagnostics);
         return read_scene_file(session, path);
     });
 }
@@ -306,7 +306,7 @@ EvalResult Compiler::evaluate(std::string_view node, std::span<const std::pair<s
         const CompileOptions options;
         graph::Session session(*impl_->library, options);
         Diagnostics& diagnostics = session.diagnostics;
-        const Watched watched(trail, diagnostics);
+        const TrailGuard guard(trail, diagnostics);
         EvalResult result;
         Effort effort;
         graph::until_stopped(session, [&] {
@@ -355,14 +355,15 @@ std::string Compiler::schema() const {
         {.nodes = nodes(), .semantics = semantics(), .workflows = workflows(), .lighting_models = lighting_models()});
 }
 
-Compiler::Formatted Compiler::format(const std::string& path, std::string text) const {
-    return guarded<Formatted>(path, [&](Trail&) -> Formatted {
+Compiler::Formatted Compiler::format(const std::string& path, std::string text, const Limits& limits) const {
+    const auto work = [&]() -> Formatted {
         SourceMap sources;
         Diagnostics diagnostics;
         const std::uint32_t base = sources.add(path, std::move(text));
         graph::FormattedText formatted = graph::format_graph(sources, base, diagnostics);
         return {.ok = formatted.ok, .text = std::move(formatted.text), .diagnostics = to_public(diagnostics, sources)};
-    });
+    };
+    return guarded<Formatted>(path, [&](Trail&) { return within<Formatted>(limits, text.size(), work); });
 }
 
 }  // namespace patina

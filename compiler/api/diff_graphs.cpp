@@ -90,8 +90,10 @@ GraphDiff diff(const GraphVersion& before, const GraphVersion& after) {
 
 }  // namespace
 
-GraphDiff diff_graphs(const GraphVersion& before, const GraphVersion& after) {
-    return guarded<GraphDiff>(after.name, [&](Trail&) { return diff(before, after); });
+GraphDiff diff_graphs(const GraphVersion& before, const GraphVersion& after, const Limits& limits) {
+    return guarded<GraphDiff>(after.name, [&](Trail&) {
+        return within<GraphDiff>(limits, before.text.size() + after.text.size(), [&] { return diff(before, after); });
+    });
 }
 
 }  // namespace patina

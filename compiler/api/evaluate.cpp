@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "compiler/api/describe/describe.h"
+#include "compiler/base/cancellation.h"
 #include "compiler/base/text.h"
-#include "compiler/base/watch.h"
 #include "compiler/interpret/interpret.h"
 #include "compiler/link/check_reads.h"
 #include "compiler/lower/declare.h"

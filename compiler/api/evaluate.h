@@ -1,7 +1,7 @@
 // Runs single nodes on the CPU, for `patina eval` and the test lines in the library's comments.
 #pragma once
 
-#include "compiler/base/watch.h"
+#include "compiler/base/cancellation.h"
 #include "compiler/resolve/library.h"
 #include "patina/interpret.h"
 

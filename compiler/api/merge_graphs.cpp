@@ -3,7 +3,7 @@
 
 #include "compiler/api/compile_source.h"
 #include "compiler/api/report.h"
-#include "compiler/base/watch.h"
+#include "compiler/base/cancellation.h"
 #include "compiler/edit/merge_texts.h"
 #include "compiler/seam/seam.h"
 #include "patina/graph_merge.h"
@@ -105,19 +105,13 @@ MergeResult merge(const Compiler& compiler, const MergeInput& base, const MergeI
     return result;
 }
 
-Diagnostic cancelled(const Stopped& stopped) {
-    Diagnostics diagnostics;
-    diagnostics.report(Code::Cancelled, {}, stopped.why.empty() ? "" : ": " + stopped.why);
-    return to_public(diagnostics, SourceMap()).front();
-}
-
 MergeResult merge_until_cancelled(const Compiler& compiler, const MergeInput& base, const MergeInput& ours,
                                   const MergeInput& theirs, const MergeOptions& options, Trail& trail) {
-    const Watch watch(options.compile.limits.cancelled);
+    const Cancellation cancellation(options.compile.limits.cancelled);
     try {
         return merge(compiler, base, ours, theirs, options, trail);
     } catch (const Stopped& stopped) {
-        return {.text = ours.text, .diagnostics = {cancelled(stopped)}};
+        return {.text = ours.text, .diagnostics = {diagnostic_of(stopped)}};
     } catch (Cancelled& cancelled) {
         return {.text = ours.text, .diagnostics = {std::move(cancelled.why)}};
     }

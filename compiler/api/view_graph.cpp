@@ -220,7 +220,7 @@ GraphView view(const Compiler& compiler, const std::string& path, const CompileO
     own.limits = options.limits;
     const graph::Library& library = CompilerAccess::library(compiler);
     graph::Session session(library, own);
-    const Watched watched(trail, session.diagnostics);
+    const TrailGuard guard(trail, session.diagnostics);
     GraphView view;
     graph::until_stopped(session, [&] {
         const std::optional<std::uint32_t> base = graph::load_source(session, path, {});

@@ -2,8 +2,8 @@
 
 #include <array>
 
+#include "compiler/base/cancellation.h"
 #include "compiler/base/text.h"
-#include "compiler/base/watch.h"
 
 namespace patina {
 namespace {
@@ -36,7 +36,7 @@ bool Diagnostics::is_full() const {
 DiagnosticRecord& Diagnostics::add(Code code, Span span, std::string message) {
     const Level severity = info(code).severity;
     if (severity == Level::Error) ++errors_;
-    Watch::step(1 + records_.size() / 8);
+    Cancellation::step(1 + records_.size() / 8);
     // The same words at the same place add nothing (a node that is lowered for two stages, say).
     for (DiagnosticRecord& record : records_) {
         if (record.code == code && record.span == span && record.message == message) return overflow_ = record;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "compiler/base/cancellation.h"
 #include "compiler/format/color.h"
 #include "compiler/format/read_graph.h"
 #include "compiler/format/scene/read_scene.h"
@@ -168,6 +169,9 @@ TreeValue child_at(const TreeValue& value, std::size_t i) {
     return {value.text, &value.json->elements[i], value.kind, false};
 }
 
+// So many are listed in the time of one step.
+constexpr std::size_t kChildrenOfAStep = 8;
+
 bool is_same_object(const TreeValue& a, const TreeValue& b, const Renaming& renaming) {
     if (a.json->members.size() != b.json->members.size()) return false;
     std::unordered_map<std::string_view, const JsonMember*> others;
@@ -185,8 +189,10 @@ bool is_same_object(const TreeValue& a, const TreeValue& b, const Renaming& rena
 // Each child of the one is a child of the other. Lists without order are short.
 bool is_same_set(const std::vector<TreeChild>& a, const std::vector<TreeChild>& b, const Renaming& renaming) {
     std::vector<bool> taken(b.size(), false);
+    std::size_t first = 0;  // that is not taken
     for (const TreeChild& child : a) {
-        std::size_t i = 0;
+        while (first < b.size() && taken[first]) ++first;
+        std::size_t i = first;
         while (i < b.size() && (taken[i] || !is_same(child.value, b[i].value, renaming))) ++i;
         if (i == b.size()) return false;
         taken[i] = true;
@@ -254,6 +260,7 @@ Shape shape_of(const TreeValue& value) {
 }
 
 std::vector<TreeChild> children_of(const TreeValue& value) {
+    Cancellation::step(1 + (value.json->members.size() + value.json->elements.size()) / kChildrenOfAStep);
     std::vector<TreeChild> children;
     for (const JsonMember& member : value.json->members) children.push_back({member.key, member_value(value, member)});
     const Shape shape = shape_of(value);
@@ -279,6 +286,7 @@ bool NamePairs::match(std::string_view a, std::string_view b) const {
 }
 
 bool is_same(const TreeValue& a, const TreeValue& b, const Renaming& renaming) {
+    Cancellation::step();
     const Json &left = *a.json, &right = *b.json;
     const auto left_value = a.text->values.find(left.span.begin), right_value = b.text->values.find(right.span.begin);
     if (left_value != a.text->values.end() && right_value != b.text->values.end())

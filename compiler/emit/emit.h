@@ -18,7 +18,7 @@
 #include <deque>
 #include <tuple>
 
-#include "compiler/base/watch.h"
+#include "compiler/base/cancellation.h"
 #include "compiler/emit/instances.h"
 #include "compiler/emit/known.h"
 

@@ -162,7 +162,7 @@ Typed extern_value(Emitter& emitter, const VariableDecl& variable, Scope& scope)
 }
 
 void grow(Emitter& emitter, Span where) {
-    Watch::step();
+    Cancellation::step();
     Growth* const growth = emitter.growth;
     if (!growth || ++growth->made <= growth->most) return;
     emitter.diagnostics.report(Code::OverBudget, where, "instructions", growth->made, growth->most);

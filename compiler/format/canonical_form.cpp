@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "compiler/base/watch.h"
+#include "compiler/base/cancellation.h"
 #include "compiler/format/keys.h"
 #include "compiler/json/json_text.h"
 
@@ -91,7 +91,7 @@ public:
 private:
     // The value starts at the end of `out_`, on a line that is indented by `indent`.
     void write_value(const Json& json, std::size_t indent) {
-        Watch::step();
+        Cancellation::step();
         if (!write_on_one_line(json)) write_broken(json, indent);
     }
 

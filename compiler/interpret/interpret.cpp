@@ -3,14 +3,14 @@
 
 #include <algorithm>
 
-#include "compiler/base/watch.h"
+#include "compiler/base/cancellation.h"
 #include "compiler/interpret/machine.h"
 #include "compiler/interpret/rounding.h"
 
 namespace patina::interpret {
 namespace {
 
-// A step of the machine is short: so many of them take as long as one of a Watch.
+// A step of the machine is short: so many of them take as long as one that is counted (Cancellation).
 constexpr std::size_t kStepsOfOne = 16;
 
 struct OutOfSteps {};
@@ -113,7 +113,7 @@ void run_step(Machine& machine, const Step& step, Mask active) {
 
 void run_block(Machine& machine, std::uint32_t block, Mask active) {
     const std::vector<Step>& steps = machine.blocks[block];
-    Watch::step(1 + steps.size() / kStepsOfOne);
+    Cancellation::step(1 + steps.size() / kStepsOfOne);
     if (machine.steps_left <= steps.size()) throw OutOfSteps{};
     machine.steps_left -= 1 + steps.size();
     for (const Step& step : steps) run_step(machine, step, active);

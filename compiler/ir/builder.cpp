@@ -5,7 +5,7 @@
 #include <cstdlib>
 
 #include "compiler/base/bits.h"
-#include "compiler/base/watch.h"
+#include "compiler/base/cancellation.h"
 #include "compiler/ir/dump.h"
 #include "compiler/ir/fold/fold.h"
 
@@ -149,7 +149,7 @@ Value Builder::emit(Op op, std::initializer_list<Value> args) {
 }
 
 Value Builder::emit_numbered(Op op, Type type, std::span<const Value> args, std::uint32_t data, bool is_settled) {
-    Watch::step();
+    Cancellation::step();
     const Inst inst{.op = op, .type = type, .data = data};
     if (!options_.fold) return append(inst, args, current());
     if (is_leaf(op)) return emit_leaf(op, type, data);

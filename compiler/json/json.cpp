@@ -9,8 +9,8 @@
 #include <optional>
 #include <unordered_map>
 
+#include "compiler/base/cancellation.h"
 #include "compiler/base/text.h"
-#include "compiler/base/watch.h"
 #include "compiler/json/json_errors.h"
 #include "compiler/json/json_memory.h"
 #include "compiler/json/other_file.h"
@@ -110,7 +110,7 @@ public:
         frame.key.assign(value, size);
         frame.key_span = {global(last_begin_) + 1, global(last_end_) - 1};
         last_ = Token::Key;
-        Watch::step(1 + size / kBytesOfAStep);
+        Cancellation::step(1 + size / kBytesOfAStep);
         if (!check_decoded(frame.key)) return false;
         const Span first = frame.seen.find_or_add(frame.json.members, frame.key, frame.key_span);
         frame.drop = static_cast<bool>(first);
@@ -232,7 +232,7 @@ void Builder::read_comment(std::size_t& i, Gap& gap) {
     const std::size_t begin = i;
     i = line ? std::min(text_.find('\n', i), text_.size()) : text_.find("*/", i + 2) + 2;
     gap.newlines = 0;
-    Watch::step();
+    Cancellation::step();
     if (++items_ > kMaxJsonItems) return;  // the next count() refuses the file
 
     std::string comment(text_.substr(begin, i - begin));
@@ -286,7 +286,7 @@ void Builder::drop_blank_ends(std::vector<std::string>& comments) {
 
 // A tree needs far more memory than its text: without a limit, a file of 64 MiB could need several GiB.
 bool Builder::count(Span span) {
-    Watch::step(1 + (span.end - span.begin) / kBytesOfAStep);
+    Cancellation::step(1 + (span.end - span.begin) / kBytesOfAStep);
     if (++items_ <= kMaxJsonItems) return true;
     diagnostics_.report(Code::TooMany, span, items_, "JSON values", kMaxJsonItems);
     return false;

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "compiler/base/cancellation.h"
 #include "compiler/base/spelling.h"
-#include "compiler/base/watch.h"
 #include "compiler/languages/body.h"
 
 namespace patina::languages {
@@ -146,7 +146,7 @@ std::string Body::assignment(std::uint32_t variable, Value value, const Text& te
 
 void Body::print_block(BlockId block) {
     for (Value v : function_.blocks[block.index].insts) {
-        Watch::step();
+        Cancellation::step();
         print_statement(v);
     }
 }

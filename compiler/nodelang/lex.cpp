@@ -5,8 +5,8 @@
 #include <cmath>
 #include <optional>
 
+#include "compiler/base/cancellation.h"
 #include "compiler/base/text.h"
-#include "compiler/base/watch.h"
 
 namespace patina::nodelang {
 namespace {
@@ -96,7 +96,7 @@ Lexer::Lexer(Text text, Place place, Diagnostics& diagnostics) : text_(text), pl
 }
 
 Token Lexer::next() {
-    Watch::step();
+    Cancellation::step();
     Token token;
     skip_space(token);
     token.begin = here_;

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
+#include "compiler/base/cancellation.h"
 #include "compiler/base/text.h"
-#include "compiler/base/watch.h"
 #include "compiler/nodelang/parser.h"
 
 namespace patina::nodelang {
@@ -38,7 +38,7 @@ namespace {
 
 const ReadBody& read_body(const UnreadBody& body) {
     return body.read.get([&] {
-        const Watch nobody;
+        const Cancellation nobody;
         auto read = std::make_unique<ReadBody>();
         Parser(body.text, Lexer::Place::File, read->ast, read->diagnostics).function_body(read->statements);
         return read;

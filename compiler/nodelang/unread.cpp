@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "compiler/base/watch.h"
+#include "compiler/base/cancellation.h"
 
 namespace patina::nodelang {
 namespace {
@@ -100,7 +100,7 @@ std::optional<std::vector<Part>> parts_of(std::string_view text) {
 
 const Ast& Unread::ast() const {
     return ast_.get([this] {
-        const Watch nobody;
+        const Cancellation nobody;
         auto ast = std::make_unique<Ast>();
         Diagnostics diagnostics;
         parse_file(text_, *ast, diagnostics, Bodies::WhenAsked);

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "compiler/base/watch.h"
+#include "compiler/base/cancellation.h"
 #include "compiler/engines/read_engine.h"
 #include "compiler/format/read_graph.h"
 #include "compiler/json/json.h"
@@ -106,7 +106,7 @@ const std::shared_ptr<Graph>& LibraryGraph::get() const {
 
 const LibraryGraph::Read& LibraryGraph::read() const {
     return read_.get([this] {
-        const Watch nobody;
+        const Cancellation nobody;
         auto made = std::make_unique<Read>();
         const std::unique_ptr<Json> json = parse_json(sources_, base_, made->diagnostics);
         const GraphKind kind = is_workflow(path_) ? GraphKind::Workflow : GraphKind::Lighting;
@@ -121,7 +121,7 @@ const engines::Engine& LibraryEngine::get() const {
 
 const LibraryEngine::Read& LibraryEngine::read() const {
     return read_.get([this] {
-        const Watch nobody;
+        const Cancellation nobody;
         auto made = std::make_unique<Read>();
         const auto find = [&](std::string_view name) -> std::optional<std::uint32_t> {
             const auto found = files_.find(name);

@@ -37,7 +37,7 @@ std::vector<std::string> candidates(Session& session, const std::string& name, c
     };
     add(from);
     for (const std::string& folder : session.request.folders) {
-        Watch::step(kStepsOfAFile);
+        Cancellation::step(kStepsOfAFile);
         add(folder);
     }
     return paths;
@@ -113,7 +113,7 @@ Request::Request(const CompileOptions& options) {
 Session::Session(const Library& the_library, const CompileOptions& the_options, Files* the_files)
     : library(the_library),
       options(the_options),
-      watch(the_options.limits.cancelled),
+      cancellation(the_options.limits.cancelled),
       request(the_options),
       engine(engine_of(the_library, the_options)),
       declarations(&the_library.declarations),
@@ -228,7 +228,7 @@ bool is_over_bytes(Session& session, Span where) {
 
 bool must_stop(Session& session) {
     Stopped stopped;
-    if (!session.stopped && session.watch.is_cancelled(stopped.why)) report_stop(session, stopped);
+    if (!session.stopped && session.cancellation.is_cancelled(stopped.why)) report_stop(session, stopped);
     return session.stopped;
 }
 

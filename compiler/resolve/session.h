@@ -12,7 +12,7 @@
 #include <string>
 #include <unordered_map>
 
-#include "compiler/base/watch.h"
+#include "compiler/base/cancellation.h"
 #include "compiler/resolve/files.h"
 #include "compiler/resolve/library.h"
 #include "patina/patina.h"
@@ -58,7 +58,7 @@ struct Session {
 
     const Library& library;
     const CompileOptions& options;
-    Watch watch;  // of this thread, while the session lives
+    Cancellation cancellation;  // of this thread, while the session lives
     const Request request;
     const engines::Engine& engine;  // the engine of all requested targets
     // The library's, unless the requested path is a file.

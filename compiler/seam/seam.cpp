@@ -38,7 +38,7 @@ void ShortName::operator=(std::string_view name) {
     size_ = name.copy(letters_.data(), letters_.size());
 }
 
-Watched::~Watched() {
+TrailGuard::~TrailGuard() {
     const bool is_known = !trail_.node.text().empty() || !trail_.pass.text().empty();  // by an inner one
     if (is_known || std::uncaught_exceptions() <= exceptions_) return;
     trail_.node = diagnostics_.context_node();

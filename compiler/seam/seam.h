@@ -8,7 +8,7 @@
 //
 //   return guarded<Result>(path, [&](Trail& trail) {
 //       graph::Session session(...);
-//       const Watched watched(trail, session.diagnostics);   // remembers which node it was
+//       const TrailGuard guard(trail, session.diagnostics);   // remembers which node it was
 //       ...
 //       return result;
 //   });
@@ -43,12 +43,12 @@ struct Trail {
 };
 
 // Leaves on the trail what the diagnostics and `pass` say, if an exception passes by.
-class Watched {
+class TrailGuard {
 public:
-    Watched(Trail& trail, const Diagnostics& diagnostics, const std::string_view* pass = nullptr)
+    TrailGuard(Trail& trail, const Diagnostics& diagnostics, const std::string_view* pass = nullptr)
         : trail_(trail), diagnostics_(diagnostics), pass_(pass) {}
-    ~Watched();
-    Watched(const Watched&) = delete;
+    ~TrailGuard();
+    TrailGuard(const TrailGuard&) = delete;
 
 private:
     Trail& trail_;

@@ -293,7 +293,7 @@ VariantPlan Compiler::plan_variants(const std::string& path, VariantsWanted want
                                     std::size_t limit, const std::function<void(const VariantPlan&)>& progress) const {
     return guarded<VariantPlan>(path, [&](Trail& trail) {
         graph::Session session(*impl_->library, options);
-        const Watched watched(trail, session.diagnostics);
+        const TrailGuard guard(trail, session.diagnostics);
         VariantPlan made;
         if (made.diagnostics = impl_->overlay_errors; !made.diagnostics.empty()) return made;
         graph::until_stopped(session, [&] {

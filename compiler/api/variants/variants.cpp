@@ -121,9 +121,7 @@ private:
     }
     template <class... Words>
     void refuse(Code code, const Words&... words) {
-        Diagnostics diagnostics;
-        diagnostics.report(code, {}, words...);
-        made_.diagnostics.push_back(to_public(diagnostics, SourceMap()).front());
+        made_.diagnostics.push_back(diagnostic_of(code, words...));
         made_.ok = false;
     }
 

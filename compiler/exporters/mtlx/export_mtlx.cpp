@@ -69,7 +69,7 @@ MtlxExport write(const Compiler& compiler, const std::string& path, const MtlxOp
     own.include_dirs = options.include_dirs;
     own.files = options.files;
     graph::Session session(CompilerAccess::library(compiler), own);
-    const Watched watched(trail, session.diagnostics);
+    const TrailGuard guard(trail, session.diagnostics);
     MtlxExport made;
     Result result;
     std::string_view pass;

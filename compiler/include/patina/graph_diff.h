@@ -40,7 +40,8 @@ struct GraphDiff {
     std::vector<Diagnostic> diagnostics{};  // why one of them is no graph and no scene
 };
 
-// The changes that make `after` of `before`. A text that did not exist has no values.
-PATINA_API GraphDiff diff_graphs(const GraphVersion& before, const GraphVersion& after);
+// The changes that make `after` of `before`. A text that did not exist has no values. Of the limits `source_bytes`, for
+// both together, and `cancelled` count.
+PATINA_API GraphDiff diff_graphs(const GraphVersion& before, const GraphVersion& after, const Limits& limits = {});
 
 }  // namespace patina

@@ -377,8 +377,9 @@ public:
         std::string text;                     // the canonical form
         std::vector<Diagnostic> diagnostics;  // why it could not be read
     };
-    // Canonical text of a graph: key order, spacing, comments kept. `path` names it in messages.
-    Formatted format(const std::string& path, std::string text) const;
+    // Canonical text of a graph: key order, spacing, comments kept. `path` names it in messages. Of the limits
+    // `source_bytes` and `cancelled` count.
+    Formatted format(const std::string& path, std::string text, const Limits& limits = {}) const;
 
 private:
     friend struct CompilerAccess;

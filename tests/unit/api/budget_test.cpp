@@ -159,7 +159,7 @@ TEST(Cancelling, ByAnExceptionSaysWhy) {
     options.limits.cancelled = []() -> bool { throw std::runtime_error("the window was closed"); };
     const Result result = compiler().compile_text("test.graph.json", kThree, options);
     expect_refused(result, "cancelled");
-    EXPECT_EQ(result.diagnostics[0].message, "the compilation was cancelled: the window was closed");
+    EXPECT_EQ(result.diagnostics[0].message, "cancelled by the program: the window was closed");
 }
 
 // --- variants, one after the other
@@ -262,7 +262,7 @@ TEST(StreamedVariants, EndWithAnErrorIfTheProgramsFunctionFails) {
     });
     EXPECT_FALSE(set.ok);
     EXPECT_EQ(taken, 2);
-    EXPECT_EQ(said(set.diagnostics), "error: the compilation was cancelled: the disk is full [cancelled]\n");
+    EXPECT_EQ(said(set.diagnostics), "error: cancelled by the program: the disk is full [cancelled]\n");
 }
 
 TEST(StreamedVariants, CanBeCancelledBetweenTwo) {

@@ -6,12 +6,12 @@
 // Work that ends early ends by an exception, Stopped: a reader, an IR pass or a printer that is half done has nothing
 // that anybody could use. Only the function that began the call catches it (graph::until_stopped()).
 //
-// A watch belongs to the thread that made it, for as long as it lives: a thread works for one call at a time. Where
-// there is none, a step does nothing. What all compilations share (a library's file that is read when it is first
-// needed) is made under a watch that never asks, so that nobody's end leaves it half made.
+// A Cancellation belongs to the thread that made it, for as long as it lives: a thread works for one call at a time.
+// Where there is none, a step does nothing. What all compilations share (a library's file that is read when it is first
+// needed) is made under one that never asks, so that nobody's end leaves it half made.
 //
-//   const Watch watch(options.limits.cancelled);
-//   for (const Function& function : functions) Watch::step(function.insts.size());
+//   const Cancellation cancellation(options.limits.cancelled);
+//   for (const Function& function : functions) Cancellation::step(function.insts.size());
 #pragma once
 
 #include <cstddef>
@@ -33,20 +33,20 @@ struct Growth {
     std::size_t made = 0;  // so far
 };
 
-class Watch {
+class Cancellation {
 public:
     static constexpr std::size_t kStepsPerQuestion = 2048;
 
     // Never asks.
-    Watch() : Watch(nobody()) {}
+    Cancellation() : Cancellation(nobody()) {}
     // `asked` must live as long.
-    explicit Watch(const std::function<bool()>& asked) : asked_(asked), outer_(current_) { current_ = this; }
-    ~Watch() { current_ = outer_; }
-    Watch(const Watch&) = delete;
-    Watch& operator=(const Watch&) = delete;
+    explicit Cancellation(const std::function<bool()>& asked) : asked_(asked), outer_(current_) { current_ = this; }
+    ~Cancellation() { current_ = outer_; }
+    Cancellation(const Cancellation&) = delete;
+    Cancellation& operator=(const Cancellation&) = delete;
 
     static void step(std::size_t steps = 1) {
-        if (Watch* const watch = current_; watch && (watch->since_ += steps) >= kStepsPerQuestion) watch->ask();
+        if (Cancellation* const one = current_; one && (one->since_ += steps) >= kStepsPerQuestion) one->ask();
     }
     // Asks now. True, with the reason if there is one, if the work is to end.
     bool is_cancelled(std::string& why);
@@ -55,10 +55,10 @@ private:
     static const std::function<bool()>& nobody();
     void ask();
 
-    static constinit thread_local Watch* current_;
+    static constinit thread_local Cancellation* current_;
 
     const std::function<bool()>& asked_;
-    Watch* outer_;
+    Cancellation* outer_;
     std::size_t since_ = 0;  // steps since the last question
 };
 

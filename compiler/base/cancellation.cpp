@@ -1,18 +1,18 @@
-#include "compiler/base/watch.h"
+#include "compiler/base/cancellation.h"
 
 #include <exception>
 
 namespace patina {
 
-constinit thread_local Watch* Watch::current_ = nullptr;
+constinit thread_local Cancellation* Cancellation::current_ = nullptr;
 
-const std::function<bool()>& Watch::nobody() {
+const std::function<bool()>& Cancellation::nobody() {
     static const std::function<bool()> kNobody;
     return kNobody;
 }
 
 // A function that fails also ends the work.
-bool Watch::is_cancelled(std::string& why) {
+bool Cancellation::is_cancelled(std::string& why) {
     since_ = 0;
     try {
         return asked_ && asked_();
@@ -24,7 +24,7 @@ bool Watch::is_cancelled(std::string& why) {
     return true;
 }
 
-void Watch::ask() {
+void Cancellation::ask() {
     Stopped stopped;
     if (is_cancelled(stopped.why)) throw stopped;
 }
