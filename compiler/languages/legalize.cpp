@@ -32,11 +32,26 @@ Value expand_mod(Copy& copy, Value v) {
 
 // --- x to the power of 0 is 1, of x = 0 too; GLSL leaves that undefined, and HLSL computes exp2(0 log2(0)), NaN
 
+// True if `power` only counts where its base is above 0: all that reads it is `base > 0 ? power : y`.
+bool is_chosen_above_zero(const FactsOf& facts, Value power, Value base) {
+    const Function& function = facts.function;
+    const auto is_above_zero = [&](Value condition) {
+        const auto sides = function.args(condition);
+        return function[condition].op == Op::Greater && sides[0] == base && range_of(facts, sides[1]).low >= 0;
+    };
+    return std::all_of(function.insts.begin(), function.insts.end(), [&](const Inst& inst) {
+        const auto args = function.args(inst);
+        const auto reads = std::count(args.begin(), args.end(), power);
+        return reads == 0 || (reads == 1 && inst.op == Op::Select && args[1] == power && is_above_zero(args[0]));
+    });
+}
+
 bool may_be_zero_to_zero(const Module& module, const Function& function, Value v) {
     if (function[v].op != Op::Pow || function[v].type.is_matrix()) return false;
     const FactsOf facts{module, function, true};
     const Value base = function.args(v)[0], exponent = function.args(v)[1];
     if (range_of(facts, exponent).low > 0 || range_of(facts, base).low > 0) return false;
+    if (is_chosen_above_zero(facts, v, base)) return false;
     const Inst& chosen = function[base];
     if (chosen.op != Op::Select || function[function.args(chosen)[0]].op != Op::Equal) return true;
     return function.args(function.args(chosen)[0])[0] != exponent;  // else the base is one_where_exponent_is_zero()

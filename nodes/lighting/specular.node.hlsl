@@ -60,7 +60,7 @@ float BlinnPhongHighlight(
 
 // Where the cosine is zero, the highlight is zero for every exponent, of zero too.
 float HighlightLobe(float cosine, float exponent) {
-    float lobe = pow(max(cosine, 1e-30), exponent);
+    float lobe = pow(cosine > 0 ? cosine : 1, exponent);
     return cosine > 0 ? lobe : 0;
 }
 

@@ -61,6 +61,22 @@ TEST(Expressions, SplatsThatMustBeVectors) {
               "return pow(b.xxx == 0.0 ? float3(1.0, 1.0, 1.0) : a, b.xxx) + pow(a, float3(2.0, 2.0, 2.0));\n");
 }
 
+// Zero to the power of zero does not matter where it is not read; elsewhere it does.
+TEST(Expressions, PowersThatOnlyCountAboveZero) {
+    const auto printed = [](Op comparison, double limit, bool is_read_twice) {
+        Fixture f;
+        const Value a = f.b->param(0), power = f.b->emit(Op::Pow, {a, f.b->param(1)});
+        const Value chosen =
+            f.b->emit(Op::Select, kFloat, {f.b->emit(comparison, {a, f.number(limit)}), power, f.number(0)});
+        return f.glsl(is_read_twice ? f.b->emit(Op::Add, {chosen, power}) : chosen);
+    };
+    EXPECT_EQ(printed(Op::Greater, 0, false), "return a > 0.0 ? pow(a, b) : 0.0;\n");
+    const std::string guarded = "pow(b == 0.0 ? 1.0 : a, b)";
+    EXPECT_NE(printed(Op::Greater, -1, false).find(guarded), std::string::npos);
+    EXPECT_NE(printed(Op::Less, 0, false).find(guarded), std::string::npos);
+    EXPECT_NE(printed(Op::Greater, 0, true).find(guarded), std::string::npos);
+}
+
 TEST(Expressions, ComponentsJoinToSwizzles) {
     Fixture f({kFloat4, kFloat});
     const Value v = f.b->param(0);
