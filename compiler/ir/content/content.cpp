@@ -134,7 +134,7 @@ void Content::raw(const void* data, std::size_t size) {
 }
 
 void Content::grow(std::size_t more) {
-    room_ = 2 * (size_ + more) + 4096;
+    room_ = 4 * (size_ + more) + 4096;
     std::unique_ptr<char[]> longer(new char[room_]);  // make_unique would fill it
     if (size_ > 0) std::memcpy(longer.get(), bytes_.get(), size_);
     bytes_ = std::move(longer);
