@@ -160,8 +160,8 @@ function(check_includes file allowed)
   set(breaches "${breaches}" PARENT_SCOPE)
 endfunction()
 
-# What reads a file of the disk, for all trees.
-set(disk "^compiler/base/disk/disk\\.h$")
+# What reads a file of the disk, and what writes JSON, for all trees.
+set(disk "^compiler/(base/disk/disk|json/json_document|json/json_memory)\\.h$")
 
 # The command uses the public headers, as any program does that embeds the compiler. The commands that draw or import do
 # so through the runtime and the importers. The others need at most the lighting at one point, and write files.
@@ -195,15 +195,15 @@ foreach(folder IN LISTS folders)
   get_filename_component(importer ${folder} NAME)
   file(GLOB_RECURSE files ${folder}/*.h ${folder}/*.cpp)
   foreach(file IN LISTS files)
-    check_includes(${file} "^compiler/(json|base)/|^compiler/importers/([a-z_]+\\.h$|${importer}/)|^patina/|^runtime/(picture/(image|picture_kind)|lighting/merl|gltf/gltf_(file|model)|mesh/framing)\\.h$|^runtime/outcome\\.h$")
+    check_includes(${file} "^compiler/(json|base)/|^compiler/importers/([a-z_]+\\.h$|${importer}/)|^patina/|^runtime/(picture/(image|formats/picture_kind)|lighting/merl|gltf/gltf_(file|model)|mesh/framing)\\.h$|^runtime/outcome\\.h$")
   endforeach()
 endforeach()
 
-# The runtime uses the public headers only, and the reader of files.
+# The runtime uses the public headers only, the reader of files and the memory of JSON.
 file(GLOB_RECURSE files ${ROOT}/runtime/*.h ${ROOT}/runtime/*.cpp)
 foreach(file IN LISTS files)
   file(STRINGS ${file} includes REGEX "^#include \"compiler/")
-  list(FILTER includes EXCLUDE REGEX "\"compiler/base/disk/disk\\.h\"")
+  list(FILTER includes EXCLUDE REGEX "\"compiler/(base/disk/disk|json/json_memory)\\.h\"")
   file(RELATIVE_PATH name ${ROOT} ${file})
   if(includes)
     string(APPEND breaches "${name}: ${includes}\n")
@@ -281,7 +281,7 @@ set(readers "^compiler/base/disk/disk\\.cpp$")
 # bake.cpp is a program of the build, and files.cpp opens files to write them.
 set(writers "^runtime/(lighting/bake|files/files)\\.cpp$")
 # OpenImageIO gets bytes, but for formats that it cannot read in memory.
-set(opens_pictures "^runtime/picture/(read_image|stated_space)\\.cpp$")
+set(opens_pictures "^runtime/picture/(read_image|formats/stated_space)\\.cpp$")
 file(GLOB_RECURSE files RELATIVE ${ROOT} ${ROOT}/compiler/*.h ${ROOT}/compiler/*.cpp ${ROOT}/runtime/*.h ${ROOT}/runtime/*.cpp)
 set(found_readers 0)
 foreach(file IN LISTS files)

@@ -1,37 +1,34 @@
 #include "runtime/snapshot/report_data.h"
 
 #include <fmt/format.h>
-#include <rapidjson/prettywriter.h>
-#include <rapidjson/stringbuffer.h>
 
 #include <cmath>
 
+#include "compiler/json/json_memory.h"
 #include "runtime/page/escaped.h"
 
 namespace patina::runtime {
 namespace {
 
-using Writer = rapidjson::PrettyWriter<rapidjson::StringBuffer>;
-
-void write_text(Writer& writer, const char* key, const std::string& text) {
+void write_text(JsonPages& writer, const char* key, const std::string& text) {
     if (text.empty()) return;
     writer.Key(key);
     writer.String(text.c_str());
 }
 
-void write_count(Writer& writer, const char* key, std::size_t count) {
+void write_count(JsonPages& writer, const char* key, std::size_t count) {
     if (count == 0) return;
     writer.Key(key);
     writer.Uint64(count);
 }
 
 // JSON has no infinity.
-void write_number(Writer& writer, const char* key, double value) {
+void write_number(JsonPages& writer, const char* key, double value) {
     writer.Key(key);
     std::isfinite(value) ? writer.Double(value) : writer.String("infinity");
 }
 
-void write_gates(Writer& writer, const std::vector<Gate>& gates) {
+void write_gates(JsonPages& writer, const std::vector<Gate>& gates) {
     if (gates.empty()) return;
     writer.Key("gates");
     writer.StartObject();
@@ -55,7 +52,7 @@ std::string reason(const SnapshotCase& each) {
     return text;
 }
 
-void write_case(Writer& writer, const SnapshotCase& each) {
+void write_case(JsonPages& writer, const SnapshotCase& each) {
     writer.StartObject();
     write_text(writer, "name", each.name);
     write_text(writer, "file", each.file);
@@ -84,8 +81,8 @@ bool is_drawn(const SnapshotCase& each) {
 }  // namespace
 
 std::string report_json(const SnapshotReport& report) {
-    rapidjson::StringBuffer buffer;
-    Writer writer(buffer);
+    JsonBuffer buffer;
+    JsonPages writer(buffer);
     writer.SetIndent(' ', 2);
     writer.StartObject();
     writer.Key("ok");

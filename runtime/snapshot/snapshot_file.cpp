@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "compiler/base/disk/disk.h"
+#include "compiler/json/json_memory.h"
 #include "patina/complaints.h"
 #include "patina/segments.h"
 #include "runtime/gltf/gltf_model.h"
@@ -440,7 +441,7 @@ ReadSnapshot read_snapshot(const std::string& path) {
     constexpr unsigned kFlags = rapidjson::kParseIterativeFlag | rapidjson::kParseCommentsFlag |
                                 rapidjson::kParseTrailingCommasFlag | rapidjson::kParseNumbersAsStringsFlag |
                                 rapidjson::kParseValidateEncodingFlag;
-    rapidjson::Reader reader;
+    rapidjson::GenericReader<rapidjson::UTF8<>, rapidjson::UTF8<>, JsonMemory> reader;
     rapidjson::ParseResult parsed = reader.Parse<kFlags>(stream, flat);
     if (flat.problem) return wrong(flat.problem, flat.key);
     if (!parsed)

@@ -35,8 +35,8 @@ std::string as_text(const EvalOutput& output, bool all_digits) {
 }
 
 std::string as_json(const std::vector<EvalOutput>& outputs) {
-    rapidjson::StringBuffer buffer;
-    JsonWriter writer(buffer);
+    JsonBuffer buffer;
+    JsonLines writer(buffer);
     writer.StartObject();
     for (const EvalOutput& output : outputs) {
         writer.Key(output.name.c_str());

@@ -197,13 +197,13 @@ void print_text(const Console& console, const Arguments& arguments, const runtim
 
 // --- as JSON
 
-void write_color(JsonWriter& writer, const char* key, const std::array<float, 4>& color) {
+void write_color(JsonLines& writer, const char* key, const std::array<float, 4>& color) {
     writer.Key(key);
     const std::array<double, 4> numbers = {color[0], color[1], color[2], color[3]};
     write_numbers(writer, numbers);
 }
 
-void write_row(JsonWriter& writer, const Row& row) {
+void write_row(JsonLines& writer, const Row& row) {
     const TracedValue& value = *row.value;
     const auto text = [&](const char* key, std::string_view word) {
         writer.Key(key);
@@ -233,9 +233,9 @@ void write_row(JsonWriter& writer, const Row& row) {
 
 std::string as_json(const Arguments& arguments, const runtime::TraceOutcome& outcome, const std::vector<Row>& rows) {
     const runtime::PixelTrace& trace = outcome.trace;
-    rapidjson::StringBuffer buffer;
-    JsonWriter writer(buffer);
-    const auto key = [&](const char* name) -> JsonWriter& {
+    JsonBuffer buffer;
+    JsonLines writer(buffer);
+    const auto key = [&](const char* name) -> JsonLines& {
         writer.Key(name);
         return writer;
     };

@@ -1,8 +1,6 @@
 #include "compiler/cli/compile/variants.h"
 
 #include <fmt/format.h>
-#include <rapidjson/prettywriter.h>
-#include <rapidjson/stringbuffer.h>
 
 #include <algorithm>
 #include <iterator>
@@ -10,6 +8,7 @@
 
 #include "compiler/cli/compile/compiled.h"
 #include "compiler/cli/files.h"
+#include "compiler/json/json_memory.h"
 #include "patina/output_name.h"
 
 namespace patina::cli {
@@ -67,8 +66,8 @@ struct Written {
 
 std::string manifest(const std::string& name, const VariantOptions& wanted, const CompileOptions& options,
                      const VariantPlan& plan, const VariantSet& set, const std::vector<Written>& written) {
-    rapidjson::StringBuffer buffer;
-    rapidjson::PrettyWriter<rapidjson::StringBuffer> json(buffer);
+    JsonBuffer buffer;
+    JsonPages json(buffer);
     json.SetIndent(' ', 2);
     json.SetFormatOptions(rapidjson::kFormatSingleLineArray);
     const auto text = [&](std::string_view word) { json.String(word.data(), unsigned(word.size())); };

@@ -1,26 +1,22 @@
-#include <rapidjson/prettywriter.h>
-#include <rapidjson/stringbuffer.h>
-
 #include "compiler/cli/cost/report.h"
+#include "compiler/json/json_memory.h"
 
 namespace patina::cli {
 namespace {
 
-using Writer = rapidjson::PrettyWriter<rapidjson::StringBuffer>;
-
 constexpr unsigned kVersion = 1;  // changes if a program that reads the text must change
 
-void write(Writer& writer, const char* key, std::string_view text) {
+void write(JsonPages& writer, const char* key, std::string_view text) {
     writer.Key(key);
     writer.String(text.data(), static_cast<rapidjson::SizeType>(text.size()));
 }
 
-void write(Writer& writer, const char* key, std::uint32_t count) {
+void write(JsonPages& writer, const char* key, std::uint32_t count) {
     writer.Key(key);
     writer.Uint(count);
 }
 
-void write(Writer& writer, const char* key, const CostCounts& counts) {
+void write(JsonPages& writer, const char* key, const CostCounts& counts) {
     writer.Key(key);
     writer.StartObject();
     for (const CostFigure& figure : kCostFigures) write(writer, figure.name, counts.*figure.count);
@@ -37,7 +33,7 @@ std::string_view word(CostShare::Part part) {
     return {};
 }
 
-void write(Writer& writer, const char* key, const MeasuredStage& stage) {
+void write(JsonPages& writer, const char* key, const MeasuredStage& stage) {
     writer.Key(key);
     writer.StartObject();
     write(writer, "once", stage.cost.once);
@@ -61,8 +57,8 @@ void write(Writer& writer, const char* key, const MeasuredStage& stage) {
 }  // namespace
 
 std::string report_json(std::span<const CostReport> reports) {
-    rapidjson::StringBuffer buffer;
-    Writer writer(buffer);
+    JsonBuffer buffer;
+    JsonPages writer(buffer);
     writer.SetIndent(' ', 2);
     writer.StartObject();
     write(writer, "patinaCost", kVersion);

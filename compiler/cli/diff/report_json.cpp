@@ -1,12 +1,8 @@
-#include <rapidjson/prettywriter.h>
-#include <rapidjson/stringbuffer.h>
-
 #include "compiler/cli/diff/report.h"
+#include "compiler/json/json_memory.h"
 
 namespace patina::cli {
 namespace {
-
-using Writer = rapidjson::PrettyWriter<rapidjson::StringBuffer>;
 
 std::string_view word(GraphChangeKind kind) {
     switch (kind) {
@@ -19,24 +15,24 @@ std::string_view word(GraphChangeKind kind) {
     return {};
 }
 
-void write(Writer& writer, const char* key, std::string_view text) {
+void write(JsonPages& writer, const char* key, std::string_view text) {
     writer.Key(key);
     writer.String(text.data(), static_cast<rapidjson::SizeType>(text.size()));
 }
 
-void write_count(Writer& writer, const char* key, std::size_t count) {
+void write_count(JsonPages& writer, const char* key, std::size_t count) {
     writer.Key(key);
     writer.Uint64(count);
 }
 
 // A value as the graph has it.
-void write_value(Writer& writer, const char* key, const std::string& json) {
+void write_value(JsonPages& writer, const char* key, const std::string& json) {
     if (json.empty()) return;
     writer.Key(key);
     writer.RawValue(json.data(), json.size(), rapidjson::kObjectType);
 }
 
-void write_place(Writer& writer, const char* key, const FilePlace& place) {
+void write_place(JsonPages& writer, const char* key, const FilePlace& place) {
     if (place.line == 0) return;
     writer.Key(key);
     writer.StartObject();
@@ -47,7 +43,7 @@ void write_place(Writer& writer, const char* key, const FilePlace& place) {
     writer.EndObject();
 }
 
-void write_change(Writer& writer, const GraphChange& change) {
+void write_change(JsonPages& writer, const GraphChange& change) {
     writer.StartObject();
     write(writer, "kind", word(change.kind));
     writer.Key("path");
@@ -66,7 +62,7 @@ void write_change(Writer& writer, const GraphChange& change) {
     writer.EndObject();
 }
 
-void write_cost(Writer& writer, const char* key, const StageCost& cost) {
+void write_cost(JsonPages& writer, const char* key, const StageCost& cost) {
     const CostCounts total = cost.total();
     if (total.instructions == 0) return;
     writer.Key(key);
@@ -78,7 +74,7 @@ void write_cost(Writer& writer, const char* key, const StageCost& cost) {
     writer.EndObject();
 }
 
-void write_shader(Writer& writer, const ShaderChange& shader) {
+void write_shader(JsonPages& writer, const ShaderChange& shader) {
     writer.StartObject();
     if (!shader.pass.empty()) {
         write(writer, "pass", shader.pass);
@@ -99,8 +95,8 @@ void write_shader(Writer& writer, const ShaderChange& shader) {
 }  // namespace
 
 std::string report_json(const DiffReport& report) {
-    rapidjson::StringBuffer buffer;
-    Writer writer(buffer);
+    JsonBuffer buffer;
+    JsonPages writer(buffer);
     writer.SetIndent(' ', 2);
     writer.StartObject();
     write(writer, "before", report.before);

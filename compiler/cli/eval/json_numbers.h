@@ -1,23 +1,21 @@
 // Numbers as JSON, with all their digits.
 //
-//   rapidjson::StringBuffer buffer;
-//   JsonWriter writer(buffer);
+//   JsonBuffer buffer;
+//   JsonLines writer(buffer);
 //   write_numbers(writer, output.values);
 #pragma once
 
 #include <fmt/format.h>
-#include <rapidjson/stringbuffer.h>
-#include <rapidjson/writer.h>
 
 #include <cmath>
 #include <span>
 
+#include "compiler/json/json_memory.h"
+
 namespace patina::cli {
 
-using JsonWriter = rapidjson::Writer<rapidjson::StringBuffer>;
-
 // JSON has no infinities. They are written as strings, which Python's float() and JavaScript's Number() read.
-inline void write_number(JsonWriter& writer, double value) {
+inline void write_number(JsonLines& writer, double value) {
     if (std::isfinite(value)) {
         const std::string digits = fmt::format("{}", value);
         writer.RawValue(digits.data(), digits.size(), rapidjson::kNumberType);
@@ -27,7 +25,7 @@ inline void write_number(JsonWriter& writer, double value) {
 }
 
 // One number alone, several as a list.
-inline void write_numbers(JsonWriter& writer, std::span<const double> values) {
+inline void write_numbers(JsonLines& writer, std::span<const double> values) {
     if (values.size() == 1) return write_number(writer, values.front());
     writer.StartArray();
     for (double value : values) write_number(writer, value);

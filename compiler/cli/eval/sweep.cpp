@@ -132,8 +132,8 @@ std::string sweep_csv(const std::vector<Axis>& axes, const std::vector<SweepRow>
 }
 
 std::string sweep_json(const std::vector<Axis>& axes, const std::vector<SweepRow>& rows) {
-    rapidjson::StringBuffer buffer;
-    JsonWriter writer(buffer);
+    JsonBuffer buffer;
+    JsonLines writer(buffer);
     writer.StartArray();
     for (const SweepRow& row : rows) {
         writer.StartObject();

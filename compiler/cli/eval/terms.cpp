@@ -1,7 +1,6 @@
 #include "compiler/cli/eval/terms.h"
 
 #include <fmt/format.h>
-#include <rapidjson/document.h>
 
 #include <algorithm>
 #include <cctype>
@@ -10,16 +9,17 @@
 #include <optional>
 
 #include "compiler/cli/eval/term_data.h"
+#include "compiler/json/json_document.h"
 #include "runtime/lighting/model.h"
 
 namespace patina::cli {
 namespace {
 
-using Json = rapidjson::Value;
+using Json = JsonValue;
 
-const rapidjson::Document& terms() {
-    static const rapidjson::Document kTerms = [] {
-        rapidjson::Document document;
+const JsonDocument& terms() {
+    static const JsonDocument kTerms = [] {
+        JsonDocument document;
         document.Parse(kTermData);
         return document;
     }();

@@ -1,16 +1,16 @@
 #include "compiler/cli/node_sheet/drawings.h"
 
 #include <fmt/format.h>
-#include <rapidjson/document.h>
 
 #include <algorithm>
 
 #include "compiler/cli/node_sheet/drawings_data.h"
+#include "compiler/json/json_document.h"
 
 namespace patina::cli {
 namespace {
 
-using Json = rapidjson::Value;
+using Json = JsonValue;
 
 std::string text(const Json& json) {
     return json.IsString() ? json.GetString() : fmt::format("{}", json.GetDouble());
@@ -50,7 +50,7 @@ PlotWish read_plot(const Json& json) {
 
 const PlotWish* plot_wish(std::string_view node) {
     static const std::vector<PlotWish> kAll = [] {
-        rapidjson::Document document;
+        JsonDocument document;
         document.Parse(kNodePlots);
         std::vector<PlotWish> made;
         for (const Json& each : document["plots"].GetArray()) made.push_back(read_plot(each));
@@ -61,8 +61,8 @@ const PlotWish* plot_wish(std::string_view node) {
 }
 
 std::optional<PanelWish> panel_wish(std::string_view node) {
-    static const rapidjson::Document kAll = [] {
-        rapidjson::Document document;
+    static const JsonDocument kAll = [] {
+        JsonDocument document;
         document.Parse(kNodePanels);
         return document;
     }();

@@ -1,26 +1,22 @@
 #include "compiler/cli/pages/library_json.h"
 
-#include <rapidjson/prettywriter.h>
-#include <rapidjson/stringbuffer.h>
-
 #include "compiler/cli/pages/pages.h"
+#include "compiler/json/json_memory.h"
 
 namespace patina::cli {
 namespace {
 
-using Writer = rapidjson::PrettyWriter<rapidjson::StringBuffer>;
-
-void write_text(Writer& writer, const char* key, const std::string& text) {
+void write_text(JsonPages& writer, const char* key, const std::string& text) {
     if (text.empty()) return;
     writer.Key(key);
     writer.String(text.c_str());
 }
 
-void write_word(Writer& writer, const char* key, HasWords auto value) {
+void write_word(JsonPages& writer, const char* key, HasWords auto value) {
     write_text(writer, key, std::string(to_string(value)));
 }
 
-void write_range(Writer& writer, const std::optional<std::array<double, 2>>& range) {
+void write_range(JsonPages& writer, const std::optional<std::array<double, 2>>& range) {
     if (!range) return;
     writer.Key("range");
     writer.StartArray();
@@ -28,7 +24,7 @@ void write_range(Writer& writer, const std::optional<std::array<double, 2>>& ran
     writer.EndArray();
 }
 
-void write_texts(Writer& writer, const char* key, std::span<const std::string> texts) {
+void write_texts(JsonPages& writer, const char* key, std::span<const std::string> texts) {
     if (texts.empty()) return;
     writer.Key(key);
     writer.StartArray();
@@ -36,7 +32,7 @@ void write_texts(Writer& writer, const char* key, std::span<const std::string> t
     writer.EndArray();
 }
 
-void write_pairs(Writer& writer, const char* key, std::span<const std::pair<std::string, std::string>> pairs) {
+void write_pairs(JsonPages& writer, const char* key, std::span<const std::pair<std::string, std::string>> pairs) {
     if (pairs.empty()) return;
     writer.Key(key);
     writer.StartObject();
@@ -47,7 +43,7 @@ void write_pairs(Writer& writer, const char* key, std::span<const std::pair<std:
     writer.EndObject();
 }
 
-void write_port(Writer& writer, const PortInfo& port) {
+void write_port(JsonPages& writer, const PortInfo& port) {
     writer.StartObject();
     write_text(writer, "name", port.name);
     write_text(writer, "type", port.type);
@@ -65,7 +61,7 @@ void write_port(Writer& writer, const PortInfo& port) {
     writer.EndObject();
 }
 
-void write_ports(Writer& writer, const char* key, const NodeInfo& node, bool outputs) {
+void write_ports(JsonPages& writer, const char* key, const NodeInfo& node, bool outputs) {
     writer.Key(key);
     writer.StartArray();
     for (const PortInfo& port : node.ports) {
@@ -74,7 +70,7 @@ void write_ports(Writer& writer, const char* key, const NodeInfo& node, bool out
     writer.EndArray();
 }
 
-void write_node(Writer& writer, const NodeInfo& node) {
+void write_node(JsonPages& writer, const NodeInfo& node) {
     writer.StartObject();
     write_text(writer, "name", node.name);
     write_text(writer, "category", node.category);
@@ -92,7 +88,7 @@ void write_node(Writer& writer, const NodeInfo& node) {
     writer.EndObject();
 }
 
-void write_inputs(Writer& writer, const char* key, std::span<const ModelInputInfo> inputs) {
+void write_inputs(JsonPages& writer, const char* key, std::span<const ModelInputInfo> inputs) {
     if (inputs.empty()) return;
     writer.Key(key);
     writer.StartArray();
@@ -113,7 +109,7 @@ void write_inputs(Writer& writer, const char* key, std::span<const ModelInputInf
     writer.EndArray();
 }
 
-void write_model(Writer& writer, const Compiler& compiler, const ModelInfo& model) {
+void write_model(JsonPages& writer, const Compiler& compiler, const ModelInfo& model) {
     writer.StartObject();
     write_text(writer, "name", model.name);
     write_text(writer, "title", model.title);
@@ -141,12 +137,12 @@ void write_model(Writer& writer, const Compiler& compiler, const ModelInfo& mode
     writer.EndObject();
 }
 
-void write_flag(Writer& writer, const char* key, bool value) {
+void write_flag(JsonPages& writer, const char* key, bool value) {
     writer.Key(key);
     writer.Bool(value);
 }
 
-void write_targets(Writer& writer, const std::vector<RenderTarget>& targets) {
+void write_targets(JsonPages& writer, const std::vector<RenderTarget>& targets) {
     writer.Key("targets");
     writer.StartArray();
     for (const RenderTarget& target : targets) {
@@ -158,7 +154,7 @@ void write_targets(Writer& writer, const std::vector<RenderTarget>& targets) {
     writer.EndArray();
 }
 
-void write_blends(Writer& writer, const std::vector<PassInfo::SurfaceBlend>& blends) {
+void write_blends(JsonPages& writer, const std::vector<PassInfo::SurfaceBlend>& blends) {
     writer.Key("blends");
     writer.StartArray();
     for (const auto& [surface, blend] : blends) {
@@ -173,7 +169,7 @@ void write_blends(Writer& writer, const std::vector<PassInfo::SurfaceBlend>& ble
     writer.EndArray();
 }
 
-void write_pass(Writer& writer, const PassInfo& pass) {
+void write_pass(JsonPages& writer, const PassInfo& pass) {
     const Pass& state = pass.state;
     writer.StartObject();
     write_text(writer, "name", state.name);
@@ -189,7 +185,7 @@ void write_pass(Writer& writer, const PassInfo& pass) {
     writer.EndObject();
 }
 
-void write_path(Writer& writer, const PathInfo& path) {
+void write_path(JsonPages& writer, const PathInfo& path) {
     writer.StartObject();
     write_text(writer, "name", path.name);
     write_text(writer, "doc", path.doc);
@@ -202,7 +198,7 @@ void write_path(Writer& writer, const PathInfo& path) {
     writer.EndObject();
 }
 
-void write_engine(Writer& writer, const EngineInfo& engine) {
+void write_engine(JsonPages& writer, const EngineInfo& engine) {
     writer.StartObject();
     write_text(writer, "name", engine.name);
     write_text(writer, "title", engine.title);
@@ -219,8 +215,8 @@ void write_engine(Writer& writer, const EngineInfo& engine) {
 
 template <class Write>
 std::string as_text(Write write) {
-    rapidjson::StringBuffer buffer;
-    Writer writer(buffer);
+    JsonBuffer buffer;
+    JsonPages writer(buffer);
     writer.SetIndent(' ', 2);
     write(writer);
     return std::string(buffer.GetString()) + "\n";
@@ -229,11 +225,11 @@ std::string as_text(Write write) {
 }  // namespace
 
 std::string to_json(const NodeInfo& node) {
-    return as_text([&](Writer& writer) { write_node(writer, node); });
+    return as_text([&](JsonPages& writer) { write_node(writer, node); });
 }
 
 std::string to_json(std::span<const NodeInfo* const> nodes) {
-    return as_text([&](Writer& writer) {
+    return as_text([&](JsonPages& writer) {
         writer.StartArray();
         for (const NodeInfo* node : nodes) write_node(writer, *node);
         writer.EndArray();
@@ -241,11 +237,11 @@ std::string to_json(std::span<const NodeInfo* const> nodes) {
 }
 
 std::string to_json(const Compiler& compiler, const ModelInfo& model) {
-    return as_text([&](Writer& writer) { write_model(writer, compiler, model); });
+    return as_text([&](JsonPages& writer) { write_model(writer, compiler, model); });
 }
 
 std::string to_json(const Compiler& compiler, std::span<const ModelInfo> models) {
-    return as_text([&](Writer& writer) {
+    return as_text([&](JsonPages& writer) {
         writer.StartArray();
         for (const ModelInfo& model : models) write_model(writer, compiler, model);
         writer.EndArray();
@@ -253,7 +249,7 @@ std::string to_json(const Compiler& compiler, std::span<const ModelInfo> models)
 }
 
 std::string to_json(std::span<const EngineInfo> engines) {
-    return as_text([&](Writer& writer) {
+    return as_text([&](JsonPages& writer) {
         writer.StartArray();
         for (const EngineInfo& engine : engines) write_engine(writer, engine);
         writer.EndArray();
@@ -261,7 +257,7 @@ std::string to_json(std::span<const EngineInfo> engines) {
 }
 
 std::string to_json(std::span<const PathInfo> paths) {
-    return as_text([&](Writer& writer) {
+    return as_text([&](JsonPages& writer) {
         writer.StartArray();
         for (const PathInfo& path : paths) write_path(writer, path);
         writer.EndArray();
