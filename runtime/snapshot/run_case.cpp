@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <charconv>
 #include <chrono>
+#include <exception>
 #include <filesystem>
+#include <new>
 
 #include "compiler/base/disk/disk.h"
 #include "runtime/files/files.h"
@@ -259,10 +261,18 @@ SnapshotCase run_case(const Compiler& compiler, const PlannedCase& planned, cons
                       RenderMachine& machine) {
     const auto begin = std::chrono::steady_clock::now();
     SnapshotCase result{.name = planned.name, .file = planned.file, .reference = planned.picture()};
-    if (planned.problem)
-        result.diagnostics = {*planned.problem};
-    else
-        draw_and_judge(compiler, planned, options, machine, result);
+    try {
+        if (planned.problem)
+            result.diagnostics = {*planned.problem};
+        else
+            draw_and_judge(compiler, planned, options, machine, result);
+    } catch (const std::bad_alloc&) {
+        result.state = SnapshotState::Failed;
+        result.message = "there is not enough memory";
+    } catch (const std::exception& error) {
+        result.state = SnapshotState::Failed;
+        result.message = std::string("it could not be drawn: ") + error.what();
+    }
     result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     return result;
 }

@@ -8,6 +8,7 @@
 
 namespace patina::runtime {
 
+// What is thrown fails this case alone.
 SnapshotCase run_case(const Compiler& compiler, const PlannedCase& planned, const SnapshotOptions& options,
                       RenderMachine& machine);
 
