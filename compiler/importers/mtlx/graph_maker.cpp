@@ -291,12 +291,12 @@ void GraphMaker::report_nodes() {
 
 // The document's order.
 void GraphMaker::sort_properties() {
-    std::map<const Element*, std::size_t> order;
+    std::unordered_map<const Element*, std::size_t>& order = import_.order;
     const auto count = [&](const auto& self, const Element& element) -> void {
         order.emplace(&element, order.size());
         for (const Element& each : element.children) self(self, each);
     };
-    count(count, import_.document.root);
+    if (order.empty()) count(count, import_.document.root);
     std::vector<std::pair<std::size_t, std::size_t>> places;  // those of shaders of version 1.36 are copies: at the end
     for (std::size_t i = 0; i < property_places_.size(); ++i) {
         const auto found = order.find(property_places_[i]);

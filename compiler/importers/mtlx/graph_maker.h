@@ -40,6 +40,7 @@ struct Import {
     terms::Names file_names{};
     std::map<std::string, std::string> node_files{};  // noise: kind -> file
     std::set<const Element*> reached{};
+    std::unordered_map<const Element*, std::size_t> order{};  // of all elements in the document; empty: not asked yet
     bool has_refused = false;
     std::string error{};  // the document cannot be imported: a node reads itself
 };
