@@ -18,6 +18,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <unordered_map>
 
 #include "compiler/importers/graph_writer.h"
 #include "compiler/importers/importer.h"
