@@ -1,12 +1,17 @@
 #include "runtime/gltf/gltf_model.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <glm/gtc/matrix_inverse.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/gtc/type_ptr.hpp>
 #include <map>
+#include <optional>
+#include <set>
 #include <tuple>
 
 #include "runtime/gltf/gltf_file.h"
@@ -33,6 +38,9 @@ glm::mat4 transform_of(const tinygltf::Node& node) {
 void turn_round(Mesh& mesh) {
     for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) std::swap(mesh.indices[i + 1], mesh.indices[i + 2]);
 }
+
+// In memory they are 1.5 GB. Primitives may share the numbers of the file, so a small file can have more.
+constexpr std::size_t kMostVertices = std::size_t{1} << 24;
 
 class Reading {
 public:
@@ -103,6 +111,16 @@ private:
         // The place of a skinned mesh's own node has no meaning: its joints say where it is.
         const std::vector<glm::mat4> joints = node.skin < 0 ? std::vector<glm::mat4>() : joints_of(node.skin);
         const std::vector<double>& weights = node.weights.empty() ? mesh.weights : node.weights;
+        const bool is_own = !joints.empty() || !node.weights.empty();
+        const glm::mat4 place = joints.empty() ? places_[index] : glm::mat4(1);
+        const bool is_mirrored = glm::determinant(glm::mat3(place)) < 0;
+        if (is_own || counted_.emplace(node.mesh, is_mirrored).second) {
+            for (const tinygltf::Primitive& each : mesh.primitives)
+                vertices_ += has_triangles(each) ? vertices_of(each) : 0;
+            if (vertices_ > kMostVertices)
+                return fmt::format("meshes[{}]: with it the model has {} vertices, and the limit is {}", node.mesh,
+                                   vertices_, kMostVertices);
+        }
         for (std::size_t i = 0; i < mesh.primitives.size(); ++i) {
             const tinygltf::Primitive& primitive = mesh.primitives[i];
             const std::string where = "meshes[" + std::to_string(node.mesh) + "].primitives[" + std::to_string(i) + "]";
@@ -110,9 +128,6 @@ private:
                 made_.left_out.push_back(where + ": points and lines are not drawn");
                 continue;
             }
-            const bool is_own = !joints.empty() || !node.weights.empty();
-            const glm::mat4 place = joints.empty() ? places_[index] : glm::mat4(1);
-            const bool is_mirrored = glm::determinant(glm::mat3(place)) < 0;
             std::shared_ptr<const Mesh> own;
             std::shared_ptr<const Mesh>& known = is_own ? own : known_[{node.mesh, static_cast<int>(i), is_mirrored}];
             if (!known) {
@@ -131,6 +146,15 @@ private:
                                                    : std::optional(static_cast<std::size_t>(primitive.material))});
         }
         return {};
+    }
+
+    // Without normals each corner of a triangle has a vertex of its own.
+    std::size_t vertices_of(const tinygltf::Primitive& primitive) const {
+        const auto count_of = [&](int accessor) { return file_.accessors[static_cast<std::size_t>(accessor)].count; };
+        const std::size_t points = count_of(primitive.attributes.at("POSITION"));
+        if (detail_ != MeshDetail::Whole || primitive.attributes.contains("NORMAL")) return points;
+        const std::size_t corners = primitive.indices < 0 ? points : count_of(primitive.indices);
+        return primitive.mode == -1 || primitive.mode == TINYGLTF_MODE_TRIANGLES ? corners : 3 * corners;
     }
 
     std::vector<glm::mat4> joints_of(int index) const {
@@ -180,6 +204,8 @@ private:
     std::vector<glm::mat4> places_;  // of the nodes, in the world
     MeshDetail detail_;
     std::map<std::tuple<int, int, bool>, std::shared_ptr<const Mesh>> known_;  // by mesh, primitive and is_mirrored
+    std::set<std::pair<int, bool>> counted_;                                   // by mesh and is_mirrored
+    std::size_t vertices_ = 0;  // of all meshes so far; each use of one by a mirrored or bent node is another
     GltfModel made_;
 };
 
@@ -216,11 +242,19 @@ std::vector<std::size_t> nodes_named(const GltfModel& model, std::string_view na
 
 // For each node, whether it is one of them or below one.
 std::vector<bool> below(const GltfModel& model, const std::vector<std::size_t>& tops) {
-    std::vector<bool> made(model.nodes.size());
-    for (std::size_t i = 0; i < made.size(); ++i) {
-        for (std::optional<std::size_t> at = i; at && !made[i]; at = model.nodes[*at].parent)
-            made[i] = std::find(tops.begin(), tops.end(), *at) != tops.end();
+    enum class State : std::uint8_t { Unknown, Not, Below };
+    std::vector<State> states(model.nodes.size(), State::Unknown);
+    for (const std::size_t top : tops) states[top] = State::Below;
+    std::vector<std::size_t> path;
+    for (std::size_t i = 0; i < states.size(); ++i) {
+        std::optional<std::size_t> at = i;
+        for (; at && states[*at] == State::Unknown; at = model.nodes[*at].parent) path.push_back(*at);
+        const State found = at ? states[*at] : State::Not;
+        for (const std::size_t each : path) states[each] = found;
+        path.clear();
     }
+    std::vector<bool> made(states.size());
+    for (std::size_t i = 0; i < made.size(); ++i) made[i] = states[i] == State::Below;
     return made;
 }
 
@@ -266,6 +300,11 @@ Outcome<Mesh> mesh_of(const GltfModel& model, const std::string& path, const std
         }
         wanted = below(model, tops);
     }
+    std::size_t count = 0;
+    for (const ModelPart& part : model.parts) count += wanted[part.node_index] ? part.mesh->vertices.size() : 0;
+    if (count > kMostVertices)
+        return Failure{
+            fmt::format("{}: as one mesh it has {} vertices, and the limit is {}", path, count, kMostVertices)};
     for (const ModelPart& part : model.parts) {
         if (wanted[part.node_index]) append(*part.mesh, part.object_to_world, whole);
     }

@@ -386,5 +386,41 @@ TEST(Gltf, ClaimsAreChecked) {
     }
 }
 
+// Sixteen million vertices and a few more: of primitives that share the same numbers, and of nodes that share a mesh.
+TEST(Gltf, SharedNumbersCountForEachThatSharesThem) {
+    const auto model = [](std::size_t primitives, std::size_t nodes) {
+        File file;
+        file.add<std::uint8_t>({0}, 5121, "SCALAR", 1);
+        file.points({1, 2, 3});
+        const std::string zeros = R"({"componentType":5126,"type":"VEC3","count":65536,"sparse":{"count":1,)"
+                                  R"("indices":{"bufferView":0,"componentType":5121},"values":{"bufferView":1}}})";
+        std::string all, places;
+        for (std::size_t i = 0; i < primitives; ++i)
+            all += (i > 0 ? "," : "") + std::string(R"({"attributes":{"POSITION":2,"NORMAL":2}})");
+        for (std::size_t i = 0; i < nodes; ++i) places += (i > 0 ? "," : "") + std::string(R"({"mesh":0})");
+        return file.save_with(zeros, R"("meshes":[{"primitives":[)" + all + R"(]}],"nodes":[)" + places + "]");
+    };
+    const Outcome<Mesh> few = read_mesh(model(2, 2));
+    ASSERT_TRUE(few) << few.error;
+    EXPECT_EQ(few.value.vertices.size(), 4u * 65536);
+    const Outcome<Mesh> shared = read_mesh(model(257, 1));
+    EXPECT_NE(shared.error.find("meshes[0]: with it the model has 16842752 vertices, and the limit is 16777216"),
+              std::string::npos)
+        << shared.error;
+    const std::string path = model(1, 257);
+    EXPECT_TRUE(read_model(path));
+    EXPECT_NE(read_mesh(path).error.find("as one mesh it has 16842752 vertices"), std::string::npos);
+}
+
+// A chain of nodes, of which each is the parent of the next one.
+TEST(Gltf, ManyNodesBelowEachOther) {
+    std::string nodes;
+    for (int i = 0; i < 100000; ++i) nodes += R"({"children":[)" + std::to_string(i + 1) + "]},";
+    File file;
+    file.points(kTriangle);
+    const std::string path = file.save(mesh(at("POSITION", 0)) + R"(,"nodes":[)" + nodes + R"({"mesh":0}])");
+    EXPECT_EQ(read(path, "node 1").vertices.size(), 3u);
+}
+
 }  // namespace
 }  // namespace patina::runtime
