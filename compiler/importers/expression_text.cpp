@@ -215,7 +215,8 @@ std::string Names::unique(std::string_view wanted, std::string_view otherwise) {
     std::string base((wanted.empty() ? otherwise : wanted).substr(0, kLongest));
     if (std::ranges::find(kReserved, base) != std::end(kReserved)) base += "Value";
     std::string made = base;
-    for (int i = 2; taken_.contains(made); ++i) made = base + (is_digit(base.back()) ? "_" : "") + std::to_string(i);
+    for (int& i = next_.emplace(base, 2).first->second; taken_.contains(made); ++i)
+        made = base + (is_digit(base.back()) ? "_" : "") + std::to_string(i);
     taken_.insert(made);
     return made;
 }

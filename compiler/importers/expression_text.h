@@ -4,6 +4,7 @@
 //   at_least("a + b", kProduct) + " * 2";   // "(a + b) * 2"
 #pragma once
 
+#include <map>
 #include <set>
 #include <string>
 #include <string_view>
@@ -38,6 +39,7 @@ public:
 
 private:
     std::set<std::string, std::less<>> taken_;
+    std::map<std::string, int> next_;  // by the name without a number: the number that may be free
 };
 
 }  // namespace patina::importers::terms

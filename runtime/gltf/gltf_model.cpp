@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <glm/gtc/matrix_inverse.hpp>
@@ -47,7 +48,10 @@ public:
     Reading(const tinygltf::Model& file, MeshDetail detail) : file_(file), detail_(detail) {}
 
     Outcome<GltfModel> run() {
-        for (std::size_t i = 0; i < file_.nodes.size(); ++i) made_.nodes.push_back({.name = name_of(i), .parent = {}});
+        for (std::size_t i = 0; i < file_.nodes.size(); ++i) {
+            made_.nodes.push_back({.name = name_of(i), .parent = {}});
+            made_.nodes_by_name[made_.nodes.back().name].push_back(i);
+        }
         for (std::size_t i = 0; i < file_.nodes.size(); ++i) {
             for (const int child : file_.nodes[i].children) made_.nodes[static_cast<std::size_t>(child)].parent = i;
         }
@@ -66,7 +70,10 @@ public:
         while (!shown.empty()) {
             const int index = shown.back();
             shown.pop_back();
+            ModelNode& node = made_.nodes[static_cast<std::size_t>(index)];
+            node.first_part = made_.parts.size();
             if (std::string error = show(static_cast<std::size_t>(index)); !error.empty()) return Failure{error};
+            node.part_count = made_.parts.size() - node.first_part;
             const std::vector<int>& children = file_.nodes[static_cast<std::size_t>(index)].children;
             shown.insert(shown.end(), children.rbegin(), children.rend());
         }
@@ -228,16 +235,20 @@ void append(const Mesh& part, const glm::mat4& place, Mesh& whole) {
     for (const std::uint32_t index : part.indices) whole.indices.push_back(first + index);
 }
 
+// "12", as it is written; nothing for "012" and "x".
+std::optional<std::size_t> number_of(std::string_view digits) {
+    std::size_t number = 0;
+    std::from_chars(digits.data(), digits.data() + digits.size(), number);
+    return digits == std::to_string(number) ? std::optional(number) : std::nullopt;
+}
+
 // The nodes of that name: if there are none, the one with that number, "node 3".
 std::vector<std::size_t> nodes_named(const GltfModel& model, std::string_view name) {
-    std::vector<std::size_t> found;
-    for (std::size_t i = 0; i < model.nodes.size(); ++i) {
-        if (model.nodes[i].name == name) found.push_back(i);
-    }
-    for (std::size_t i = 0; found.empty() && name.starts_with("node ") && i < model.nodes.size(); ++i) {
-        if (name.substr(5) == std::to_string(i)) found.push_back(i);
-    }
-    return found;
+    const auto found = model.nodes_by_name.find(std::string(name));
+    if (found != model.nodes_by_name.end()) return found->second;
+    const std::optional<std::size_t> number = name.starts_with("node ") ? number_of(name.substr(5)) : std::nullopt;
+    if (!number || *number >= model.nodes.size()) return {};
+    return {*number};
 }
 
 // For each node, whether it is one of them or below one.
@@ -277,10 +288,11 @@ const ModelPart* find_part(const GltfModel& model, std::string_view name) {
     if (slash == name.npos || !nodes_named(model, name).empty()) return nullptr;
     const std::vector<std::size_t> nodes = nodes_named(model, name.substr(0, slash));
     if (nodes.size() != 1) return nullptr;
-    const auto found = std::find_if(model.parts.begin(), model.parts.end(), [&](const ModelPart& part) {
-        return part.node_index == nodes[0] && std::to_string(part.primitive) == name.substr(slash + 1);
-    });
-    return found == model.parts.end() ? nullptr : &*found;
+    const std::optional<std::size_t> primitive = number_of(name.substr(slash + 1));
+    const ModelNode& owner = model.nodes[nodes[0]];
+    for (std::size_t i = owner.first_part; i < owner.first_part + owner.part_count; ++i)
+        if (model.parts[i].primitive == primitive) return &model.parts[i];
+    return nullptr;
 }
 
 Outcome<Mesh> mesh_of(const GltfModel& model, const std::string& path, const std::string& node) {

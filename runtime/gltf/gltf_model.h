@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "runtime/mesh/mesh.h"
@@ -55,12 +56,14 @@ struct ModelLight {
 };
 
 struct ModelNode {
-    std::string name;                   // "node 3" if it has none
-    std::optional<std::size_t> parent;  // index of a node
+    std::string name;                            // "node 3" if it has none
+    std::optional<std::size_t> parent;           // index of a node
+    std::size_t first_part = 0, part_count = 0;  // in GltfModel::parts
 };
 
 struct GltfModel {
     std::vector<ModelNode> nodes;  // all of the file
+    std::unordered_map<std::string, std::vector<std::size_t>> nodes_by_name;
     std::vector<ModelPart> parts;
     std::vector<ModelCamera> cameras;
     std::vector<ModelLight> lights;
