@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
+#include <limits>
 
 #include "works.h"
 
@@ -27,7 +29,7 @@ const std::vector<Case>& all_cases() {
 
 // `most` numbers from 1 to `count`. Their distance to the next multiple of the stride changes from one to the next.
 std::vector<long> some_of(long count, long most) {
-    const long stride = std::max(1L, (count + most - 1) / most);
+    const long stride = std::max(1L, count / most + (count % most != 0 ? 1 : 0));
     std::vector<long> chosen;
     for (long begin = 0, i = 0; begin < count; begin += stride, ++i)
         chosen.push_back(std::min(count, begin + 1 + i % stride));
@@ -73,7 +75,12 @@ protected:
 using Quick = Allocations;
 using Every = Allocations;
 
-constexpr long kQuick = 8, kThorough = 400;
+constexpr long kQuick = 8;
+// PATINA_EACH_ALLOCATION=1: all of them, which takes a quarter of an hour.
+long thorough() {
+    constexpr long kMost = 400;
+    return std::getenv("PATINA_EACH_ALLOCATION") ? std::numeric_limits<long>::max() : kMost;
+}
 
 TEST_P(Quick, OneFails) {
     fail_everywhere(each(), Failing::Once, kQuick);
@@ -82,10 +89,10 @@ TEST_P(Quick, AllFail) {
     fail_everywhere(each(), Failing::FromHere, kQuick);
 }
 TEST_P(Every, OneFails) {
-    fail_everywhere(each(), Failing::Once, kThorough);
+    fail_everywhere(each(), Failing::Once, thorough());
 }
 TEST_P(Every, AllFail) {
-    fail_everywhere(each(), Failing::FromHere, kThorough);
+    fail_everywhere(each(), Failing::FromHere, thorough());
 }
 
 std::string name_of(const ::testing::TestParamInfo<std::size_t>& info) {
