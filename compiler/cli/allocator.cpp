@@ -7,21 +7,24 @@
 
 namespace {
 
-template <class Allocate>
-void* or_throw(const Allocate& allocate) {
-    while (true) {
-        if (void* memory = allocate()) return memory;
-        const std::new_handler handler = std::get_new_handler();
-        if (!handler) throw std::bad_alloc();
-        handler();
-    }
+// Apart, so that an allocation with memory does nothing else.
+[[gnu::noinline, gnu::cold]] void ask_for_memory() {
+    const std::new_handler handler = std::get_new_handler();
+    if (!handler) throw std::bad_alloc();
+    handler();
 }
 
 void* take(std::size_t size) {
-    return or_throw([&] { return mi_malloc(size); });
+    while (true) {
+        if (void* const memory = mi_malloc(size)) return memory;
+        ask_for_memory();
+    }
 }
 void* take(std::size_t size, std::align_val_t align) {
-    return or_throw([&] { return mi_malloc_aligned(size, static_cast<std::size_t>(align)); });
+    while (true) {
+        if (void* const memory = mi_malloc_aligned(size, static_cast<std::size_t>(align))) return memory;
+        ask_for_memory();
+    }
 }
 void give(void* memory, std::align_val_t align) {
     mi_free_aligned(memory, static_cast<std::size_t>(align));

@@ -82,7 +82,12 @@ bool is_texture(const Emitter& emitter, ir::Type type);
 bool is_view_of(const Emitter& emitter, ir::Type type, ir::Type texture);
 
 // Counts what is made for an expression of the language. If that is too much, reports it at `where`, and ends the work.
-void grow(Emitter& emitter, Span where);
+void check_growth(Emitter& emitter, Span where);
+inline constexpr std::size_t kMadePerCheck = 64;
+inline void grow(Emitter& emitter, Span where) {
+    Growth* const growth = emitter.growth;
+    if (growth && (++growth->made % kMadePerCheck == 0 || growth->made > growth->most)) check_growth(emitter, where);
+}
 // The same for so many more of them that are about to be made. The advice says how there would be fewer.
 void expect_growth(Emitter& emitter, double more, Span where, std::string_view advice);
 

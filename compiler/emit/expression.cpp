@@ -161,11 +161,11 @@ Typed extern_value(Emitter& emitter, const VariableDecl& variable, Scope& scope)
     return make_texture(emitter, {.texture = value, .sampler = sampler}, scope);
 }
 
-void grow(Emitter& emitter, Span where) {
-    Cancellation::step();
-    Growth* const growth = emitter.growth;
-    if (!growth || ++growth->made <= growth->most) return;
-    emitter.diagnostics.report(Code::OverBudget, where, "instructions", growth->made, growth->most);
+void check_growth(Emitter& emitter, Span where) {
+    Cancellation::step(kMadePerCheck);
+    const Growth& growth = *emitter.growth;
+    if (growth.made <= growth.most) return;
+    emitter.diagnostics.report(Code::OverBudget, where, "instructions", growth.made, growth.most);
     throw Stopped{.is_reported = true};
 }
 

@@ -101,6 +101,8 @@ std::vector<Builder::Tables>& Builder::spare_tables() {
     return spare;
 }
 
+constexpr std::uint32_t kInstsPerStep = 32;
+
 Value Builder::append(Inst inst, std::span<const Value> args, std::vector<Value>& where) {
     const Value value{static_cast<std::uint32_t>(function_.insts.size())};
     inst.first_operand = static_cast<std::uint32_t>(function_.operands.size());
@@ -109,6 +111,8 @@ Value Builder::append(Inst inst, std::span<const Value> args, std::vector<Value>
     for (const Value arg : args) function_.operands.push_back(arg);  // few: faster than insert()
     function_.insts.push_back(inst);
     where.push_back(value);
+    // Not at each one: a question costs as much as an instruction.
+    if (value.index % kInstsPerStep == 0) Cancellation::step(value.index == 0 ? 1 : kInstsPerStep);
     return value;
 }
 
@@ -149,7 +153,6 @@ Value Builder::emit(Op op, std::initializer_list<Value> args) {
 }
 
 Value Builder::emit_numbered(Op op, Type type, std::span<const Value> args, std::uint32_t data, bool is_settled) {
-    Cancellation::step();
     const Inst inst{.op = op, .type = type, .data = data};
     if (!options_.fold) return append(inst, args, current());
     if (is_leaf(op)) return emit_leaf(op, type, data);

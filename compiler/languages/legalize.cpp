@@ -19,7 +19,7 @@ const Type& type_of_operand(const Function& function, Value v, std::uint32_t ind
 // --- x mod y has the sign of x; GLSL's mod and glslang's % have the sign of y, even for ints
 
 bool is_signed_mod(const Module&, const Function& function, Value v) {
-    return function[v].op == Op::Mod && function[v].type.scalar != Scalar::Uint && !function[v].type.is_matrix();
+    return function[v].type.scalar != Scalar::Uint && !function[v].type.is_matrix();
 }
 Value expand_mod(Copy& copy, Value v) {
     Builder& b = copy.to;
@@ -47,7 +47,7 @@ bool is_chosen_above_zero(const FactsOf& facts, Value power, Value base) {
 }
 
 bool may_be_zero_to_zero(const Module& module, const Function& function, Value v) {
-    if (function[v].op != Op::Pow || function[v].type.is_matrix()) return false;
+    if (function[v].type.is_matrix()) return false;
     const FactsOf facts{module, function, true};
     const Value base = function.args(v)[0], exponent = function.args(v)[1];
     if (range_of(facts, exponent).low > 0 || range_of(facts, base).low > 0) return false;
@@ -69,7 +69,7 @@ Value one_where_exponent_is_zero(Copy& copy, Value v) {
 bool is_matrix_op(const Module&, const Function& function, Value v) {
     const Inst& inst = function[v];
     const bool is_operator = inst.op == Op::Add || inst.op == Op::Sub || inst.op == Op::Div || inst.op == Op::Neg;
-    return inst.type.is_matrix() && info(inst.op).rule == TypeRule::Same && !is_operator;
+    return inst.type.is_matrix() && !is_operator;
 }
 Value split_rows(Copy& copy, Value v) {
     Builder& b = copy.to;
@@ -87,7 +87,6 @@ Value split_rows(Copy& copy, Value v) {
 // --- an index out of range is clamped; the languages leave it undefined
 
 bool may_leave_range(const Module& module, const Function& function, Value v) {
-    if (function[v].op != Op::Index) return false;
     const Range range = range_of({module, function, true}, function.args(v)[1]);
     return range.low < 0 || range.high > part_count(module, type_of_operand(function, v, 0)) - 1.0;
 }
@@ -105,8 +104,7 @@ Value clamp_index(Copy& copy, Value v) {
 // --- SPIR-V differentiates only 32-bit floats
 
 bool is_half_derivative(const Module&, const Function& function, Value v) {
-    const Op op = function[v].op;
-    return (op == Op::Ddx || op == Op::Ddy || op == Op::Fwidth) && function[v].type.scalar == Scalar::Half;
+    return function[v].type.scalar == Scalar::Half;
 }
 Value differentiate_as_float(Copy& copy, Value v) {
     Builder& b = copy.to;
@@ -116,9 +114,8 @@ Value differentiate_as_float(Copy& copy, Value v) {
 
 // --- the vertex stage has no neighbouring pixels, so a sample reads level 0 there
 
-bool samples_in_vertex_stage(const Module& module, const Function& function, Value v) {
-    const Op op = function[v].op;
-    return (op == Op::Sample || op == Op::SampleBias) && module.stage.entry && module.stage.kind == StageKind::Vertex;
+bool samples_in_vertex_stage(const Module& module, const Function&, Value) {
+    return module.stage.entry && module.stage.kind == StageKind::Vertex;
 }
 Value sample_at_level(Copy& copy, Value v) {
     Builder& b = copy.to;
@@ -129,10 +126,7 @@ Value sample_at_level(Copy& copy, Value v) {
 // --- functions of vectors that the IR allows on scalars
 
 bool is_scalar_geometry(const Module&, const Function& function, Value v) {
-    const Op op = function[v].op;
-    const bool is_geometry =
-        op == Op::Dot || op == Op::Length || op == Op::Distance || op == Op::Reflect || op == Op::Any || op == Op::All;
-    return is_geometry && type_of_operand(function, v, 0).is_scalar();
+    return type_of_operand(function, v, 0).is_scalar();
 }
 Value scalar_geometry(Copy& copy, Value v) {
     Builder& b = copy.to;
@@ -162,8 +156,8 @@ bool is_of_pipeline(const Module& module, const Function& function, Value v, int
                        [&](Value arg) { return is_of_pipeline(module, function, arg, depth + 1); });
 }
 bool chooses_vector_of_pipeline(const Module& module, const Function& function, Value v) {
-    return !module.keywords.empty() && !module.tests_keywords && function[v].op == Op::Select &&
-           function[v].type.is_vector() && is_of_pipeline(module, function, v);
+    return !module.keywords.empty() && !module.tests_keywords && function[v].type.is_vector() &&
+           is_of_pipeline(module, function, v);
 }
 Value component(Builder& b, Value vector, std::uint32_t index) {
     const std::span<const double> numbers = b.constant_of(vector);
@@ -191,18 +185,19 @@ Value choose_components(Copy& copy, Value v) {
 }
 
 constexpr Rule kShared[] = {
-    {is_signed_mod, expand_mod},
-    {may_be_zero_to_zero, one_where_exponent_is_zero},
-    {is_matrix_op, split_rows},
-    {may_leave_range, clamp_index},
-    {is_half_derivative, differentiate_as_float},
-    {samples_in_vertex_stage, sample_at_level},
-    {is_scalar_geometry, scalar_geometry},
-    {chooses_vector_of_pipeline, choose_components},
+    {{Op::Mod}, is_signed_mod, expand_mod},
+    {{Op::Pow}, may_be_zero_to_zero, one_where_exponent_is_zero},
+    {OpSet(TypeRule::Same), is_matrix_op, split_rows},
+    {{Op::Index}, may_leave_range, clamp_index},
+    {{Op::Ddx, Op::Ddy, Op::Fwidth}, is_half_derivative, differentiate_as_float},
+    {{Op::Sample, Op::SampleBias}, samples_in_vertex_stage, sample_at_level},
+    {{Op::Dot, Op::Length, Op::Distance, Op::Reflect, Op::Any, Op::All}, is_scalar_geometry, scalar_geometry},
+    {{Op::Select}, chooses_vector_of_pipeline, choose_components},
 };
 
 const Rule* rule_for(std::span<const Rule> rules, const Module& module, const Function& function, Value v) {
-    const auto applies = [&](const Rule& rule) { return rule.applies(module, function, v); };
+    const Op op = function[v].op;
+    const auto applies = [&](const Rule& rule) { return rule.ops.has(op) && rule.applies(module, function, v); };
     const auto found = std::find_if(rules.begin(), rules.end(), applies);
     return found == rules.end() ? nullptr : &*found;
 }

@@ -10,8 +10,7 @@ namespace {
 
 // && and || take no vectors; & and | take them, as uints.
 bool is_logic_of_vectors(const Module&, const Function& function, Value v) {
-    const Inst& inst = function[v];
-    return (inst.op == Op::And || inst.op == Op::Or) && inst.type.is_vector();
+    return function[v].type.is_vector();
 }
 Value join_bits(Copy& copy, Value v) {
     Builder& b = copy.to;
@@ -23,7 +22,7 @@ Value join_bits(Copy& copy, Value v) {
 
 // m[i] is a column in GLSL, so a row cannot be assigned.
 bool replaces_row(const Module&, const Function& function, Value v) {
-    return function[v].op == Op::Insert && function[v].type.is_matrix();
+    return function[v].type.is_matrix();
 }
 Value rebuild_rows(Copy& copy, Value v) {
     Builder& b = copy.to;
@@ -36,8 +35,8 @@ Value rebuild_rows(Copy& copy, Value v) {
 }
 
 constexpr Rule kRules[] = {
-    {is_logic_of_vectors, join_bits},
-    {replaces_row, rebuild_rows},
+    {{Op::And, Op::Or}, is_logic_of_vectors, join_bits},
+    {{Op::Insert}, replaces_row, rebuild_rows},
 };
 
 }  // namespace
