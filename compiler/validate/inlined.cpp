@@ -10,17 +10,16 @@
 namespace patina {
 namespace {
 
-// Materials have some hundreds or thousands; with so many, spirv-opt takes some seconds.
-constexpr double kMostInstructions = 200'000;
-
 struct CalledAt {
     std::uint32_t function = 0;
     int line = 0;
 };
 
 struct FunctionSize {
-    double own = 0, all = -1;  // all: with what it calls; below 0: not known yet
+    CodeSize own{};
+    std::optional<CodeSize> all{};  // with what it calls; none: not known yet
     bool is_called = false;
+    int line = 0;  // the first
     std::vector<CalledAt> calls{};
 };
 
@@ -33,12 +32,14 @@ Functions functions_of(const SpirvModule& module) {
     for (const SpirvInst& inst : module.insts) {
         if (inst.op == spv::OpLine) {
             line = static_cast<int>(inst.word(2));
+            if (open && open->line == 0) open->line = line;
         } else if (inst.op == spv::OpFunction) {
             open = &functions[inst.result];
         } else if (inst.op == spv::OpFunctionEnd) {
             open = nullptr;
         } else if (open) {
-            ++open->own;
+            ++open->own.instructions;
+            if (inst.op == spv::OpLabel) ++open->own.blocks;
             if (inst.op == spv::OpFunctionCall) open->calls.push_back({.function = inst.word(3), .line = line});
         }
     }
@@ -49,25 +50,34 @@ Functions functions_of(const SpirvModule& module) {
 }
 
 // SPIR-V has no recursion, and calls are as deep as functions of the node language may be.
-double size_of(Functions& functions, std::uint32_t id) {
+CodeSize size_of(Functions& functions, std::uint32_t id) {
     FunctionSize& function = functions[id];
-    if (function.all >= 0) return function.all;
+    if (function.all) return *function.all;
     function.all = function.own;  // what recursion, which is not allowed, would find
-    double all = function.own;
-    for (const CalledAt& call : function.calls) all += size_of(functions, call.function);
-    return function.all = all;
+    CodeSize all = function.own;
+    for (const CalledAt& call : function.calls) {
+        const CodeSize called = size_of(functions, call.function);
+        all.instructions += called.instructions;
+        all.blocks += called.blocks;
+    }
+    function.all = all;
+    return all;
 }
 
 }  // namespace
 
-Inlined inlined(const SpirvModule& module, double most) {
+bool exceeds(const CodeSize& size, const CodeSize& most) {
+    return size.instructions > most.instructions || size.blocks > most.blocks;
+}
+
+Inlined inlined(const SpirvModule& module, const CodeSize& most) {
     Functions functions = functions_of(module);
     Inlined made;
     const auto entry =
         std::find_if(functions.begin(), functions.end(), [](const auto& each) { return !each.second.is_called; });
     if (entry == functions.end()) return made;
-    made.instructions = size_of(functions, entry->first);
-    const auto is_too_much = [&](const CalledAt& call) { return functions[call.function].all > most; };
+    made.size = size_of(functions, entry->first);
+    const auto is_too_much = [&](const CalledAt& call) { return exceeds(*functions[call.function].all, most); };
     for (const FunctionSize* at = &entry->second; at;) {
         const auto call = std::find_if(at->calls.begin(), at->calls.end(), is_too_much);
         if (call == at->calls.end()) break;
@@ -77,17 +87,33 @@ Inlined inlined(const SpirvModule& module, double most) {
     return made;
 }
 
+Branching most_branching(const std::vector<std::uint32_t>& spirv) {
+    const std::optional<SpirvModule> module = read_module(spirv);
+    Branching most;
+    if (!module) return most;
+    for (const auto& [id, function] : functions_of(*module)) {
+        const auto blocks = static_cast<std::size_t>(function.own.blocks);
+        if (blocks > most.blocks) most = {.blocks = blocks, .line = function.line};
+    }
+    return most;
+}
+
 std::optional<Diagnostic> too_large(const Shader& shader, const std::vector<std::uint32_t>& spirv) {
     const std::optional<SpirvModule> module = read_module(spirv);
-    const Inlined size = module ? inlined(*module, kMostInstructions) : Inlined{};
-    if (size.instructions <= kMostInstructions) return std::nullopt;
+    Inlined found = module ? inlined(*module) : Inlined{};
+    if (!exceeds(found.size, kMostCode)) return std::nullopt;
+    // Most SPIR-V does not know the lines of its text.
+    if (found.line == 0)
+        if (const std::optional<SpirvModule> with_lines = read_module(spirv_with_lines(shader)))
+            found.line = inlined(*with_lines).line;
+    const bool is_long = found.size.instructions > kMostCode.instructions;
     Diagnostic made;
     made.code = "over-budget";
     made.message = fmt::format(
-        "instructions of the {} stage of '{}', with all calls written out: {:.0f}, more than the "
-        "budget of {:.0f}",
-        to_string(shader.stage), shader.pass, size.instructions, kMostInstructions);
-    if (size.line > 0) locate(made, shader, size.line);
+        "{} of the {} stage of '{}', with all calls written out: {:.0f}, more than the budget of {:.0f}",
+        is_long ? "instructions" : "blocks of branches", to_string(shader.stage), shader.pass,
+        is_long ? found.size.instructions : found.size.blocks, is_long ? kMostCode.instructions : kMostCode.blocks);
+    if (found.line > 0) locate(made, shader, found.line);
     return made;
 }
 

@@ -8,14 +8,26 @@
 
 namespace patina {
 
+struct CodeSize {
+    double instructions = 0, blocks = 0;
+};
+// Materials have some hundreds or thousands of instructions, and some tens of blocks. What drivers and spirv-opt do
+// with them takes some seconds for so many; with the number of blocks it grows faster than that.
+inline constexpr CodeSize kMostCode{.instructions = 200'000, .blocks = 4'096};
+bool exceeds(const CodeSize& size, const CodeSize& most);
+
 struct Inlined {
-    double instructions = 0;
+    CodeSize size{};
     int line = 0;  // of the text: the innermost call that is too much by itself; 0: there is none
 };
-// `most`: from so many instructions on a call is too much. Of the function that nothing calls.
-Inlined inlined(const SpirvModule& module, double most);
+// Of the function that nothing calls.
+Inlined inlined(const SpirvModule& module, const CodeSize& most = kMostCode);
 
-// Why the stage is not measured: spirv-opt cannot be interrupted, and would take minutes. Nothing if it can be.
-std::optional<Diagnostic> too_large(const Shader& shader, const std::vector<std::uint32_t>& spirv);
+// The function that has most blocks, as it is written.
+struct Branching {
+    std::size_t blocks = 0;
+    int line = 0;  // of the text: the first of its statements; 0: the module does not know
+};
+Branching most_branching(const std::vector<std::uint32_t>& spirv);
 
 }  // namespace patina

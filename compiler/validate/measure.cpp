@@ -130,8 +130,7 @@ std::vector<Diagnostic> refusals(const Result& compiled, std::span<const Measure
         Validated validated = validate(shader);
         std::ranges::move(validated.diagnostics, std::back_inserter(made));
         if (!validated.ok || !shader.has_main) continue;
-        if (std::optional<Diagnostic> why = too_large(shader, spirv_with_lines(shader)))
-            made.push_back(std::move(*why));
+        if (std::optional<Diagnostic> why = too_large(shader, validated.spirv)) made.push_back(std::move(*why));
     }
     return made;
 }

@@ -13,6 +13,7 @@
 
 #include "compiler/seam/seam.h"
 #include "compiler/validate/compile.h"
+#include "compiler/validate/inlined.h"
 
 namespace patina {
 namespace {
@@ -205,7 +206,18 @@ bool compile(const Shader& shader, const FrontEnd& language, HlslSamplers sample
     return true;
 }
 
+// For more blocks in one function spirv-val, whose time grows with their square, takes minutes.
+constexpr std::size_t kMostBlocks = 8'192;
+
 bool check_spirv(const Shader& shader, Validated& result) {
+    if (const Branching found = most_branching(result.spirv); found.blocks > kMostBlocks) {
+        Diagnostic& made = result.diagnostics.emplace_back();
+        made.code = "over-budget";
+        made.message = fmt::format("blocks of branches of a function of '{}': {}, more than the budget of {}",
+                                   shader.file_name, found.blocks, kMostBlocks);
+        if (const int line = most_branching(spirv_with_lines(shader)).line; line > 0) locate(made, shader, line);
+        return false;
+    }
     spvtools::SpirvTools tools(SPV_ENV_VULKAN_1_3);
     std::string words;
     tools.SetMessageConsumer(

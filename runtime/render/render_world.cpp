@@ -72,7 +72,7 @@ public:
         if (wants_tiles(frame.value, options_.most_target_bytes)) {
             const std::string reason = whole_reason(frame.value);
             if (!reason.empty()) {
-                if (std::string error = too_large(frame.value, reason); !error.empty()) return failed(error);
+                if (std::string error = too_large_frame(frame.value, reason); !error.empty()) return failed(error);
             } else {
                 frame = plan_tiles();
                 if (!frame) return failed(frame.error);
@@ -228,7 +228,7 @@ private:
     }
 
     // Empty, or why a picture that cannot be drawn in tiles for this reason cannot be drawn as a whole either.
-    std::string too_large(const Frame& frame, const std::string& reason) {
+    std::string too_large_frame(const Frame& frame, const std::string& reason) {
         const Scene& view = world_.view;
         const auto bytes_with = [&](int width, int height, int samples) {
             return target_bytes(frame, width * samples, height * samples);
@@ -429,6 +429,11 @@ private:
             report(validated.diagnostics);
             found->second = std::move(validated.spirv);
             if (!validated.ok) ok_ = false;
+            // A driver takes memory and time for all calls written out, and nobody can stop it.
+            if (const std::optional<Diagnostic> why = too_large(shader, found->second); validated.ok && why) {
+                report({*why});
+                ok_ = false;
+            }
         }
         outcome_.shaders.push_back(
             {.file_name = shader.file_name, .text = shader.text, .spirv_bytes = bytes_without_names(found->second)});

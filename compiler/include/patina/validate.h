@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "patina/patina.h"
@@ -24,8 +25,14 @@ struct Validated {
 enum class HlslSamplers { Separate, Combined };
 
 // Checks a stage of a pass, or functions, which are put into the smallest shader. A language that glslang does not read
-// is not ok. Any thread may call it.
+// is not ok, and neither is a function with more than 8,192 branches, for which spirv-val takes minutes: the error
+// `over-budget`. Any thread may call it.
 Validated validate(const Shader& shader, HlslSamplers samplers = HlslSamplers::Separate);
+
+// Why a stage is too large for drivers and for spirv-opt, which replace each call by what it calls and cannot be
+// interrupted: the error `over-budget`, where it has more than 200,000 instructions or 4,096 blocks then. Materials
+// have some hundreds or thousands of instructions. Nothing if it is not too large. `spirv` is the shader's.
+std::optional<Diagnostic> too_large(const Shader& shader, const std::vector<std::uint32_t>& spirv);
 
 // The output of `spirv-opt -O`; empty if the input is not valid.
 std::vector<std::uint32_t> optimised(const std::vector<std::uint32_t>& spirv);

@@ -374,6 +374,40 @@ TEST(Cost, OfUsesThatDoubleIsRefused) {
     }
 }
 
+// The time of spirv-val and spirv-opt grows with the square of the branches, and nobody can stop them.
+TEST(Cost, OfManyBranchesIsNotCounted) {
+    const Compiler compiler;
+    const auto compile = [&](int branches) {
+        CompileOptions options;
+        options.targets = {Target::Glsl};
+        options.files.read = [branches](const std::string&) -> std::optional<std::string> {
+            std::string text = "[node(\"Test/F\")]\nfloat F(float2 uv = uv0) {\n    float s = uv.x;\n";
+            for (int i = 0; i < branches; ++i) text += "    if (uv.x > s) { s += uv.y; }\n";
+            return text + "    return s;\n}\n";
+        };
+        return compiler.compile_text("test.graph.json", R"({ "patina": 1, "workflow": "unlit", "nodes": [
+            { "id": "a", "node": "./f.node.hlsl" } ], "surface": { "color": "= a" } })",
+                                     options);
+    };
+    const auto fragment = [](const Result& result) {
+        return *std::ranges::find(result.shaders, Stage::Fragment, &Shader::stage);
+    };
+    const Result few = compile(100), many = compile(3000), most = compile(9000);
+    ASSERT_TRUE(few.ok && many.ok && most.ok);
+    EXPECT_TRUE(refusals(few, measure(few)).empty());
+    const Validated accepted = validate(fragment(many));
+    EXPECT_TRUE(accepted.ok);
+    const std::optional<Diagnostic> why = too_large(fragment(many), accepted.spirv);
+    ASSERT_TRUE(why);
+    EXPECT_EQ(why->code, "over-budget");
+    EXPECT_NE(why->message.find("blocks of branches"), std::string::npos) << why->message;
+    const Validated refused = validate(fragment(most));
+    EXPECT_FALSE(refused.ok);
+    ASSERT_EQ(refused.diagnostics.size(), 1u);
+    EXPECT_EQ(refused.diagnostics[0].code, "over-budget");
+    EXPECT_EQ(refused.diagnostics[0].file, "f.node.hlsl");
+}
+
 // A model has one loop over lights, and a shader without lights has none, whatever other loops there are.
 TEST(Cost, OfModelsIsPerLight) {
     const Compiler compiler;
