@@ -13,8 +13,6 @@ namespace {
 // A step of the machine is short: so many of them take as long as one that is counted (Cancellation).
 constexpr std::size_t kStepsOfOne = 16;
 
-struct OutOfSteps {};
-
 void run_block(Machine& machine, std::uint32_t block, Mask active);
 
 void move(Machine& machine, const Move& m, Mask lanes) {

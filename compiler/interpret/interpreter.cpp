@@ -190,10 +190,16 @@ QuadOutputs Interpreter::run(const QuadInputs& quad) {
             machine.set_argument(i, lane, i < values.size() ? values[i] : 0);
         }
     }
-    interpret::execute(machine);
+    machine.steps_left = kMostSteps;
+    try {
+        interpret::execute(machine);
+    } catch (const interpret::OutOfSteps&) {
+        outputs.is_over_budget = true;
+    }
     for (unsigned lane = 0; lane < interpret::kLanes; ++lane) {
         outputs.lanes[lane].resize(machine.output.count);
-        for (std::size_t i = 0; i < machine.output.count; ++i) outputs.lanes[lane][i] = machine.result(i, lane);
+        for (std::size_t i = 0; i < machine.output.count && !outputs.is_over_budget; ++i)
+            outputs.lanes[lane][i] = machine.result(i, lane);
         outputs.discarded[lane] = (machine.discarded >> lane & 1) != 0;
     }
     return outputs;

@@ -135,6 +135,9 @@ void set_texture(Machine& machine, ir::GlobalId global, std::shared_ptr<const Te
 
 void execute(Machine& machine);
 
+// Thrown by it when `steps_left` are used up.
+struct OutOfSteps {};
+
 // The scalar (or opaque) type of each slot of a value of this type, end to end.
 void append_slot_types(const ir::Module& module, ir::Type type, std::vector<ir::Type>& into);
 

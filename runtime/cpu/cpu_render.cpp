@@ -58,6 +58,7 @@ private:
         if (!made) return made.error;
         if (frame_.progress) made.value.progress = report;
         shade(made.value, stages);
+        if (std::string error = shade_error(made.value); !error.empty()) return error;
         for (std::size_t target : step.targets) targets_[target].version++;
         if (step.depth >= 0 && step.pass->depth_write) targets_[std::size_t(step.depth)].version++;
         return "";

@@ -62,6 +62,9 @@ Outcome<std::vector<ClipVertex>> run_vertices(Interpreter& stage, const Mesh& me
             append_inputs(stage, sources, mesh, {.vertex = vertex, .instance = instance}, quad.lanes[lane]);
         }
         QuadOutputs outputs = stage.run(quad);
+        if (outputs.is_over_budget)
+            return Failure{"the vertex stage takes more than " + std::to_string(Interpreter::kMostSteps) +
+                           " steps for four vertices: the CPU does not draw it"};
         for (std::size_t lane = 0; lane < count; lane++) {
             ClipVertex vertex;
             std::size_t at = 0;

@@ -117,6 +117,7 @@ void write_pixel(const CpuStep& step, const std::vector<StageValue>& outputs, in
 
 void shade_quad(const CpuStep& step, Interpreter& fragment, const CpuTriangle& triangle, const Quad& quad,
                 QuadInputs& inputs) {
+    if (step.is_over_budget->load(std::memory_order_relaxed)) return;
     // The stage never writes depth, so testing before it gives the same picture as testing after it.
     std::array<Tested, 4> tested{};
     bool is_needed = false;
@@ -130,6 +131,7 @@ void shade_quad(const CpuStep& step, Interpreter& fragment, const CpuTriangle& t
 
     gather_inputs(step.sources, triangle.screen, quad, step.precision, inputs, step.origin);
     const QuadOutputs outputs = fragment.run(inputs);
+    if (outputs.is_over_budget) return step.is_over_budget->store(true);
     for (int lane = 0; lane < 4; lane++) {
         if (!quad.covered[lane]) continue;
         const int x = quad.x + lane % 2, y = quad.y + lane / 2;
@@ -216,6 +218,14 @@ void shade(const CpuStep& step, CpuStages& stages) {
     const int threads = int(stages.fragments.size());
     const auto share = [&](int i) { shade_rows(step, fragment_stage(step, stages, std::size_t(i)), i, threads); };
     on_threads(threads, share);
+}
+
+std::string shade_error(const CpuStep& step) {
+    if (!step.is_over_budget->load()) return {};
+    return fmt::format(
+        "the fragment stage of the pass '{}' takes more than {} steps for four pixels: the CPU does not "
+        "draw it",
+        step.step->pass->name, Interpreter::kMostSteps);
 }
 
 }  // namespace patina::runtime

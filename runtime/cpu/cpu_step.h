@@ -6,8 +6,10 @@
 //   shade_rows(made.value, fragment_stage(made.value, stages, 0), 0, 1);
 #pragma once
 
+#include <atomic>
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -52,6 +54,8 @@ struct CpuStep {
     std::vector<LoadedTexture> textures{};  // loaded ones, and targets as they were when the step began
     std::vector<InputSource> sources{};
     std::vector<CpuTriangle> triangles{};
+    // A quad needed more steps than Interpreter::run() takes: nothing else is drawn. Shared by copies of the step.
+    std::shared_ptr<std::atomic<bool>> is_over_budget = std::make_shared<std::atomic<bool>>(false);
     std::function<void(double)> progress{};                 // called by the thread that has row 0
     std::function<void(const CpuFragment&)> on_fragment{};  // called for each fragment, by the thread that has its row
 };
@@ -74,5 +78,7 @@ CpuStages stages_for(int threads);
 // All rows, shared by as many threads as there are fragment stages. No two threads touch one pixel, so the picture does
 // not depend on their number.
 void shade(const CpuStep& step, CpuStages& stages);
+// Empty, or why it could not be shaded.
+std::string shade_error(const CpuStep& step);
 
 }  // namespace patina::runtime

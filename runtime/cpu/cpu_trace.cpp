@@ -128,6 +128,7 @@ private:
             };
         }
         shade(made.value, stages);
+        if (std::string error = shade_error(made.value); !error.empty()) return error;
         for (std::size_t target : step.targets) targets_[target].version++;
         if (step.depth >= 0 && step.pass->depth_write) targets_[std::size_t(step.depth)].version++;
         if (hit_step_ == index) kept_[index] = std::move(made.value);

@@ -10,6 +10,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 
 #include "patina/patina.h"
 
@@ -42,6 +43,7 @@ struct QuadInputs {
 struct QuadOutputs {
     std::array<std::vector<double>, 4> lanes;  // components of outputs(), in order
     std::array<bool, 4> discarded{};           // pixels that are not drawn
+    bool is_over_budget = false;               // it ended early, and all components are 0
 };
 
 // An input or an output of a stage.
@@ -96,7 +98,10 @@ public:
     // Sets one of Reflection::samplers, by its identifier. Until then, textures are read by their own samplers there.
     void set_sampler(std::string_view name, const Sampler& sampler);
 
-    // Runs the four lanes of a quad. Components that are missing are 0.
+    // Of one run. A material has some thousands, and a loop that never seems to end has more.
+    static constexpr std::uint64_t kMostSteps = std::uint64_t{1} << 24;
+    // Runs the four lanes of a quad. Components that are missing are 0. With more than kMostSteps operations it ends,
+    // `is_over_budget`, and all outputs are 0.
     QuadOutputs run(const QuadInputs& quad);
     // Runs the quad and returns every node's value in one lane (0 to 3): graph after graph in the order of execution,
     // each node after those that it reads, and values that depend on the light after the others. Nodes that this stage
