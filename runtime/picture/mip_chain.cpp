@@ -56,17 +56,21 @@ TextureLevel stacked(std::span<const Image> layers) {
     return level;
 }
 
+std::vector<TextureLevel> with_smaller(TextureLevel finest, int layers) {
+    std::vector<TextureLevel> levels;
+    levels.push_back(std::move(finest));
+    while (levels.back().width > 1 || levels.back().height > 1) levels.push_back(half_size(levels.back(), layers));
+    return levels;
+}
+
 }  // namespace
 
-std::vector<TextureLevel> mip_chain(const Image& linear) {
-    return mip_chain(std::span(&linear, 1));
+std::vector<TextureLevel> mip_chain(Image linear) {
+    return with_smaller({.width = linear.width, .height = linear.height, .texels = std::move(linear.pixels)}, 1);
 }
 
 std::vector<TextureLevel> mip_chain(std::span<const Image> layers) {
-    std::vector<TextureLevel> levels = {stacked(layers)};
-    while (levels.back().width > 1 || levels.back().height > 1)
-        levels.push_back(half_size(levels.back(), int(layers.size())));
-    return levels;
+    return with_smaller(stacked(layers), int(layers.size()));
 }
 
 std::vector<TextureLevel> volume_mip_chain(std::span<const Image> layers) {

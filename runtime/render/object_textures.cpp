@@ -24,7 +24,7 @@ ObjectTextures load_object_textures(const World& world) {
             }
             made.files.push_back(file);
             if (is_color && image.value.bits <= 8) decode_srgb(image.value);
-            TextureData data{.levels = mip_chain(image.value), .sampler = {.wrap = Wrap::Clamp}};
+            TextureData data{.levels = mip_chain(std::move(image.value)), .sampler = {.wrap = Wrap::Clamp}};
             known[key] = {.data = std::make_shared<const TextureData>(std::move(data)), .format = TexelFormat::Float32};
         }
         made.textures[object].push_back(known[key]);

@@ -45,7 +45,7 @@ Camera make_camera(const SceneCamera& camera) {
 Outcome<std::shared_ptr<const TextureData>> load_cookie(const SceneLight& light) {
     Outcome<Image> image = load_image(light.cookie.path);
     if (!image) return Failure{std::move(image.error)};
-    TextureData data{.levels = mip_chain(image.value), .sampler = {}};
+    TextureData data{.levels = mip_chain(std::move(image.value)), .sampler = {}};
     data.sampler.wrap = light.type == LightKind::Directional ? Wrap::Repeat : Wrap::Clamp;
     return std::make_shared<const TextureData>(std::move(data));
 }

@@ -11,6 +11,7 @@
 #include "patina/complaints.h"
 #include "runtime/lighting/split_sum.h"
 #include "runtime/picture/formats/stated_space.h"
+#include "runtime/picture/picture_bounds.h"
 #include "runtime/values/texture_layers.h"
 
 namespace patina::runtime {
@@ -26,7 +27,7 @@ Outcome<TextureData> data_of(const Texture& texture, Image image, const std::str
     const auto with = [&](std::vector<TextureLevel> levels, std::size_t layers) {
         return TextureData{.levels = std::move(levels), .sampler = texture.sampler, .layers = int(layers)};
     };
-    if (texture.dimension == TextureDimension::Flat) return with(mip_chain(image), 1);
+    if (texture.dimension == TextureDimension::Flat) return with(mip_chain(std::move(image)), 1);
     const bool is_cube = texture.dimension == TextureDimension::Cube;
     Outcome<std::vector<Image>> layers = is_cube
                                              ? cube_faces(std::move(image), source)
@@ -79,6 +80,19 @@ Outcome<LoadedTexture> load_texture(const Texture& texture, const std::string& s
                          .data = std::make_shared<const TextureData>(std::move(data.value)),
                          .format = format,
                          .dimension = texture.dimension};
+}
+
+// All pictures of a material together. Materials have some dozen, of which few are as large as one may be.
+Outcome<LoadedTexture> within_budget(LoadedTexture texture, const std::string& source, std::size_t& pixels) {
+    constexpr std::size_t kPictures = 4;
+    const TextureLevel& finest = texture.data->levels.front();
+    pixels += finest.texels.size() / 4;
+    const std::size_t most = kPictures * most_pixels();
+    if (pixels <= most) return texture;
+    return Failure{fmt::format(
+        "texture '{}': with '{}' the pictures of the material have {} pixels, and the limit is {} in all: --max-pixels "
+        "allows another number",
+        texture.name, source, pixels, most)};
 }
 
 // The default as a name or as a file that can be opened.
@@ -143,11 +157,13 @@ LoadedTextures load_textures(const Reflection& reflection, const std::string& gr
                              const std::map<std::string, std::string>& files, bool exact,
                              const MemoryFiles* in_memory) {
     LoadedTextures result;
+    std::size_t pixels = 0;  // of all so far
     for (const Texture& texture : reflection.textures) {
         if (!texture.is_material) continue;
         auto chosen = files.find(texture.name);
         const std::string source = chosen == files.end() ? default_source(texture, graph_folder) : chosen->second;
         Outcome<LoadedTexture> loaded = load_texture(texture, source, exact, in_memory, result.warnings);
+        if (loaded) loaded = within_budget(std::move(loaded.value), source, pixels);
         if (loaded) {
             if (default_texture(source).pixels.empty()) result.files.push_back(source);
             result.textures.push_back(std::move(loaded.value));

@@ -10,6 +10,7 @@
 #include <limits>
 #include <thread>
 
+#include "runtime/picture/picture_bounds.h"
 #include "runtime/values/textures.h"
 
 namespace patina::runtime {
@@ -266,6 +267,21 @@ TEST_F(ImageFile, EveryTextureThatCannotBeLoadedIsNamed) {
     EXPECT_TRUE(
         loaded.errors[2].text.starts_with("texture '_D': cannot read '" + path("half.png") + "' as an image: "));
     EXPECT_TRUE(loaded.errors[3].text.ends_with("it is a folder")) << loaded.errors[3].text;
+}
+
+TEST_F(ImageFile, ThePicturesOfAMaterialHaveALimitTogether) {
+    ASSERT_EQ(save_png_as_is(path("t.png"), make_image(8, 8, 0.2f)), "");
+    Reflection reflection;
+    for (const char* name : {"_A", "_B", "_C", "_D", "_E"})
+        reflection.textures.push_back(texture(name, TextureUsage::Data, "t.png"));
+    limit_pixels(64);
+    const LoadedTextures loaded = load_textures(reflection, path(""), {}, false);
+    limit_pixels(kMostPixels);
+    EXPECT_EQ(loaded.textures.size(), 4u);
+    ASSERT_EQ(loaded.errors.size(), 1u);
+    EXPECT_NE(loaded.errors[0].text.find("the pictures of the material have 320 pixels, and the limit is 256 in all"),
+              std::string::npos)
+        << loaded.errors[0].text;
 }
 
 // Each is a text chunk of the PNG: its keyword, a zero byte and its text.
