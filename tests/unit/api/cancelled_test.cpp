@@ -91,7 +91,7 @@ const Call kCalls[] = {
      }},
     {"format",
      [](const CompileOptions& options) {
-         const Compiler::Formatted made = compiler().format("g", chain_of_nodes(1500), options.limits);
+         const Compiler::Formatted made = compiler().format("g", chain_of_nodes(3000), options.limits);
          return !made.ok && made.text.empty() && is_cancelled(made.diagnostics);
      }},
     {"diff_graphs",
