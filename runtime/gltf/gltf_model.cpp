@@ -155,13 +155,15 @@ private:
         return {};
     }
 
-    // Without normals each corner of a triangle has a vertex of its own.
+    // Without normals each corner of a triangle has a vertex of its own, and without tangents it may get one.
     std::size_t vertices_of(const tinygltf::Primitive& primitive) const {
         const auto count_of = [&](int accessor) { return file_.accessors[static_cast<std::size_t>(accessor)].count; };
         const std::size_t points = count_of(primitive.attributes.at("POSITION"));
-        if (detail_ != MeshDetail::Whole || primitive.attributes.contains("NORMAL")) return points;
-        const std::size_t corners = primitive.indices < 0 ? points : count_of(primitive.indices);
-        return primitive.mode == -1 || primitive.mode == TINYGLTF_MODE_TRIANGLES ? corners : 3 * corners;
+        const bool keeps_points = primitive.attributes.contains("NORMAL") && primitive.attributes.contains("TANGENT");
+        if (detail_ != MeshDetail::Whole || keeps_points) return points;
+        const std::size_t listed = primitive.indices < 0 ? points : count_of(primitive.indices);
+        const bool is_strip = primitive.mode != -1 && primitive.mode != TINYGLTF_MODE_TRIANGLES;
+        return std::max(points, is_strip ? 3 * listed : listed);
     }
 
     std::vector<glm::mat4> joints_of(int index) const {
