@@ -171,7 +171,9 @@ Exit import_file(const Console& console, const Arguments& arguments, const std::
     const fs::path folder = arguments.folder.empty() ? fs::path(file).parent_path() : fs::path(arguments.folder);
     Imported made = importer->read(source, {.folder = folder.string(), .include_dirs = arguments.include_dirs});
     if (!made.error.empty()) {
-        complain(console, Complaint::CannotImport, {importers::why_unreadable(file).value_or(printable(made.error))});
+        const Diagnostic wrong =
+            importers::cannot_import(file, importers::why_unreadable(file).value_or(std::move(made.error)));
+        report(console, {&wrong, 1});
         return Exit::Wrong;
     }
     if (importer->keeps_report) {
