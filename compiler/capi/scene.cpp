@@ -57,6 +57,22 @@ const char* patina_scene_diagnostics(const patina_scene* scene) {
     return scene ? scene->diagnostics.c_str() : "[]";
 }
 
+size_t patina_scene_dependency_count(const patina_scene* scene) {
+    return scene ? scene->read.dependencies.size() : 0;
+}
+
+const char* patina_scene_dependency(const patina_scene* scene, size_t index) {
+    return scene && index < scene->read.dependencies.size() ? scene->read.dependencies[index].c_str() : nullptr;
+}
+
+size_t patina_scene_missing_count(const patina_scene* scene) {
+    return scene ? scene->read.missing.size() : 0;
+}
+
+const char* patina_scene_missing(const patina_scene* scene, size_t index) {
+    return scene && index < scene->read.missing.size() ? scene->read.missing[index].c_str() : nullptr;
+}
+
 void patina_scene_free(patina_scene* scene) {
     delete scene;
 }

@@ -123,6 +123,7 @@ patina_status patina_compile_variants(const patina_compiler* compiler, const pat
         for (patina::VariantProgram& program : set.programs) {
             program.result.diagnostics.clear();
             program.result.dependencies.clear();
+            program.result.missing.clear();
             made->programs.push_back(std::make_unique<patina_result>());
             made->programs.back()->result = std::move(program.result);
             complete(*made->programs.back());
@@ -164,6 +165,14 @@ size_t patina_variants_dependency_count(const patina_variants* variants) {
 
 const char* patina_variants_dependency(const patina_variants* variants, size_t index) {
     return variants && index < variants->set.dependencies.size() ? variants->set.dependencies[index].c_str() : nullptr;
+}
+
+size_t patina_variants_missing_count(const patina_variants* variants) {
+    return variants ? variants->set.missing.size() : 0;
+}
+
+const char* patina_variants_missing(const patina_variants* variants, size_t index) {
+    return variants && index < variants->set.missing.size() ? variants->set.missing[index].c_str() : nullptr;
 }
 
 void patina_variants_free(patina_variants* variants) {

@@ -3,11 +3,47 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 
 #include "compiler/base/broken_text.h"
 #include "compiler/base/disk/disk.h"
+#include "patina/complaints.h"
 
 namespace patina::importers {
+namespace {
+
+// The number at the end of the text, behind a colon, both of which it takes away; 0: there is none.
+int take_number(std::string_view& text) {
+    const std::size_t colon = text.rfind(':');
+    if (colon == text.npos) return 0;
+    int number = 0;
+    const char* const end = text.data() + text.size();
+    const auto [stop, wrong] = std::from_chars(text.data() + colon + 1, end, number);
+    if (wrong != std::errc() || stop != end || number < 1) return 0;
+    text = text.substr(0, colon);
+    return number;
+}
+
+// Where an error is, and how long it says that: "rock.mtlx:3:7: ".
+struct Place {
+    std::string file{};
+    int line = 0, column = 0;
+    std::size_t length = 0;
+};
+
+// A quoted name may look like a place, so the file must be there.
+Place place_of(const std::string& path, std::string_view error) {
+    for (std::size_t at = error.find(": "); at != error.npos; at = error.find(": ", at + 1)) {
+        std::string_view file = error.substr(0, at);
+        const int column = take_number(file), line = column > 0 ? take_number(file) : 0;
+        if (line > 0 && (file == path || is_on_disk(std::string(file))))
+            return {.file = std::string(file), .line = line, .column = column, .length = at + 2};
+    }
+    if (error.starts_with(path + ": ")) return {.file = path, .length = path.size() + 2};
+    return {};
+}
+
+}  // namespace
 
 std::string printable(std::string_view text) {
     std::string made;
@@ -60,6 +96,15 @@ std::optional<std::string> why_unreadable(const std::string& path) {
     const std::optional<BrokenText> wrong = text ? broken_text(*text) : std::nullopt;
     if (!wrong) return std::nullopt;
     return fmt::format("{}:{}:1: {}", path, wrong->line, wrong->what);
+}
+
+Diagnostic cannot_import(const std::string& path, std::string_view error) {
+    const Place place = place_of(path, error);
+    Diagnostic made = complaint(Complaint::CannotImport, {printable(error.substr(place.length))});
+    made.file = place.file;
+    made.line = place.line;
+    made.column = place.column;
+    return made;
 }
 
 }  // namespace patina::importers

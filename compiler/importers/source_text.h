@@ -1,10 +1,13 @@
-// Text of the files of other programs: as it may stand on a terminal or in a comment, and why it cannot be read.
+// Text of the files of other programs: as it may stand on a terminal or in a comment, and why it cannot be read or
+// imported.
 #pragma once
 
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+
+#include "patina/diagnostic.h"
 
 namespace patina::importers {
 
@@ -23,5 +26,9 @@ std::optional<std::string> read_named_text(const std::string& path, std::span<co
 // Why nothing can read the file, whatever its format: "rock.mat:12:1: a merge left a conflict here: ...". Nothing, if
 // it is not known.
 std::optional<std::string> why_unreadable(const std::string& path);
+
+// The error of an import as a diagnostic, which has the place that the error begins with apart: "rock.mtlx:3:7: ...",
+// or "rock.mtlx: ...". `path`: the file that was imported; the place may be in another one.
+Diagnostic cannot_import(const std::string& path, std::string_view error);
 
 }  // namespace patina::importers

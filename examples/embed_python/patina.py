@@ -44,7 +44,8 @@ class Result:
     diagnostics: list
     shaders: list
     reflection: dict
-    dependencies: list
+    dependencies: list  # files that were read
+    missing: list  # files that were looked for and are not there: if one appears, the result may be another one
 
 
 @dataclasses.dataclass
@@ -55,6 +56,8 @@ class Variants:
     combinations: list  # what each variant is, by combination
     program_of: list  # an index into `programs`, by combination
     programs: list
+    dependencies: list  # of all combinations; those of a program are empty
+    missing: list
 
 
 @dataclasses.dataclass
@@ -63,6 +66,8 @@ class Scene:
     ok: bool
     messages: str
     scene: dict
+    dependencies: list
+    missing: list
 
 
 class _Callbacks(ctypes.Structure):  # patina_callbacks
@@ -105,6 +110,8 @@ _FUNCTIONS = [
     ("patina_result_reflection", c_char_p, c_void_p),
     ("patina_result_dependency_count", c_size_t, c_void_p),
     ("patina_result_dependency", c_char_p, c_void_p, c_size_t),
+    ("patina_result_missing_count", c_size_t, c_void_p),
+    ("patina_result_missing", c_char_p, c_void_p, c_size_t),
     ("patina_result_free", None, c_void_p),
     ("patina_plan_variants", c_int, c_void_p, c_char_p, c_char_p, c_size_t, c_char_p, POINTER(_Callbacks),
      POINTER(c_void_p)),
@@ -117,10 +124,18 @@ _FUNCTIONS = [
     ("patina_variants_program", c_void_p, c_void_p, c_size_t),
     ("patina_variants_program_of", c_size_t, c_void_p, c_size_t),
     ("patina_variants_messages", c_char_p, c_void_p),
+    ("patina_variants_dependency_count", c_size_t, c_void_p),
+    ("patina_variants_dependency", c_char_p, c_void_p, c_size_t),
+    ("patina_variants_missing_count", c_size_t, c_void_p),
+    ("patina_variants_missing", c_char_p, c_void_p, c_size_t),
     ("patina_variants_free", None, c_void_p),
     ("patina_read_scene", c_int, c_void_p, c_char_p, c_char_p, POINTER(_Callbacks), POINTER(c_void_p)),
     ("patina_scene_messages", c_char_p, c_void_p),
     ("patina_scene_json", c_char_p, c_void_p),
+    ("patina_scene_dependency_count", c_size_t, c_void_p),
+    ("patina_scene_dependency", c_char_p, c_void_p, c_size_t),
+    ("patina_scene_missing_count", c_size_t, c_void_p),
+    ("patina_scene_missing", c_char_p, c_void_p, c_size_t),
     ("patina_scene_free", None, c_void_p),
     ("patina_nodes", c_int, c_void_p, POINTER(POINTER(_Node)), POINTER(c_size_t)),
     ("patina_paths", c_int, c_void_p, POINTER(POINTER(_Path)), POINTER(c_size_t)),
@@ -189,7 +204,7 @@ class Compiler:
             try:
                 count = library.patina_plan_count(plan)
                 if not count:
-                    return Variants(False, library.patina_plan_messages(plan).decode(), [], [], [])
+                    return Variants(False, library.patina_plan_messages(plan).decode(), [], [], [], [], [])
                 status = self._check(library.patina_compile_variants(self._compiler, plan, byref(made)))
                 combinations = [json.loads(library.patina_plan_combination(plan, i)) for i in range(count)]
             finally:
@@ -199,7 +214,8 @@ class Compiler:
                         for i in range(library.patina_variants_program_count(made))]
             program_of = [library.patina_variants_program_of(made, i) for i in range(count)] if programs else []
             return Variants(status == OK, library.patina_variants_messages(made).decode(), combinations, program_of,
-                            programs)
+                            programs, self._texts("patina_variants_dependency", made),
+                            self._texts("patina_variants_missing", made))
         finally:
             library.patina_variants_free(made)
 
@@ -212,7 +228,8 @@ class Compiler:
         try:
             text = self._library.patina_scene_json(scene)
             return Scene(status == OK, self._library.patina_scene_messages(scene).decode(),
-                         json.loads(text) if text else {})
+                         json.loads(text) if text else {}, self._texts("patina_scene_dependency", scene),
+                         self._texts("patina_scene_missing", scene))
         finally:
             self._library.patina_scene_free(scene)
 
@@ -255,8 +272,13 @@ class Compiler:
         return Result(ok=bool(reflection), messages=library.patina_result_messages(result).decode(),
                       diagnostics=json.loads(library.patina_result_diagnostics(result)), shaders=shaders,
                       reflection=json.loads(reflection) if reflection else {},
-                      dependencies=[library.patina_result_dependency(result, i).decode()
-                                    for i in range(library.patina_result_dependency_count(result))])
+                      dependencies=self._texts("patina_result_dependency", result),
+                      missing=self._texts("patina_result_missing", result))
+
+    def _texts(self, function, made):
+        """All texts of a function that gives one by its index."""
+        one, count = getattr(self._library, function), getattr(self._library, function + "_count")
+        return [one(made, i).decode() for i in range(count(made))]
 
 
 class _Files:

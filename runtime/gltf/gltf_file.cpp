@@ -143,6 +143,29 @@ std::string short_chunk(const std::string& why) {
                        claimed, held);
 }
 
+// Its message for a buffer whose file it cannot take, with the place; empty: another one. The message has the size of
+// the file, which may be any file of the machine, and a path instead of the URI.
+std::string buffer_mistake(std::string_view why, std::string_view folder, std::size_t index) {
+    struct Form {
+        std::string_view begin, behind_file, what;
+    };
+    constexpr Form kForms[] = {
+        {"File not found : ", "", "cannot be read"},
+        {"File read error : ", " : ", "cannot be read"},
+        {"File is empty : ", "", "is empty"},
+        {"File size mismatch : ", ", requestedBytes ", "does not have as many bytes as 'byteLength' says"}};
+    if (why.starts_with("'uri' is missing")) return fmt::format("buffers[{}]: names no file of its bytes", index);
+    for (const Form& form : kForms) {
+        if (!why.starts_with(form.begin)) continue;
+        std::string_view file = why.substr(form.begin.size());
+        if (!form.behind_file.empty()) file = file.substr(0, file.rfind(form.behind_file));
+        if (!folder.empty() && file.starts_with(folder) && file.substr(folder.size()).starts_with('/'))
+            file.remove_prefix(folder.size() + 1);
+        return fmt::format("buffers[{}].uri: the file '{}' {}", index, file, form.what);
+    }
+    return {};
+}
+
 // tinygltf's messages are lines; some end in a full stop. Some quote a whole data URI.
 std::string one_line(std::string text) {
     if (const std::size_t at = text.find(";base64,"); at != text.npos) text.resize(at + 8), text += "...";
@@ -193,8 +216,9 @@ Outcome<tinygltf::Model> open_gltf(const std::string& path) {
     }
     if (!is_read) {
         why = one_line(why);
-        if (why.starts_with("File not found : "))
-            return Failure{path + ": the file '" + why.substr(17) + "' cannot be read"};
+        // A buffer that can be read has been added to the list.
+        if (const std::string mistake = buffer_mistake(why, folder, model.buffers.size()); !mistake.empty())
+            return Failure{path + ": " + mistake};
         if (const std::string mistake = short_chunk(why); !mistake.empty()) return Failure{path + ": " + mistake};
         const bool is_glb = has_header_of_glb(Bytes(text_of(bytes)));
         // The parser's message quotes the text; a link may have this name and lead to any file.

@@ -1,5 +1,7 @@
 #include "runtime/render/prepare_material.h"
 
+#include <fmt/format.h>
+
 #include <filesystem>
 #include <optional>
 #include <vector>
@@ -24,6 +26,17 @@ FilePlace place_of(const WorldMaterial& material, const PreparedMaterial& made, 
     return found;
 }
 
+// A file that neither the graph nor a scene names comes from who asks for the picture.
+void note_where_it_is_set(const WorldMaterial& material, const PreparedMaterial& made, const std::string& texture,
+                          Diagnostic& said) {
+    const auto set = made.values.textures.find(texture);
+    if (set == made.values.textures.end() || place_of_value(material, texture)) return;
+    Diagnostic& note = said.notes.emplace_back();
+    note.severity = Severity::Note;
+    note.message =
+        fmt::format("the graph does not name this file: '{}' is set to it, by --set or by a snapshot", texture);
+}
+
 void load(const WorldMaterial& material, const RenderOptions& options, PreparedMaterial& made) {
     const std::string folder = std::filesystem::path(material.graph).parent_path().string();
     made.loaded = load_textures(made.compiled.reflection, folder, made.values.textures, options.exact_textures,
@@ -34,6 +47,7 @@ void load(const WorldMaterial& material, const RenderOptions& options, PreparedM
                 diagnostic_at(place_of(material, made, each.texture, severity == Severity::Error),
                               std::string(code_of(code)), each.text));
             said.severity = severity;
+            note_where_it_is_set(material, made, each.texture, said);
         }
     };
     say(made.loaded.warnings, Severity::Warning, Complaint::OtherColorSpace);

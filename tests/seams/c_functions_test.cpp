@@ -177,6 +177,8 @@ TEST_F(CFunctions, Variants) {
     EXPECT_EQ(patina_variants_program(compiled, 3), nullptr);
     EXPECT_EQ(patina_variants_dependency_count(compiled), 1u);
     EXPECT_STREQ(patina_variants_dependency(compiled, 0), "g.graph.json");
+    EXPECT_EQ(patina_variants_missing_count(compiled), 0u);
+    EXPECT_EQ(patina_variants_missing(compiled, 0), nullptr);
 }
 
 TEST_F(CFunctions, Scenes) {
@@ -195,6 +197,10 @@ TEST_F(CFunctions, Scenes) {
     ASSERT_EQ(patina_scene_material_count(made), 2u);
     EXPECT_STREQ(patina_scene_graph(made, 1), json["materials"][1]["graph"].GetString());
     EXPECT_EQ(patina_scene_graph(made, 2), nullptr);
+    EXPECT_EQ(patina_scene_dependency_count(made), 1u);
+    EXPECT_STREQ(patina_scene_dependency(made, 0), "examples/scenes/beads.scene.json");
+    EXPECT_EQ(patina_scene_dependency(made, 1), nullptr);
+    EXPECT_EQ(patina_scene_missing_count(made), 0u);
     patina_result* result = nullptr;
     EXPECT_EQ(patina_compile_file(compiler(), patina_scene_graph(made, 1), nullptr, nullptr, &result), PATINA_OK);
     patina_result_free(result);
@@ -202,6 +208,9 @@ TEST_F(CFunctions, Scenes) {
     EXPECT_EQ(patina_read_scene(compiler(), "no.scene.json", nullptr, nullptr, &made), PATINA_HAS_ERRORS);
     EXPECT_STREQ(patina_scene_json(made), "");
     EXPECT_NE(std::string(patina_scene_messages(made)).find("no.scene.json"), std::string::npos);
+    ASSERT_EQ(patina_scene_missing_count(made), 1u);
+    EXPECT_STREQ(patina_scene_missing(made, 0), "no.scene.json");
+    EXPECT_EQ(patina_scene_missing(made, 1), nullptr);
     patina_scene_free(made);
 }
 

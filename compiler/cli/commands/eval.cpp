@@ -216,8 +216,9 @@ void add_eval(Program& program) {
          "patina eval DistributionGGX ndoth=0..1:101 alpha=0.25 >ggx.csv", "patina eval wave.node.hlsl uv=0.5,0.5",
          "patina eval --model unity-brdf1 n=0,0,1 l=0,0.6,0.8 v=0,0,1 baseColor=1,0.8,0.2 metallic=1",
          "patina eval --model phong --workflow specular-glossiness l=1,0,1 v=-1,0,1 _Normalization=Classic",
-         "patina eval '= pow(0.5, 2.2)'", "patina eval '= smoothstep(0, 1, x)' x=0..1:11",
-         "patina eval '= mul(m, v)' 'm=[[1,2],[3,4]]' v=1,0", "patina eval --term D_GGX a2=0.1 NoH=0.9"});
+         "patina eval --model upload/cel.lighting.json --root upload l=1,0,1", "patina eval '= pow(0.5, 2.2)'",
+         "patina eval '= smoothstep(0, 1, x)' x=0..1:11", "patina eval '= mul(m, v)' 'm=[[1,2],[3,4]]' v=1,0",
+         "patina eval --term D_GGX a2=0.1 NoH=0.9"});
     auto arguments = std::make_shared<Arguments>();
     command
         .add_option(
@@ -243,6 +244,7 @@ void add_eval(Program& program) {
         ->excludes(model);
     command.add_flag("--float", arguments->single, "Compute in 32-bit float, as a GPU does; default: double");
     command.add_flag("--json", arguments->json, "Print every output with its name and all digits");
+    add_root_option(command);
     set_work(program, command, [arguments](const Console& console) { return evaluate(console, *arguments); });
 }
 

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <memory>
 #include <tuple>
+#include <unordered_map>
 #include <utility>
 
 #include "compiler/base/disk/disk.h"
@@ -61,13 +62,13 @@ void report_refused(const Console& console, const std::string& file, std::span<c
     }
 }
 
-// As wide as it looks: a character of UTF-8 is a column.
-std::size_t columns(std::string_view text) {
-    return static_cast<std::size_t>(
-        std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; }));
+// As wide as it looks: {fmt} gives a wide character two columns.
+std::string padded(std::string_view text, std::size_t width) {
+    return fmt::format("{:<{}}", text, width);
 }
-std::string padded(std::string text, std::size_t width) {
-    return text + std::string(width - std::min(width, columns(text)), ' ');
+// The columns of the text, but at most as many as `most`.
+std::size_t columns(std::string_view text, std::size_t most) {
+    return most - (padded(text, most).size() - text.size());
 }
 
 // What became of each part. Refused parts come first; parts of one state keep the order of the file.
@@ -83,7 +84,7 @@ void print_table(const Console& console, const std::string& file, std::vector<co
     std::size_t state_width = 0, part_width = 0, line_width = 1;
     for (const Remark* each : rows) {
         state_width = std::max(state_width, importers::to_string(each->kind).size());
-        part_width = std::max(part_width, std::min(columns(printable(each->part)), kWidestPart));
+        part_width = std::max(part_width, columns(printable(each->part), kWidestPart));
         line_width = std::max(line_width, std::to_string(each->line).size());
     }
     print(heading(console, file) + "\n");
@@ -91,7 +92,7 @@ void print_table(const Console& console, const std::string& file, std::vector<co
         const std::string_view color = each->kind == Remark::Kind::LeftOut   ? "\033[31m"
                                        : each->kind == Remark::Kind::Changed ? "\033[33m"
                                                                              : "";
-        std::string state = padded(std::string(importers::to_string(each->kind)), state_width);
+        std::string state = padded(importers::to_string(each->kind), state_width);
         if (console.output_colors && !color.empty()) state = fmt::format("{}{}\033[0m", color, state);
         print(fmt::format("  {:>{}}  {}  {}  {}\n", each->line > 0 ? std::to_string(each->line) : "", line_width, state,
                           padded(printable(each->part), part_width), printable(each->text)));
@@ -100,15 +101,15 @@ void print_table(const Console& console, const std::string& file, std::vector<co
 
 // A table for the file, and one for each other file that it uses.
 void print_tables(const Console& console, const std::string& file, std::span<const Remark> remarks) {
-    std::vector<std::string> others = {""};
-    for (const Remark& each : remarks)
-        if (std::ranges::find(others, each.file) == others.end()) others.push_back(each.file);
-    for (const std::string& other : others) {
-        std::vector<const Remark*> rows;
-        for (const Remark& each : remarks)
-            if (each.file == other) rows.push_back(&each);
-        print_table(console, printable(other.empty() ? file : other), std::move(rows));
+    std::vector<std::string> files = {""};  // in the order in which the remarks name them
+    std::unordered_map<std::string, std::vector<const Remark*>> rows;
+    for (const Remark& each : remarks) {
+        const auto [found, is_new] = rows.try_emplace(each.file);
+        if (is_new && !each.file.empty()) files.push_back(each.file);
+        found->second.push_back(&each);
     }
+    for (const std::string& other : files)
+        print_table(console, printable(other.empty() ? file : other), std::move(rows[other]));
 }
 
 // What was written, and the remarks, as one JSON object on a line, or with a line for each remark.
@@ -170,7 +171,9 @@ Exit import_file(const Console& console, const Arguments& arguments, const std::
     const fs::path folder = arguments.folder.empty() ? fs::path(file).parent_path() : fs::path(arguments.folder);
     Imported made = importer->read(source, {.folder = folder.string(), .include_dirs = arguments.include_dirs});
     if (!made.error.empty()) {
-        complain(console, Complaint::CannotImport, {importers::why_unreadable(file).value_or(printable(made.error))});
+        const Diagnostic wrong =
+            importers::cannot_import(file, importers::why_unreadable(file).value_or(std::move(made.error)));
+        report(console, {&wrong, 1});
         return Exit::Wrong;
     }
     if (importer->keeps_report) {

@@ -19,6 +19,7 @@
 #include "compiler/cli/outputs.h"
 #include "compiler/cli/picture_options.h"
 #include "compiler/cli/picture_sweep.h"
+#include "compiler/importers/source_text.h"
 #include "patina/output_name.h"
 #include "runtime/picture/tone.h"
 #include "runtime/render/render_layers.h"
@@ -175,7 +176,8 @@ std::optional<runtime::RenderRequest> request_for(const Console& console, const 
     if (request.camera.find('=') == std::string::npos) options.camera = std::exchange(request.camera, {});
     runtime::Outcome<ModelFile> model = import_model(graph, options);
     if (!model) {
-        complain(console, Complaint::CannotImport, {model.error});
+        const Diagnostic wrong = importers::cannot_import(graph, model.error);
+        report(console, {&wrong, 1});
         return std::nullopt;
     }
     if (model.value.refused > 0) {

@@ -1,5 +1,7 @@
 #include "compiler/cli/compile/depfile.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <map>
@@ -12,10 +14,11 @@ namespace fs = std::filesystem;
 // Ninja writes to the folder that it runs in after its last command.
 constexpr const char* kNinjaFiles[] = {"build.ninja", ".ninja_log", ".ninja_lock"};
 
+// Both take a plain colon for the end of the targets.
 std::string escaped(std::string_view path) {
     std::string text;
     for (char c : path) {
-        if (c == ' ' || c == '#') text += '\\';
+        if (c == ' ' || c == '#' || c == ':') text += '\\';
         if (c == '$') text += '$';
         text += c;
     }
@@ -26,11 +29,17 @@ bool has_line_break(std::string_view path) {
     return path.find('\n') != path.npos;
 }
 
+// Ninja reads no escaped colon in front of a space: there the backslash stands for itself.
+bool ends_in_colon(std::string_view path) {
+    return path.ends_with(':');
+}
+
 runtime::Failure no_rule(std::string_view path) {
     std::string shown;
     for (const char c : path) shown += c == '\n' ? std::string("\\n") : std::string(1, c);
-    return {"--depfile: there is a line break in the name '" + shown +
-            "', which make and Ninja cannot read: rename it, or leave out --depfile"};
+    return {fmt::format("--depfile: {} the name '{}', which {} cannot read: rename it, or leave out --depfile",
+                        has_line_break(path) ? "there is a line break in" : "a colon ends", shown,
+                        has_line_break(path) ? "make and Ninja" : "Ninja")};
 }
 
 // Without symbolic links.
@@ -56,8 +65,8 @@ fs::path nearest(fs::path folder) {
 
 runtime::Outcome<std::string> make_rule(std::string_view target, std::span<const std::string> dependencies) {
     if (has_line_break(target)) return no_rule(target);
-    if (const auto odd = std::ranges::find_if(dependencies, has_line_break); odd != dependencies.end())
-        return no_rule(*odd);
+    for (const std::string& dependency : dependencies)
+        if (has_line_break(dependency) || ends_in_colon(dependency)) return no_rule(dependency);
     std::string rule = escaped(target) + ":";
     for (const std::string& dependency : dependencies) rule += " \\\n  " + escaped(dependency);
     rule += "\n";
@@ -76,7 +85,7 @@ std::vector<std::string> folders_to_watch(std::span<const std::string> missing, 
     for (const std::string& folder : written) wanted.erase(folder_itself(folder));
     std::vector<std::string> names;
     for (const auto& [folder, name] : wanted)
-        if (!folder.empty() && !is_of_ninja(folder)) names.push_back(name);
+        if (!folder.empty() && !is_of_ninja(folder)) names.push_back(ends_in_colon(name) ? name + "/" : name);
     return names;
 }
 

@@ -114,7 +114,7 @@ Imported import_model(const Context& context, const runtime::GltfModel& model, c
     }
 
     const std::size_t count = count_of(context, "materials");
-    std::set<std::string> names;
+    OwnNames names = names_of_files();
     std::vector<MaterialUse> uses(count + 1);
     for (std::size_t i = 0; i < count; ++i) {
         const std::string name = element(context, "materials", i).word("name").value_or("");
@@ -147,7 +147,7 @@ Imported import_model(const Context& context, const runtime::GltfModel& model, c
         if (const std::string mistake = scene_mistake(model, camera); !mistake.empty())
             return {.error = fmt::format("{}: {}", context.path, mistake)};
     }
-    std::set<std::string> scenes;
+    OwnNames scenes = names_of_files();
     for (const Variant& variant : wanted) {
         SceneWish wish{.name = variant.index && options.variant.empty() ? stem + ", " + variant.name : stem,
                        .camera = camera,

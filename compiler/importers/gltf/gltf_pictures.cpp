@@ -74,7 +74,7 @@ std::string reference_to(const Context& context, const std::string& file) {
     return name.starts_with("../") || name.starts_with("./") ? name : "./" + name;
 }
 
-std::string file_name(std::string_view name, std::string_view otherwise, std::set<std::string>& taken) {
+std::string file_name(std::string_view name, std::string_view otherwise, OwnNames& taken) {
     constexpr std::size_t kLongest = 80;
     std::string made;
     for (const char letter : name.empty() ? otherwise : name) {
@@ -87,16 +87,7 @@ std::string file_name(std::string_view name, std::string_view otherwise, std::se
     while (!made.empty() && (made.front() == '.' || made.front() == '-')) made.erase(0, 1);
     while (!made.empty() && (made.back() == '.' || made.back() == '_')) made.pop_back();
     if (made.empty()) made = otherwise;
-    // Some systems do not tell capitals.
-    const auto is_new = [&](std::string word) {
-        std::transform(word.begin(), word.end(), word.begin(), [](unsigned char c) { return std::tolower(c); });
-        return taken.insert(word).second;
-    };
-    if (is_new(made)) return made;
-    for (int number = 2;; ++number) {
-        std::string numbered = fmt::format("{}-{}", made, number);
-        if (is_new(numbered)) return numbered;
-    }
+    return taken.own(made);
 }
 
 const TextureFile& Pictures::texture(std::size_t index, const std::string& name) {

@@ -9,9 +9,9 @@
 
 #include <map>
 #include <optional>
-#include <set>
 
 #include "compiler/importers/gltf/gltf_object.h"
+#include "compiler/importers/gltf/own_names.h"
 #include "compiler/importers/graph_writer.h"
 
 namespace patina::importers::gltf {
@@ -32,9 +32,13 @@ std::size_t count_of(const Context& context, std::string_view list);
 // How a graph or a scene in the output folder names the file: "./wood.png", "../textures/wood.png".
 std::string reference_to(const Context& context, const std::string& file);
 
-// A name that a file can have on every system, and no other of the set has: "Blue glass" is "Blue_glass", and the
-// next one "Blue_glass-2".
-std::string file_name(std::string_view name, std::string_view otherwise, std::set<std::string>& taken);
+// For names of files: some systems do not tell capitals.
+inline OwnNames names_of_files() {
+    return OwnNames('-', false);
+}
+// A name that a file can have on every system, and that no other has: "Blue glass" is "Blue_glass", and the next one
+// "Blue_glass-2".
+std::string file_name(std::string_view name, std::string_view otherwise, OwnNames& taken);
 
 struct TextureFile {
     std::string file{};             // as the graph names it; empty: the texture cannot be read
@@ -59,7 +63,7 @@ private:
     std::map<std::size_t, TextureFile> textures_{};
     std::map<std::size_t, std::string> files_{};  // by image
     std::map<std::size_t, std::vector<Member>> samplers_{};
-    std::set<std::string> names_{};
+    OwnNames names_ = names_of_files();
 };
 
 }  // namespace patina::importers::gltf

@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "compiler/base/text.h"
+#include "compiler/importers/gltf/own_names.h"
 #include "patina/scene.h"
 #include "runtime/mesh/framing.h"
 
@@ -157,23 +158,12 @@ Value light_value(const ModelLight& light, const Extent& extent) {
     return object(members);
 }
 
-// Words for objects, each once: "Blue glass" is "Blue_glass", the next one "Blue_glass_2".
-class Words {
-public:
-    std::string word(std::string_view name) {
-        std::string base;
-        for (const char letter : name) base += is_identifier(std::string("_") + letter) ? letter : '_';
-        if (base.empty() || !is_identifier(base)) base = "_" + base;
-        std::string made = base;
-        for (int& number = next_.emplace(base, 2).first->second; !taken_.insert(made).second; ++number)
-            made = base + "_" + std::to_string(number);
-        return made;
-    }
-
-private:
-    std::set<std::string> taken_;
-    std::map<std::string, int> next_;  // by the word without a number: the number that may be free
-};
+// A word for an object: "Blue glass" is "Blue_glass".
+std::string word_of(std::string_view name) {
+    std::string word;
+    for (const char letter : name) word += is_identifier(std::string("_") + letter) ? letter : '_';
+    return is_identifier(word) ? word : "_" + word;
+}
 
 // How a scene names nodes: by their numbers if their names say something else, too.
 std::vector<std::string> node_names(const GltfModel& model) {
@@ -205,20 +195,21 @@ std::string scene_text(const Context& context, const GltfModel& model, const Sce
     std::set<std::size_t> used(wish.materials.begin(), wish.materials.end());
     std::vector<Value> materials, objects;
     std::map<std::size_t, std::string> names;
-    Words words;
+    OwnNames words('_');
     for (const std::size_t material : used) {
         const std::string& graph = wish.graphs[material];
-        const std::string& name = names[material] = words.word(graph);
+        const std::string& name = names[material] = words.own(word_of(graph));
         materials.push_back(object(std::vector<Member>{{"name", text(name)}, {"graph", text(graph + ".graph.json")}}));
     }
     const std::string file = reference_to(context, context.path);
     const std::vector<std::string> nodes = node_names(model);
-    Words ids;
+    OwnNames ids('_');
     for (std::size_t i = 0; i < model.parts.size(); ++i) {
         const ModelPart& part = model.parts[i];
         const std::string mesh = fmt::format("{}#{}/{}", file, nodes[part.node_index], part.primitive);
-        objects.push_back(object(std::vector<Member>{
-            {"id", text(ids.word(part.node))}, {"mesh", text(mesh)}, {"material", text(names[wish.materials[i]])}}));
+        objects.push_back(object(std::vector<Member>{{"id", text(ids.own(word_of(part.node)))},
+                                                     {"mesh", text(mesh)},
+                                                     {"material", text(names[wish.materials[i]])}}));
     }
     if (!materials.empty()) members.push_back({"materials", list(materials)});
     if (!objects.empty()) members.push_back({"objects", list(objects)});

@@ -111,8 +111,8 @@ std::string element_mistake(std::string_view list, const Json& element, std::str
             if (held.bytes && length && length->kind == Json::Kind::Number &&
                 length->number > static_cast<double>(held.size)) {
                 key = "byteLength";
-                return fmt::format("the buffer shall have {:.0f} bytes, and the file '{}' has {}", length->number,
-                                   graph::shown(uri->string), held.size);
+                return fmt::format("the buffer shall have {:.0f} bytes, and the file '{}' has fewer", length->number,
+                                   graph::shown(uri->string));
             }
         }
     }

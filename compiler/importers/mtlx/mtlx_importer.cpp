@@ -151,7 +151,7 @@ Imported read(const importers::Source& source, const Options& options) {
     if (!made.error.empty()) return made;
     const std::vector<Material> materials = materials_of(document.root);
     if (materials.empty())
-        return {.error = fmt::format("{}: the document has no material and no surface shader", source.path)};
+        return {.error = fmt::format("{}:1:1: the document has no material and no surface shader", source.path)};
     Import import{
         .document = document,
         .path = source.path,

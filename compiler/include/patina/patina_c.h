@@ -214,7 +214,8 @@ PATINA_API patina_status patina_compile_variants(const patina_compiler* compiler
 // The number of different programs; 0 if there are errors.
 PATINA_API size_t patina_variants_program_count(const patina_variants* variants);
 // The shaders and the reflection of a program. It lives as long as `variants` and is not freed; null if there is none
-// of this index. Its messages and its dependencies are those of all combinations, which `variants` has.
+// of this index. Its messages, its dependencies and its missing files are those of all combinations, which `variants`
+// has.
 PATINA_API const patina_result* patina_variants_program(const patina_variants* variants, size_t index);
 // The hash of a program: 32 hexadecimal digits; null if there is none of this index.
 PATINA_API const char* patina_variants_hash(const patina_variants* variants, size_t index);
@@ -225,6 +226,8 @@ PATINA_API const char* patina_variants_messages(const patina_variants* variants)
 PATINA_API const char* patina_variants_diagnostics(const patina_variants* variants);               // the same
 PATINA_API size_t patina_variants_dependency_count(const patina_variants* variants);               // the same
 PATINA_API const char* patina_variants_dependency(const patina_variants* variants, size_t index);  // the same
+PATINA_API size_t patina_variants_missing_count(const patina_variants* variants);                  // the same
+PATINA_API const char* patina_variants_missing(const patina_variants* variants, size_t index);     // the same
 // Frees all of it. Null is allowed.
 PATINA_API void patina_variants_free(patina_variants* variants);
 
@@ -233,8 +236,8 @@ PATINA_API void patina_variants_free(patina_variants* variants);
 // A scene that was read, complete and unchanging.
 typedef struct patina_scene patina_scene;
 
-// Reads a scene; its graphs are found, not compiled. Of the options only "includeDirs" and "limits" count. A scene is
-// made if the status is PATINA_OK or PATINA_HAS_ERRORS.
+// Reads a scene; its graphs are found, not compiled. Of the options only "includeDirs", "root" and "limits" count. A
+// scene is made if the status is PATINA_OK or PATINA_HAS_ERRORS.
 PATINA_API patina_status patina_read_scene(const patina_compiler* compiler, const char* path, const char* options,
                                            const patina_callbacks* callbacks, patina_scene** scene);
 // The scene as JSON: the keys and words of scene files, with the defaults filled in, colours as linear numbers, files
@@ -246,7 +249,11 @@ PATINA_API size_t patina_scene_material_count(const patina_scene* scene);
 PATINA_API const char* patina_scene_graph(const patina_scene* scene, size_t material);
 // As for a result.
 PATINA_API const char* patina_scene_messages(const patina_scene* scene);
-PATINA_API const char* patina_scene_diagnostics(const patina_scene* scene);  // the same
+PATINA_API const char* patina_scene_diagnostics(const patina_scene* scene);               // the same
+PATINA_API size_t patina_scene_dependency_count(const patina_scene* scene);               // the same
+PATINA_API const char* patina_scene_dependency(const patina_scene* scene, size_t index);  // the same
+PATINA_API size_t patina_scene_missing_count(const patina_scene* scene);                  // the same
+PATINA_API const char* patina_scene_missing(const patina_scene* scene, size_t index);     // the same
 // Frees a scene. Null is allowed.
 PATINA_API void patina_scene_free(patina_scene* scene);
 

@@ -25,16 +25,20 @@ assert variants.ok, variants.messages
 assert variants.combinations == [{"_Mode": "Dry"}, {"_Mode": "Wet"}], variants.combinations
 assert variants.program_of == [0, 1] and len(variants.programs) == 2
 assert all(program.shaders for program in variants.programs)
+assert variants.dependencies == ["modes.graph.json"] and variants.missing == [], variants
 few = compiler.compile_variants("modes.graph.json", limit=1, read=files.get)
 assert not few.ok and "[too-many]" in few.messages, few.messages
 
 scene = compiler.read_scene("ball.scene.json", read=files.get)
 assert scene.ok, scene.messages
 assert scene.scene["objects"][0]["material"] == "modes" and scene.scene["camera"]["fov"] == 30, scene.scene
+assert scene.dependencies == ["ball.scene.json"] and scene.missing == [], scene
 
 result = compiler.compile_file("modes.graph.json", read=files.get, targets=["hlsl"], switches={"_Mode": "Wet"})
 assert result.ok and result.dependencies == ["modes.graph.json"], result.messages
 assert {shader.language for shader in result.shaders} == {"hlsl"}
+result = compiler.compile_file("gone.graph.json", read=files.get)
+assert not result.ok and result.missing == ["gone.graph.json"], result
 
 
 def broken(path):

@@ -425,6 +425,13 @@ TEST(GltfImport, MistakesOfTextFilesHaveALine) {
         {head + accessor + "\"type\": \"VEC9\" }] }", "3:11: accessors[0].type: there is no such type"},
         {head + "\"buffers\": [{ \"byteLength\": 4,\n \"uri\": \"nothere.bin\" }] }",
          "3:9: buffers[0].uri: the file 'nothere.bin' cannot be read"},
+        {head + "\"buffers\": [{ \"byteLength\": 4,\n \"uri\": \"mistake.gltf\" }] }",
+         "3:9: buffers[0].uri: the file 'mistake.gltf' does not have as many bytes as 'byteLength' says"},
+        {head + "\"buffers\": [{ \"byteLength\": 4000,\n \"uri\": \"mistake.gltf\" }] }",
+         "2:31: buffers[0].byteLength: the buffer shall have 4000 bytes, and the file 'mistake.gltf' has fewer"},
+        {head + "\"buffers\": [{ \"byteLength\": 4,\n \"uri\": \"not%20here.bin\" }] }",
+         "3:9: buffers[0].uri: the file 'not here.bin' cannot be read"},
+        {head + "\"buffers\": [{ \"byteLength\": 4 }] }", "2:15: buffers[0]: names no file of its bytes"},
         {head + bytes + "AAAA\" }] }",
          "2:31: buffers[0].byteLength: the buffer shall have 36 bytes, and its data URI holds 3"},
         {head + scene + meshes + accessor + "\"type\": \"VEC3\" }],\n  " + views + bytes +
