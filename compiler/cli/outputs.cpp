@@ -74,6 +74,8 @@ bool Outputs::is_possible(const std::string& path) const {
 std::optional<Diagnostic> Outputs::take(const std::string& source, const std::string& path,
                                         std::span<const std::string> inputs) {
     const Destination to = destination_of(path);
+    // The other checks look at the file, which may be outside of the root.
+    if (!to.error.empty()) return complaint(Complaint::CannotWrite, {"cannot write '" + path + "': " + to.error});
     if (to.kind != Destination::Kind::File) return std::nullopt;
     const auto [there, is_new] = written_.try_emplace(to.path, Written{source, path});
     if (!is_new && there->second.path == path)
@@ -99,6 +101,7 @@ bool is_standard_output(const std::string& path) {
 
 bool is_taken(const std::string& path) {
     const Destination to = destination_of(path);
+    if (!to.error.empty()) return false;  // writing says it
     std::error_code ignored;
     return to.kind == Destination::Kind::Folder || (to.kind == Destination::Kind::File && fs::exists(to.path, ignored));
 }

@@ -141,9 +141,10 @@ void add_include_option(CLI::App& command, std::vector<std::string>& folders) {
 
 void add_root_option(CLI::App& command) {
     command
-        .add_option_function<std::string>("--root", confine_disk,
-                                          "Read nothing outside of this folder, whatever a graph names: for graphs of "
-                                          "strangers. The files of the command line lie in it, too")
+        .add_option_function<std::string>(
+            "--root", confine_disk,
+            "Read nothing outside of this folder, whatever a graph names, and write nothing through a link in it that "
+            "leads outside: for graphs of strangers. The files of the command line lie in it, too")
         ->type_name("DIR")
         ->check(is_folder);
 }

@@ -96,7 +96,8 @@ void set_work(Program& program, CLI::App& command, std::function<Exit(const Cons
 
 // -I, repeatable, and --root: every command that reads graphs has them.
 void add_include_option(CLI::App& command, std::vector<std::string>& folders);
-// --root: from then on, this process reads nothing outside of a folder. -I has it already.
+// --root: from then on, this process reads nothing outside of a folder, and writes nothing through a link in it that
+// leads outside. -I has it already.
 void add_root_option(CLI::App& command);
 // --max-pixels, of commands that read pictures. It has an effect where a picture can be read: in patina-render.
 void add_pixels_option(Program& program, CLI::App& command);

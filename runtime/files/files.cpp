@@ -109,7 +109,7 @@ bool holds(const std::string& path, const struct stat& there, std::string_view b
 // Files on their way to their names. What has not arrived is taken back.
 class Replacement {
 public:
-    Replacement() = default;
+    explicit Replacement(const Root* root) : root_(root) {}
     Replacement(const Replacement&) = delete;
     Replacement& operator=(const Replacement&) = delete;
     // By the system's own calls: those of std::filesystem may need memory that is not there.
@@ -141,6 +141,10 @@ public:
         }
         const int descriptor = open_temporary(destination, file.path);
         if (descriptor < 0) return cannot_write(file.path, std::strerror(errno));
+        if (has_left_root(descriptor, destination)) {
+            ::close(descriptor);
+            return cannot_write(file.path, "its folder has been replaced by a link meanwhile");
+        }
         if (is_there) take_over(descriptor, there);
         const bool written = write_all(descriptor, file.bytes);
         const int failure = errno;
@@ -182,6 +186,14 @@ private:
         }
     }
 
+    // Somebody may have put a link into the place of a folder since the destination was found.
+    bool has_left_root(int descriptor, const std::string& destination) const {
+        if (!is_in_root(destination, root_)) return false;
+        std::error_code error;
+        const fs::path real = fs::read_symlink("/proc/self/fd/" + std::to_string(descriptor), error);
+        return !error && !is_in_root(real.string(), root_);
+    }
+
     // Only root can leave a file to another owner. If either call fails, the file is written all the same.
     static void take_over(int descriptor, const struct stat& from) {
         [[maybe_unused]] const bool is_of_same_owner = ::fchown(descriptor, from.st_uid, from.st_gid) == 0;
@@ -191,12 +203,12 @@ private:
     std::vector<Temporary> temporaries_;
     std::vector<Temporary> touched_;  // files that get another time and no other bytes
     std::vector<fs::path> folders_;   // that were made, from the outside to the inside
+    const Root* root_;
     unsigned count_ = 0;
 };
 
-}  // namespace
-
-Destination destination_of(const std::string& path) {
+// Of a path that may be written.
+Destination follow(const std::string& path) {
     using Kind = Destination::Kind;
     std::error_code failure;
     fs::path at = fs::absolute(path, failure);
@@ -220,6 +232,18 @@ Destination destination_of(const std::string& path) {
         at = folder / target;  // which is the target alone if that is absolute
     }
     return {.path = path, .error = std::strerror(ELOOP)};
+}
+
+}  // namespace
+
+Destination destination_of(const std::string& path, const Root* root) {
+    // Asked first: what is outside is not looked at, so no message tells what is there.
+    if (std::string why = why_unwritable(path, root); !why.empty()) return {.path = path, .error = std::move(why)};
+    Destination to = follow(path);
+    // Opening a FIFO waits for its reader, and the author of the root's files may have put it there.
+    if (to.kind == Destination::Kind::Stream && is_in_root(to.path, root))
+        return {.path = path, .error = look_on_disk(to.path, anywhere()).why};
+    return to;
 }
 
 std::string obstacle_to(const std::string& path) {
@@ -256,27 +280,25 @@ Outcome<std::string> read_start(const std::string& path, std::size_t count) {
     return std::move(*file.bytes);
 }
 
-std::string write_files(std::span<const OutputFile> files) {
+std::string write_files(std::span<const OutputFile> files, const Root* root) {
     FolderLocks locks;  // outlive the temporary files
-    Replacement replacement;
+    Replacement replacement(root);
     std::vector<std::pair<const OutputFile*, Destination>> whole, streams;
     std::set<std::string> folders;
     for (const OutputFile& file : files) {
-        Destination to = destination_of(file.path);
+        Destination to = destination_of(file.path, root);
         if (!to.error.empty()) return cannot_write(file.path, to.error);
         switch (to.kind) {
             case Destination::Kind::Folder: return cannot_write(file.path, "it is a folder");
-            case Destination::Kind::File: {
-                const fs::path folder = fs::path(to.path).parent_path();
-                if (folders.insert(folder.string()).second) {
-                    if (std::string error = replacement.make_folder(file, folder); !error.empty()) return error;
-                }
-                whole.emplace_back(&file, std::move(to));
-                break;
-            }
+            case Destination::Kind::File: whole.emplace_back(&file, std::move(to)); break;
             case Destination::Kind::Stream:
             case Destination::Kind::Descriptor: streams.emplace_back(&file, std::move(to)); break;
         }
+    }
+    for (const auto& [file, to] : whole) {
+        const fs::path folder = fs::path(to.path).parent_path();
+        if (!folders.insert(folder.string()).second) continue;
+        if (std::string error = replacement.make_folder(*file, folder); !error.empty()) return error;
     }
     // Also which files keep their bytes is decided when nobody else can change them.
     if (std::string error = locks.take(folders); !error.empty()) return cannot_write(files.front().path, error);
@@ -291,9 +313,14 @@ std::string write_files(std::span<const OutputFile> files) {
     return replacement.finish();
 }
 
-std::string write_file(const std::string& path, std::string bytes) {
+std::string write_file(const std::string& path, std::string bytes, const Root* root) {
     const OutputFile file{.path = path, .bytes = std::move(bytes)};
-    return write_files({&file, 1});
+    return write_files({&file, 1}, root);
+}
+
+void remove_file(const std::string& path) {
+    std::error_code failure;
+    if (destination_of(path).error.empty()) fs::remove(path, failure);
 }
 
 }  // namespace patina::runtime

@@ -7,6 +7,9 @@
 // device, a FIFO, /dev/stdout) is written to and stays what it is. A file that holds the bytes already is left alone
 // with its time, so that a build does not do again what depends on it.
 //
+// If reading is confined to a root (compiler/base/disk/disk.h), no link in the root makes a file outside of it, and
+// what is not a regular file in the root is not written to. In these functions, `root` is as in those that read.
+//
 //   std::string error = write_files(std::vector<OutputFile>{{.path = "out/rust.png", .bytes = png}});
 //   // empty: written
 #pragma once
@@ -16,6 +19,10 @@
 #include <string>
 
 #include "runtime/outcome.h"
+
+namespace patina {
+class Root;  // compiler/base/disk/root.h
+}
 
 namespace patina::runtime {
 
@@ -36,9 +43,9 @@ struct Destination {
     Kind kind = Kind::File;
     std::string path{};   // absolute
     int descriptor = -1;  // of a Descriptor
-    std::string error{};  // not empty: the links lead nowhere
+    std::string error{};  // not empty: nothing must be written there, or the links lead nowhere
 };
-Destination destination_of(const std::string& path);
+Destination destination_of(const std::string& path, const Root* root = nullptr);
 
 // What would be in the way of writing a file there, as write_files() would say it; empty: nothing that can be seen now.
 std::string obstacle_to(const std::string& path);
@@ -52,7 +59,9 @@ Outcome<std::string> read_start(const std::string& path, std::size_t count);
 std::string no_file(const std::string& path);
 
 // Makes missing folders and writes everything, or nothing. Returns nothing, or what is wrong: "cannot write 'x': ...".
-std::string write_files(std::span<const OutputFile> files);
-std::string write_file(const std::string& path, std::string bytes);
+std::string write_files(std::span<const OutputFile> files, const Root* root = nullptr);
+std::string write_file(const std::string& path, std::string bytes, const Root* root = nullptr);
+// Removes what an earlier run wrote, if there is something. What must not be written stays.
+void remove_file(const std::string& path);
 
 }  // namespace patina::runtime

@@ -147,7 +147,7 @@ void MapCache::write(const std::string& name, const KeptEnvironment& environment
     header.fingerprint = fingerprint(bytes_of(numbers));
     std::string bytes(reinterpret_cast<const char*>(&header), sizeof header);
     bytes += bytes_of(numbers);
-    if (write_file(path_of(name), std::move(bytes)).empty()) remove_oldest(folder_);
+    if (write_file(path_of(name), std::move(bytes), anywhere()).empty()) remove_oldest(folder_);
 }
 
 }  // namespace patina::runtime

@@ -52,6 +52,12 @@ std::string all_texts(const std::vector<DrawnShader>& shaders) {
     return all;
 }
 
+// True as well for what is outside of the root, whether it is there or not: reading it says so.
+bool is_there(const std::string& path) {
+    std::error_code ignored;
+    return !why_outside(path).empty() || fs::exists(path, ignored);
+}
+
 // The work on one case.
 class Judgement {
 public:
@@ -64,10 +70,9 @@ public:
 
     // `received` is what an 8-bit file would hold, so that it can meet the reference exactly.
     void run(const Image& received, const std::string& text) {
-        std::error_code ignored;
         for (const fs::path& earlier :
              {this->received("received.png"), this->received("difference.png"), received_text_})
-            fs::remove(earlier, ignored);
+            remove_file(earlier.string());
         const bool has_picture = compare_pictures(received);
         const bool has_text = compare_texts(text);
         if (options_.update) return update(received, text, has_picture && has_text);
@@ -91,8 +96,7 @@ private:
     // False: there is no reference to compare with.
     bool compare_pictures(const Image& received) {
         result_.state = SnapshotState::Passed;
-        std::error_code ignored;
-        if (!fs::exists(result_.reference, ignored)) return false;
+        if (!is_there(result_.reference)) return false;
         Outcome<Image> reference = load_image(result_.reference);
         if (!reference) {
             fail(reference.error);
@@ -134,8 +138,7 @@ private:
 
     bool compare_texts(const std::string& text) {
         if (text_reference_.empty()) return true;
-        std::error_code ignored;
-        if (!fs::exists(text_reference_, ignored)) return false;
+        if (!is_there(text_reference_)) return false;
         result_.text_diff = differences(read_file(text_reference_, kMostTextBytes).value, text);
         if (const std::size_t count = changed_lines(result_.text_diff); count > 0)
             fail(fmt::format("{} lines of the shaders differ from '{}'", count, text_reference_));
@@ -144,11 +147,9 @@ private:
 
     // Reference pictures were once named NAME.png, which is now a picture that 'patina render' writes.
     std::string missing(const std::string& reference) const {
-        std::error_code ignored;
         const std::string old = planned_.stem + ".png";
-        const std::string advice = reference == result_.reference && fs::exists(old, ignored)
-                                       ? fmt::format("; if '{}' is it, rename it", old)
-                                       : "";
+        const std::string advice =
+            reference == result_.reference && is_on_disk(old) ? fmt::format("; if '{}' is it, rename it", old) : "";
         return fmt::format(
             "there is no reference '{}' yet: look at what was received, and accept it with "
             "'patina snapshot {} --update {}'{}",

@@ -252,6 +252,17 @@ std::string why_outside(const std::string& path, const Root* root) {
     return within && !within->find(path) ? outside(*within) : std::string();
 }
 
+std::string why_unwritable(const std::string& path, const Root* root) {
+    const Root* const within = chosen(root);
+    if (!within || within->lets_write(path)) return {};
+    return "a link leads outside of the root folder '" + within->name() + "'";
+}
+
+bool is_in_root(const std::string& real_path, const Root* root) {
+    const Root* const within = chosen(root);
+    return within && within->holds(real_path);
+}
+
 void confine_disk(const std::string& folder) {
     process_root() = std::make_unique<const Root>(folder);
 }

@@ -49,8 +49,14 @@ std::string without_links(const std::string& path);
 // Why the path must not be read; empty: it may be. "it is outside of the root folder 'art'"
 std::string why_outside(const std::string& path, const Root* root = nullptr);
 
-// Confines all reading of this process to a folder. A program calls it once, before it starts threads. The library
-// never does: a program that embeds it chooses a root for each compilation.
+// Why no file must be written there; empty: one may be. What the root does not hold by name may be written, but by no
+// link of the root's. "a link leads outside of the root folder 'art'"
+std::string why_unwritable(const std::string& path, const Root* root = nullptr);
+// True for a path without links that lies in the root. False for each if there is no root.
+bool is_in_root(const std::string& real_path, const Root* root = nullptr);
+
+// Confines all reading of this process to a folder, and what is written into the folder, too. A program calls it once,
+// before it starts threads. The library never does: a program that embeds it chooses a root for each compilation.
 void confine_disk(const std::string& folder);
 
 // Standard input, to its end. Nothing, and why: it has more bytes.

@@ -77,4 +77,42 @@ bool Root::holds(const std::string& real_path) const {
     return !real_.empty() && rest_below(fs::path(real_path), real_).has_value();
 }
 
+// By its text, whatever links are on the way.
+bool Root::has_name(const std::string& path) const {
+    if (real_.empty()) return false;
+    std::error_code error;
+    const fs::path whole = fs::absolute(path, error).lexically_normal();
+    return rest_below(whole, real_) || rest_below(whole, given_);
+}
+
+// The system goes from folder to folder: with ".." it leaves the target of a link, where the text leaves the link.
+bool Root::lets_write(const std::string& path) const {
+    const bool is_ours = has_name(path);
+    if (is_ours && !find(path)) return false;
+    std::error_code error;
+    const fs::path whole = fs::absolute(path, error), names = whole.relative_path();
+    std::deque<fs::path> parts(names.begin(), names.end());
+    fs::path at = whole.root_path();
+    for (int links = 0; !parts.empty();) {
+        const fs::path part = parts.front();
+        parts.pop_front();
+        if (part.empty() || part == ".") continue;
+        const fs::path next = part == ".." ? at.parent_path() : at / part;
+        if (part == ".." || !fs::is_symlink(fs::symlink_status(next, error))) {
+            at = next;
+        } else if (holds(next.string())) {
+            const std::optional<std::string> inside = find(next.string());
+            if (!inside) return false;
+            at = *inside;
+        } else {
+            if (++links > kMostLinks) return !is_ours;  // the system says that when the file is opened
+            const fs::path target = fs::read_symlink(next, error);
+            if (target.is_absolute()) at = target.root_path();
+            const fs::path rest = target.relative_path();
+            parts.insert(parts.begin(), rest.begin(), rest.end());
+        }
+    }
+    return !is_ours || holds(at.string());
+}
+
 }  // namespace patina

@@ -68,6 +68,7 @@ void add_fmt(Program& program) {
     command.add_option("FILE", arguments->files, "Graphs; - reads standard input and prints the result")
         ->required()
         ->type_name(" ");
+    add_root_option(command);
     command.add_flag("--check", arguments->check, "Change nothing; exit 1 if a file is not in canonical form");
     set_check(command, [arguments] {
         const bool standard_input = std::ranges::find(arguments->files, "-") != arguments->files.end();

@@ -205,6 +205,45 @@ TEST_F(Disk, AProcessCanBeConfined) {
     EXPECT_TRUE(read_disk(at("secret.json"), 10).bytes);
 }
 
+// Files that are written: links of the root's do not lead out of it, and those that lie elsewhere go where they go.
+TEST_F(Disk, LinksOfARootChooseNoFileOutsideOfIt) {
+    const Root root(at("art"));
+    fs::create_directories(at("other/deep"));
+    link("../secret.json", "art/up.json");
+    link(at("other"), "art/out");
+    link("../none.json", "art/dangling.json");
+    link("/proc/self/fd/1", "art/stdout");
+    link("circle", "art/circle");
+    link("deep", "art/way");
+    link("rust.json", "art/same.json");
+    link("deep/new.json", "art/new.json");
+    link("art", "paintings");
+    link("art/deep", "depth");
+    link("art/up.json", "mine.json");
+    link("other/deep", "elsewhere");
+    for (const std::string& path :
+         {at("art/up.json"), at("art/out/rust.json"), at("art/out/none/rust.json"), at("art/dangling.json"),
+          at("art/stdout"), at("art/circle"), at("paintings/up.json"), at("paintings/out/rust.json"),
+          at("depth/../up.json"), at("mine.json"), at("art/out/../rust.json"), at("art/out/../../other/x"),
+          at("art/deep/../out/deep/x"), at("other/../art/up.json")}) {
+        EXPECT_FALSE(root.lets_write(path)) << path;
+        EXPECT_EQ(why_unwritable(path, &root), "a link leads outside of the root folder '" + at("art") + "'") << path;
+        EXPECT_EQ(why_unwritable(path, anywhere()), "") << path;
+    }
+    for (const std::string& path :
+         {at("art/rust.json"), at("art/made.json"), at("art/made/rust.json"), at("art/way/x"), at("art/same.json"),
+          at("art/new.json"), at("paintings/same.json"), at("depth/x"), at("depth/../x"), at("secret.json"),
+          at("other/made/x"), at("elsewhere/x"), at("elsewhere/../x"), at("art/../other/x"), std::string("/dev/stdout"),
+          std::string("none/x"), std::string("x")})
+        EXPECT_TRUE(root.lets_write(path)) << path;
+    // By its text it lies in the root. The system goes from the target of the link, to "other/art".
+    EXPECT_FALSE(root.lets_write(at("elsewhere/../art/rust.json")));
+    const Root linked(at("paintings"));
+    EXPECT_FALSE(linked.lets_write(at("paintings/up.json")));
+    EXPECT_FALSE(linked.lets_write(at("art/up.json")));
+    EXPECT_TRUE(linked.lets_write(at("paintings/same.json")));
+}
+
 TEST_F(Disk, StandardInputHasALimit) {
     std::string why;
     write("text", "0123456789");
