@@ -87,7 +87,10 @@ std::uint32_t kept_index(const Copy& copy, const Inst& structure, std::uint32_t 
     return kept;
 }
 
-void copy_if(Copy& copy, Value value) {
+// These are not inlined into copy_plain() and copy_inst(): what they keep on the stack is guarded, and the guard costs
+// as much as copying an instruction does.
+
+[[gnu::noinline]] void copy_if(Copy& copy, Value value) {
     const Inst& inst = copy.from[value];
     const Fate fate = fate_of(copy, inst);
     if (fate == Fate::Then || fate == Fate::Selects) copy_block(copy, inst.data);
@@ -101,7 +104,7 @@ void copy_if(Copy& copy, Value value) {
     copy.map[value.index] = structure;
 }
 
-void copy_for(Copy& copy, Value value) {
+[[gnu::noinline]] void copy_for(Copy& copy, Value value) {
     const Inst& inst = copy.from[value];
     if (has_no_trip(copy, inst)) return;
     const auto args = copy.from.args(inst);
@@ -127,7 +130,9 @@ void copy_for(Copy& copy, Value value) {
     copy.map[value.index] = structure;
 }
 
-Value copy_result(Copy& copy, const Inst& inst) {
+// Apart from copy_plain(), as the next one is from copy_inst(): what they keep on the stack is guarded, which costs as
+// much as copying an instruction does.
+[[gnu::noinline]] Value copy_result(Copy& copy, const Inst& inst) {
     const Value old = copy.from.args(inst)[0];
     const Inst& structure = copy.from[old];
     const std::uint32_t index = inst.data;
@@ -145,6 +150,13 @@ Value copy_result(Copy& copy, const Inst& inst) {
         return copy.map[copy.from.args(structure)[index + 2].index];
     }
     return copy.to.result(copy.map[old.index], kept_index(copy, structure, index));
+}
+
+[[gnu::noinline]] bool is_rewritten(Copy& copy, Value value) {
+    copy.changed[value.index] = 1;
+    if (copy.rewrite(copy, value)) return true;
+    copy.changed[value.index] = 0;
+    return false;
 }
 
 }  // namespace
@@ -192,11 +204,7 @@ void copy_plain(Copy& copy, Value value) {
 
 void copy_inst(Copy& copy, Value value) {
     if (copy.live != nullptr && copy.live->values[value.index] == 0) return;
-    if (copy.rewrite) {
-        copy.changed[value.index] = 1;
-        if (copy.rewrite(copy, value)) return;
-        copy.changed[value.index] = 0;
-    }
+    if (copy.rewrite && is_rewritten(copy, value)) return;
     copy_plain(copy, value);
 }
 
