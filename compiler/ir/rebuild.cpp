@@ -87,8 +87,8 @@ std::uint32_t kept_index(const Copy& copy, const Inst& structure, std::uint32_t 
     return kept;
 }
 
-// These are not inlined into copy_plain() and copy_inst(): what they keep on the stack is guarded, and the guard costs
-// as much as copying an instruction does.
+// These are not inlined into copy_plain(): what they keep on the stack is guarded, and the guard costs as much as
+// copying an instruction does.
 
 [[gnu::noinline]] void copy_if(Copy& copy, Value value) {
     const Inst& inst = copy.from[value];
@@ -152,13 +152,6 @@ std::uint32_t kept_index(const Copy& copy, const Inst& structure, std::uint32_t 
     return copy.to.result(copy.map[old.index], kept_index(copy, structure, index));
 }
 
-[[gnu::noinline]] bool is_rewritten(Copy& copy, Value value) {
-    copy.changed[value.index] = 1;
-    if (copy.rewrite(copy, value)) return true;
-    copy.changed[value.index] = 0;
-    return false;
-}
-
 }  // namespace
 
 std::span<const Value> yielded(const Function& function, std::uint32_t block) {
@@ -202,14 +195,18 @@ void copy_plain(Copy& copy, Value value) {
     copy.map[value.index] = made;
 }
 
-void copy_inst(Copy& copy, Value value) {
+void copy_inst(Copy& copy, const Value& value) {
     if (copy.live != nullptr && copy.live->values[value.index] == 0) return;
-    if (copy.rewrite && is_rewritten(copy, value)) return;
+    if (copy.rewrite) {
+        copy.changed[value.index] = 1;
+        if (copy.rewrite(copy, value)) return;
+        copy.changed[value.index] = 0;
+    }
     copy_plain(copy, value);
 }
 
 void copy_block(Copy& copy, std::uint32_t block) {
-    for (const Value value : copy.from.blocks[block].insts) {
+    for (const Value& value : copy.from.blocks[block].insts) {
         if (copy.from[value].op != Op::Yield) copy_inst(copy, value);
     }
 }

@@ -30,7 +30,7 @@ struct Copy {
     const Liveness* live = nullptr;  // null: everything is kept
     // Called before each instruction is copied. Returns true if it has emitted the instruction itself, and set its
     // entry in `map` unless nothing reads it.
-    std::function<bool(Copy&, Value)> rewrite{};
+    std::function<bool(Copy&, const Value&)> rewrite{};
     std::vector<Value> scratch{};
     // By old value: 1 if another instruction may compute the new one, so that its readers may be simpler now. After
     // `rewrite` returned true it is 1, unless `rewrite` has set it to 0.
@@ -47,7 +47,8 @@ void copy_body(Copy& copy);
 // The instructions of a block but for its Yield.
 void copy_block(Copy& copy, std::uint32_t block);
 // One instruction, with the blocks of an If or For: by `rewrite`, or as it is.
-void copy_inst(Copy& copy, Value value);
+// By reference, as `rewrite` is: a value on the stack would have to be guarded.
+void copy_inst(Copy& copy, const Value& value);
 void copy_plain(Copy& copy, Value value);
 
 // The operands of the Yield that ends a block.

@@ -38,7 +38,7 @@ private:
 
 }  // namespace
 
-Function rewritten(Module& module, const Function& old, const std::function<bool(Copy&, Value)>& rewrite) {
+Function rewritten(Module& module, const Function& old, const std::function<bool(Copy&, const Value&)>& rewrite) {
     Function made = shell(old);
     Builder builder(module, made);
     Copy copy{.from = old, .to = builder, .rewrite = rewrite};

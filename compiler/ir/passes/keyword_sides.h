@@ -167,6 +167,6 @@ private:
 Function guarded(Module& module, const Function& from, const Sides& sides);
 
 // A copy through `rewrite` (rebuild.h).
-Function rewritten(Module& module, const Function& old, const std::function<bool(Copy&, Value)>& rewrite);
+Function rewritten(Module& module, const Function& old, const std::function<bool(Copy&, const Value&)>& rewrite);
 
 }  // namespace patina::ir

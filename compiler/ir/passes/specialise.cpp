@@ -130,7 +130,7 @@ private:
 
     // The function for these arguments; `rewrite` may change more of it.
     Function copy_for(const Function& old, const std::vector<Known>& known,
-                      const std::function<bool(Copy&, Value)>& rewrite) {
+                      const std::function<bool(Copy&, const Value&)>& rewrite) {
         Function made = shell(old);
         made.params.clear();
         std::vector<std::uint32_t> kept(old.params.size());  // new index of each parameter that stays

@@ -382,7 +382,7 @@ TEST(Cost, OfManyBranchesIsNotCounted) {
         options.targets = {Target::Glsl};
         options.files.read = [branches](const std::string&) -> std::optional<std::string> {
             std::string text = "[node(\"Test/F\")]\nfloat F(float2 uv = uv0) {\n    float s = uv.x;\n";
-            for (int i = 0; i < branches; ++i) text += "    if (uv.x > s) { s += uv.y; }\n";
+            for (int i = 0; i < branches; ++i) text += "    if (uv.x > " + std::to_string(i) + ") { s += uv.y; }\n";
             return text + "    return s;\n}\n";
         };
         return compiler.compile_text("test.graph.json", R"({ "patina": 1, "workflow": "unlit", "nodes": [
