@@ -19,7 +19,7 @@ struct FunctionSize {
     CodeSize own{};
     std::optional<CodeSize> all{};  // with what it calls; none: not known yet
     bool is_called = false;
-    int line = 0;  // the first
+    int line = 0;  // of the last branch
     std::vector<CalledAt> calls{};
 };
 
@@ -32,14 +32,16 @@ Functions functions_of(const SpirvModule& module) {
     for (const SpirvInst& inst : module.insts) {
         if (inst.op == spv::OpLine) {
             line = static_cast<int>(inst.word(2));
-            if (open && open->line == 0) open->line = line;
         } else if (inst.op == spv::OpFunction) {
             open = &functions[inst.result];
         } else if (inst.op == spv::OpFunctionEnd) {
             open = nullptr;
         } else if (open) {
             ++open->own.instructions;
-            if (inst.op == spv::OpLabel) ++open->own.blocks;
+            if (inst.op == spv::OpLabel) {
+                ++open->own.blocks;
+                open->line = line;
+            }
             if (inst.op == spv::OpFunctionCall) open->calls.push_back({.function = inst.word(3), .line = line});
         }
     }
@@ -91,9 +93,25 @@ Branching most_branching(const std::vector<std::uint32_t>& spirv) {
     const std::optional<SpirvModule> module = read_module(spirv);
     Branching most;
     if (!module) return most;
-    for (const auto& [id, function] : functions_of(*module)) {
+    const Functions functions = functions_of(*module);
+    std::uint32_t at = 0;
+    for (const auto& [id, function] : functions) {
         const auto blocks = static_cast<std::size_t>(function.own.blocks);
-        if (blocks > most.blocks) most = {.blocks = blocks, .line = function.line};
+        if (blocks <= most.blocks) continue;
+        most = {.blocks = blocks, .lines = {function.line}};
+        at = id;
+    }
+    const auto caller_of = [&](std::uint32_t callee) {
+        for (const auto& [id, function] : functions)
+            for (const CalledAt& call : function.calls)
+                if (call.function == callee) return std::pair(id, call.line);
+        return std::pair(std::uint32_t{0}, 0);
+    };
+    for (std::size_t i = 0; i < functions.size(); ++i) {
+        const auto [caller, line] = caller_of(at);
+        if (caller == 0) break;
+        most.lines.push_back(line);
+        at = caller;
     }
     return most;
 }

@@ -26,7 +26,7 @@ Inlined inlined(const SpirvModule& module, const CodeSize& most = kMostCode);
 // The function that has most blocks, as it is written.
 struct Branching {
     std::size_t blocks = 0;
-    int line = 0;  // of the text: the first of its statements; 0: the module does not know
+    std::vector<int> lines{};  // of the text: its last branch, a call of it, a call of what calls it; 0: not known
 };
 Branching most_branching(const std::vector<std::uint32_t>& spirv);
 

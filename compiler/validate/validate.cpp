@@ -215,7 +215,11 @@ bool check_spirv(const Shader& shader, Validated& result) {
         made.code = "over-budget";
         made.message = fmt::format("blocks of branches of a function of '{}': {}, more than the budget of {}",
                                    shader.file_name, found.blocks, kMostBlocks);
-        if (const int line = most_branching(spirv_with_lines(shader)).line; line > 0) locate(made, shader, line);
+        for (const int line : most_branching(spirv_with_lines(shader)).lines) {
+            if (line == 0 || !made.file.empty()) continue;
+            made.notes.clear();
+            locate(made, shader, line);
+        }
         return false;
     }
     spvtools::SpirvTools tools(SPV_ENV_VULKAN_1_3);

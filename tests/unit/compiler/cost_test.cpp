@@ -405,7 +405,8 @@ TEST(Cost, OfManyBranchesIsNotCounted) {
     EXPECT_FALSE(refused.ok);
     ASSERT_EQ(refused.diagnostics.size(), 1u);
     EXPECT_EQ(refused.diagnostics[0].code, "over-budget");
-    EXPECT_EQ(refused.diagnostics[0].file, "f.node.hlsl");
+    EXPECT_EQ(refused.diagnostics[0].file, "test.graph.json");
+    EXPECT_EQ(refused.diagnostics[0].node, "a");
 }
 
 // A model has one loop over lights, and a shader without lights has none, whatever other loops there are.
