@@ -11,7 +11,7 @@ if(PATINA_HARDENING AND CMAKE_SYSTEM_NAME STREQUAL "Linux" AND CMAKE_CXX_COMPILE
    AND NOT CMAKE_CXX_FLAGS MATCHES "-fsanitize" AND NOT CMAKE_BUILD_TYPE STREQUAL "Debug")
   set(PATINA_IS_HARDENED TRUE)
   # -U first: compilers of some systems define it themselves, and a second definition is a warning.
-  # -fno-plt: with addresses that are known before main, the detour by a stub for each call of another library is no use.
+  # -fno-plt: with addresses that are known before main, calls of other libraries need no detour by a table.
   add_compile_options(-fno-plt $<$<NOT:$<CONFIG:Debug>>:-U_FORTIFY_SOURCE> $<$<NOT:$<CONFIG:Debug>>:-D_FORTIFY_SOURCE=2>
                       -fstack-protector-strong -Wformat -Werror=format-security)
   add_link_options(-Wl,-z,relro -Wl,-z,now -Wl,-z,noexecstack)

@@ -45,6 +45,15 @@ inline const char* or_empty(const char* text) {
     return text ? text : "";
 }
 
+// A list of texts of an object; null: there is no object.
+inline std::size_t size_of(const std::vector<std::string>* texts) {
+    return texts ? texts->size() : 0;
+}
+// Null behind the end.
+inline const char* text_at(const std::vector<std::string>* texts, std::size_t index) {
+    return texts && index < texts->size() ? (*texts)[index].c_str() : nullptr;
+}
+
 // False for what no object in memory can be.
 inline bool is_possible(const void* begin, std::size_t count, std::size_t size_of_one = 1) {
     return (begin || count == 0) && count <= static_cast<std::size_t>(PTRDIFF_MAX) / size_of_one;

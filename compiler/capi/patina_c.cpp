@@ -248,19 +248,19 @@ const char* patina_result_reflection(const patina_result* result) {
 }
 
 size_t patina_result_dependency_count(const patina_result* result) {
-    return result ? result->result.dependencies.size() : 0;
+    return size_of(result ? &result->result.dependencies : nullptr);
 }
 
 const char* patina_result_dependency(const patina_result* result, size_t index) {
-    return result && index < result->result.dependencies.size() ? result->result.dependencies[index].c_str() : nullptr;
+    return text_at(result ? &result->result.dependencies : nullptr, index);
 }
 
 size_t patina_result_missing_count(const patina_result* result) {
-    return result ? result->result.missing.size() : 0;
+    return size_of(result ? &result->result.missing : nullptr);
 }
 
 const char* patina_result_missing(const patina_result* result, size_t index) {
-    return result && index < result->result.missing.size() ? result->result.missing[index].c_str() : nullptr;
+    return text_at(result ? &result->result.missing : nullptr, index);
 }
 
 }  // extern "C"

@@ -58,19 +58,19 @@ const char* patina_scene_diagnostics(const patina_scene* scene) {
 }
 
 size_t patina_scene_dependency_count(const patina_scene* scene) {
-    return scene ? scene->read.dependencies.size() : 0;
+    return size_of(scene ? &scene->read.dependencies : nullptr);
 }
 
 const char* patina_scene_dependency(const patina_scene* scene, size_t index) {
-    return scene && index < scene->read.dependencies.size() ? scene->read.dependencies[index].c_str() : nullptr;
+    return text_at(scene ? &scene->read.dependencies : nullptr, index);
 }
 
 size_t patina_scene_missing_count(const patina_scene* scene) {
-    return scene ? scene->read.missing.size() : 0;
+    return size_of(scene ? &scene->read.missing : nullptr);
 }
 
 const char* patina_scene_missing(const patina_scene* scene, size_t index) {
-    return scene && index < scene->read.missing.size() ? scene->read.missing[index].c_str() : nullptr;
+    return text_at(scene ? &scene->read.missing : nullptr, index);
 }
 
 void patina_scene_free(patina_scene* scene) {

@@ -160,19 +160,19 @@ const char* patina_variants_diagnostics(const patina_variants* variants) {
 }
 
 size_t patina_variants_dependency_count(const patina_variants* variants) {
-    return variants ? variants->set.dependencies.size() : 0;
+    return size_of(variants ? &variants->set.dependencies : nullptr);
 }
 
 const char* patina_variants_dependency(const patina_variants* variants, size_t index) {
-    return variants && index < variants->set.dependencies.size() ? variants->set.dependencies[index].c_str() : nullptr;
+    return text_at(variants ? &variants->set.dependencies : nullptr, index);
 }
 
 size_t patina_variants_missing_count(const patina_variants* variants) {
-    return variants ? variants->set.missing.size() : 0;
+    return size_of(variants ? &variants->set.missing : nullptr);
 }
 
 const char* patina_variants_missing(const patina_variants* variants, size_t index) {
-    return variants && index < variants->set.missing.size() ? variants->set.missing[index].c_str() : nullptr;
+    return text_at(variants ? &variants->set.missing : nullptr, index);
 }
 
 void patina_variants_free(patina_variants* variants) {
