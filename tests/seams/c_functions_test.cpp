@@ -181,6 +181,33 @@ TEST_F(CFunctions, Variants) {
     EXPECT_EQ(patina_variants_missing(compiled, 0), nullptr);
 }
 
+// A file that appears where one was looked for in vain would be read instead.
+TEST_F(CFunctions, VariantsSayWhatWasLookedForInVain) {
+    patina_callbacks callbacks{};
+    callbacks.read = [](void*, const char* path, patina_reply* reply) {
+        constexpr std::string_view kText = R"({ "patina": 1, "workflow": "unlit",
+            "nodes": [{ "id": "a", "node": "tints/warm.node.hlsl" }], "surface": { "color": "= a" } })";
+        constexpr std::string_view kNode = "[node(\"Test/Warm\")]\nfloat Warm(float x = 0.5) { return x; }\n";
+        if (std::string_view(path) == "g.graph.json") patina_reply_text(reply, kText.data(), kText.size());
+        if (std::string_view(path) == "second/tints/warm.node.hlsl")
+            patina_reply_text(reply, kNode.data(), kNode.size());
+    };
+    constexpr const char* kOptions = R"({"targets": ["glsl"], "includeDirs": ["first", "second"]})";
+    patina_plan* made = nullptr;
+    ASSERT_EQ(patina_plan_variants(compiler(), "g.graph.json", "all", 8, kOptions, &callbacks, &made), PATINA_OK)
+        << patina_plan_messages(made);
+    const Owned<patina_plan> plan(made, patina_plan_free);
+    patina_variants* compiled = nullptr;
+    ASSERT_EQ(patina_compile_variants(compiler(), made, &compiled), PATINA_OK) << patina_variants_messages(compiled);
+    const Owned<patina_variants> variants(compiled, patina_variants_free);
+    ASSERT_EQ(patina_variants_dependency_count(compiled), 2u);
+    EXPECT_STREQ(patina_variants_dependency(compiled, 1), "second/tints/warm.node.hlsl");
+    ASSERT_EQ(patina_variants_missing_count(compiled), 2u);
+    EXPECT_STREQ(patina_variants_missing(compiled, 0), "first/tints/warm.node.hlsl");
+    EXPECT_STREQ(patina_variants_missing(compiled, 1), "tints/warm.node.hlsl");
+    EXPECT_EQ(patina_variants_missing(compiled, 2), nullptr);
+}
+
 TEST_F(CFunctions, Scenes) {
     patina_scene* made = nullptr;
     ASSERT_EQ(patina_read_scene(compiler(), "examples/scenes/beads.scene.json", nullptr, nullptr, &made), PATINA_OK)
@@ -201,6 +228,7 @@ TEST_F(CFunctions, Scenes) {
     EXPECT_STREQ(patina_scene_dependency(made, 0), "examples/scenes/beads.scene.json");
     EXPECT_EQ(patina_scene_dependency(made, 1), nullptr);
     EXPECT_EQ(patina_scene_missing_count(made), 0u);
+    EXPECT_EQ(patina_scene_missing(made, 0), nullptr);
     patina_result* result = nullptr;
     EXPECT_EQ(patina_compile_file(compiler(), patina_scene_graph(made, 1), nullptr, nullptr, &result), PATINA_OK);
     patina_result_free(result);
