@@ -7,7 +7,7 @@ target_include_directories(fuzz PRIVATE ${CMAKE_SOURCE_DIR})
 target_compile_definitions(fuzz PRIVATE PATINA_SOURCE="${CMAKE_SOURCE_DIR}")
 # `build/fuzz all 100000` makes so many of each kind. The preset `asan` builds it with sanitizers.
 add_test(NAME fuzz_quick COMMAND fuzz all quick)
-# With sanitizers, which see what an ordinary build survives, so many are the slow tests.
+# With sanitizers, which see what an ordinary build survives, the slow tests make 100,000 of each kind.
 if(CMAKE_CXX_FLAGS MATCHES "fsanitize")
   foreach(kind IN ITEMS graph scene node pass options reflection merge snapshot png jpeg webp exr hdr tiff tga bmp gif dds psd
           merl map gltf glb mtlx mat shadergraph)

@@ -1,10 +1,6 @@
 // Pictures from files. A file is not trusted: it can be named as another kind, end too early, or claim more pixels than
-// it has, or than fit into memory. Its bytes are read here, with their limit, and OpenImageIO decodes them in memory.
-// It cannot do that for some formats (HEIF, ICO, SGI, FITS, Cineon and raw pictures): it opens those by name, after the
-// same reader has looked whether the file may be opened.
-#include <OpenImageIO/filesystem.h>
-#include <OpenImageIO/imageio.h>
-
+// it has, or than fit into memory. Its bytes are read here, with their limit, and OpenImageIO decodes them in memory
+// (open_picture.h).
 #include <algorithm>
 #include <cstdint>
 #include <exception>
@@ -12,10 +8,9 @@
 
 #include "compiler/base/disk/disk.h"
 #include "runtime/files/files.h"
-#include "runtime/picture/formats/header_fault.h"
 #include "runtime/picture/formats/picture_kind.h"
 #include "runtime/picture/image.h"
-#include "runtime/picture/openimageio.h"
+#include "runtime/picture/open_picture.h"
 #include "runtime/picture/picture_bounds.h"
 
 namespace patina::runtime {
@@ -60,21 +55,6 @@ bool read_rows(OIIO::ImageInput& input, const OIIO::ImageSpec& spec, int channel
     return true;
 }
 
-// `name` says the format by its ending.
-std::unique_ptr<OIIO::ImageInput> opened(const std::string& name, OIIO::Filesystem::IOProxy& bytes) {
-    OIIO::ImageSpec wanted;
-    wanted.attribute("oiio:UnassociatedAlpha", 1);  // a texture's alpha is data: keep the colours under it
-    OIIO::Filesystem::IOProxy* proxy = &bytes;
-    wanted.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &proxy);
-    return OIIO::ImageInput::open(name, &wanted);
-}
-
-std::unique_ptr<OIIO::ImageInput> opened_by_name(const std::string& path) {
-    OIIO::ImageSpec wanted;
-    wanted.attribute("oiio:UnassociatedAlpha", 1);
-    return OIIO::ImageInput::open(path, &wanted);
-}
-
 Outcome<Image> read_image(const std::string& path, OIIO::ImageInput& input) {
     const OIIO::ImageSpec spec = input.spec();
     if (const std::string fault = fault_of(spec); !fault.empty()) return unreadable(path, fault);
@@ -87,17 +67,11 @@ Outcome<Image> read_image(const std::string& path, OIIO::ImageInput& input) {
 
 // `file`: where OpenImageIO may open the picture itself, if it must; empty: nowhere.
 Outcome<Image> checked_image(const std::string& path, std::string_view bytes, const std::string& file) {
-    if (const std::string fault = picture_fault(path, bytes); !fault.empty()) return unreadable(path, fault);
-    if (const std::string fault = header_fault(bytes); !fault.empty()) return unreadable(path, fault);
     try {
         MemoryReader memory(bytes);
-        std::unique_ptr<OIIO::ImageInput> input = opened(path, memory);
-        const std::string why = input ? std::string() : reason(OIIO::geterror());
-        if (!input && !file.empty() && !picture_kind(bytes)) input = opened_by_name(file);
-        if (!input) {
-            OIIO::geterror();  // or it would be the next file's
-            return unreadable(path, why);
-        }
+        std::string why;
+        const auto input = open_picture({.path = path, .bytes = bytes, .file = file}, memory, why);
+        if (!input) return unreadable(path, why);
         return read_image(path, *input);
     } catch (const std::bad_alloc&) {
         return unreadable(path, "there is not enough memory for its pixels");
@@ -131,14 +105,12 @@ Outcome<Image> decode_image(const std::string& path, std::string_view bytes) {
 PictureNotes load_notes(const std::string& path) {
     PictureNotes notes;
     const Outcome<std::string> bytes = bytes_of(path);
-    if (!bytes || !header_fault(bytes.value).empty()) return notes;
+    if (!bytes) return notes;
     try {
         MemoryReader memory(bytes.value);
-        const auto input = opened(path, memory);
-        if (!input) {
-            OIIO::geterror();  // or it would be the next file's
-            return notes;
-        }
+        std::string ignored;
+        const auto input = open_picture({.path = path, .bytes = bytes.value}, memory, ignored);
+        if (!input) return notes;
         for (const OIIO::ParamValue& each : input->spec().extra_attribs)
             if (each.type() == OIIO::TypeDesc::STRING) notes[each.name().string()] = each.get_string();
     } catch (const std::exception&) {

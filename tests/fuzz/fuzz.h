@@ -48,7 +48,7 @@ struct Setup {
 
 struct Kind {
     std::string_view name, what;
-    unsigned quick, slow;  // how many inputs take a second, and two minutes at most, in a release build
+    unsigned quick;  // how many inputs take a second in a release build
     Fuzzer (*open)(const Setup& setup);
 };
 std::vector<Kind> text_kinds(), picture_kinds(), model_kinds();

@@ -325,11 +325,11 @@ Fuzzer glb(const Setup& setup) {
 }  // namespace
 
 std::vector<Kind> model_kinds() {
-    return {{"gltf", "glTF as text, with Draco", 100, 100000, gltf},
-            {"glb", "glTF as one file, with its picture", 100, 50000, glb},
-            {"mtlx", "documents of MaterialX", 100, 50000, mtlx},
-            {"mat", "materials of Unity", 100, 50000, materials},
-            {"shadergraph", "shader graphs of Unity", 100, 50000, shader_graphs}};
+    return {{"gltf", "glTF as text, with Draco", 100, gltf},
+            {"glb", "glTF as one file, with its picture", 100, glb},
+            {"mtlx", "documents of MaterialX", 100, mtlx},
+            {"mat", "materials of Unity", 100, materials},
+            {"shadergraph", "shader graphs of Unity", 100, shader_graphs}};
 }
 
 }  // namespace patina::fuzz

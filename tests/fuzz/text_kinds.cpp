@@ -337,14 +337,14 @@ Fuzzer snapshots(const Setup& setup) {
 }  // namespace
 
 std::vector<Kind> text_kinds() {
-    return {{"graph", "graphs, sub-graphs, lighting models and workflows", 60, 100000, graphs},
-            {"scene", "scene files, up to their meshes and lights", 200, 50000, scenes},
-            {"node", "node files, checked and used by a graph", 60, 20000, node_files},
-            {"pass", "rendering paths; all shaders are validated", 60, 2000, pass_files},
-            {"options", "options of the C API", 200, 100000, options},
-            {"reflection", "reflections, read and written again", 200, 100000, reflections},
-            {"merge", "three versions of a graph, merged and compared", 60, 20000, merges},
-            {"snapshot", "snapshot files", 300, 100000, snapshots}};
+    return {{"graph", "graphs, sub-graphs, lighting models and workflows", 60, graphs},
+            {"scene", "scene files, up to their meshes and lights", 200, scenes},
+            {"node", "node files, checked and used by a graph", 60, node_files},
+            {"pass", "rendering paths; all shaders are validated", 60, pass_files},
+            {"options", "options of the C API", 200, options},
+            {"reflection", "reflections, read and written again", 200, reflections},
+            {"merge", "three versions of a graph, merged and compared", 60, merges},
+            {"snapshot", "snapshot files", 300, snapshots}};
 }
 
 }  // namespace patina::fuzz

@@ -95,7 +95,8 @@ std::string exr_fault(std::string_view bytes) {
             return "it is cut off, or its header is damaged: it states more pieces than it has";
         if (!has_parts) break;
     }
-    return {};
+    // OpenEXR takes as much memory for an attribute as its header says.
+    return from.is_good() ? "" : "it is cut off, or its header is damaged: it states more bytes than it has";
 }
 
 // --- WebP: RFC 9649, sections 2.5 to 2.7.
@@ -149,10 +150,57 @@ std::string dds_fault(std::string_view all) {
     return {};
 }
 
+// --- GIF: "Graphics Interchange Format, Version 89a", section 18. OpenImageIO opens a canvas of this size.
+
+std::string gif_fault(std::string_view bytes) {
+    ByteStream from(bytes);
+    from.take(6);
+    const std::uint64_t width = from.little(2), height = from.little(2);
+    return size_fault(width, height, 4);
+}
+
+// --- Photoshop: "Adobe Photoshop File Formats Specification", the header and the sections behind it, each with its
+// length.
+
+// The blocks of the section of resources.
+bool has_all_resources(std::string_view section) {
+    ByteStream from(section);
+    for (std::uint64_t at = 0; from.is_good() && at < section.size();) {
+        from.take(6);                                // "8BIM" and a number
+        const std::uint64_t name = from.big(1) | 1;  // with its length it has an even number of bytes
+        from.take(name);
+        const std::uint64_t size = from.big(4), padded = size + size % 2;
+        from.take(padded);
+        at += 11 + name + padded;
+    }
+    return from.is_good();
+}
+
+std::string psd_fault(std::string_view bytes) {
+    constexpr std::uint64_t kLarge = 2;                                      // the version of .psb
+    constexpr std::uint64_t kChannels[] = {1, 1, 1, 3, 4, 1, 1, 1, 1, 3};  // that a mode needs: RGB is 3, CMYK is 4
+    ByteStream from(bytes.substr(4));
+    const std::uint64_t version = from.big(2);
+    from.take(6);
+    const std::uint64_t channels = from.big(2), height = from.big(4), width = from.big(4);
+    from.take(2);
+    const std::uint64_t mode = from.big(2);
+    from.take(from.big(4));  // colours of a palette
+    const std::string_view resources = from.take(from.big(4));
+    from.take(from.big(version == kLarge ? 8 : 4));  // layers
+    if (!from.is_good() || !has_all_resources(resources))
+        return "it is cut off, or its header is damaged: it states more bytes than it has";
+    if (channels < (mode < std::size(kChannels) ? kChannels[mode] : 1))
+        return "its header states fewer channels than its colours have";
+    return size_fault(width, height, channels);
+}
+
 }  // namespace
 
 std::string header_fault(std::string_view bytes) {
     if (bytes.starts_with("DDS ")) return dds_fault(bytes);
+    if (bytes.starts_with("GIF8")) return gif_fault(bytes);
+    if (bytes.starts_with("8BPS")) return psd_fault(bytes);
     if (bytes.starts_with("\x76\x2f\x31\x01"sv)) return exr_fault(bytes);
     if (bytes.starts_with("RIFF") && bytes.size() > 12 && bytes.substr(8, 4) == "WEBP") return webp_fault(bytes);
     const bool is_jpeg2000 = bytes.starts_with("\xff\x4f\xff\x51") || bytes.starts_with("\0\0\0\x0cjP  "sv);

@@ -1,17 +1,14 @@
 #include "runtime/picture/formats/stated_space.h"
 
-#include <OpenImageIO/filesystem.h>
-#include <OpenImageIO/imageio.h>
-
 #include <cctype>
 #include <cmath>
 #include <exception>
 #include <map>
 
+#include "compiler/base/disk/disk.h"
 #include "runtime/files/files.h"
-#include "runtime/picture/formats/header_fault.h"
 #include "runtime/picture/formats/png_chunks.h"
-#include "runtime/picture/openimageio.h"
+#include "runtime/picture/open_picture.h"
 #include "runtime/picture/picture_bounds.h"
 
 namespace patina::runtime {
@@ -64,17 +61,12 @@ StatedSpace of_chunks(const std::map<std::string_view, std::string_view>& chunks
 
 StatedSpace stated_in(const std::string& path) {
     const Outcome<std::string> file = read_file(path, most_picture_bytes());
-    if (!file || !header_fault(file.value).empty()) return {};
+    if (!file) return {};
     const std::string_view bytes = file.value;
     MemoryReader memory(bytes);
-    OIIO::Filesystem::IOProxy* proxy = &memory;
-    OIIO::ImageSpec wanted;
-    wanted.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &proxy);
-    const auto input = OIIO::ImageInput::open(path, &wanted);
-    if (!input) {
-        OIIO::geterror();  // or it would be the next file's
-        return {};
-    }
+    std::string ignored;
+    const auto input = open_picture({.path = path, .bytes = bytes, .file = without_links(path)}, memory, ignored);
+    if (!input) return {};
     const OIIO::ImageSpec spec = input->spec();
     if (const auto chunks = chunks_of(bytes); !chunks.empty()) return of_chunks(chunks, spec);
     if (const StatedSpace stated = of_profile(spec); stated.space != ColorSpace::None) return stated;

@@ -126,6 +126,26 @@ TEST_F(PictureFile, ThatIsTextIsRefused) {
     }
 }
 
+// A name chooses one reader: a picture of another format that has no first bytes of its own is not tried.
+TEST_F(PictureFile, IsReadByOneReaderAlone) {
+    save("right.tga");
+    ASSERT_TRUE(load_image(path("right.tga")));
+    for (const std::string name : {"wrong.ppm", "wrong.dpx", "wrong.cr2", "wrong.unknown", "wrong"}) {
+        write(name, bytes_of("right.tga"));
+        EXPECT_FALSE(load_image(path(name))) << name;
+        EXPECT_FALSE(decode_image(path(name), bytes_of(name))) << name;
+        EXPECT_EQ(stated_space(path(name)).space, ColorSpace::None) << name;
+    }
+    expect_fault("wrong.unknown", "neither its first bytes nor its name say a format that can be read");
+    expect_fault("wrong", "neither its first bytes nor its name say a format that can be read");
+    // SGI's reader opens the file itself. Bytes of another file, such as a model, are no file on the disk.
+    save("right.sgi");
+    EXPECT_TRUE(load_image(path("right.sgi")));
+    const Outcome<Image> decoded = decode_image(path("right.sgi"), bytes_of("right.sgi"));
+    ASSERT_FALSE(decoded);
+    EXPECT_NE(decoded.error.find("cannot be read from memory"), std::string::npos) << decoded.error;
+}
+
 TEST_F(PictureFile, OfKtxIsRefusedWithAdvice) {
     write("a.ktx2", "\xabKTX 20\xbb\r\n\x1a\n" + std::string(100, '\0'));
     expect_fault("a.ktx2", "it is a KTX2 file, which is not supported: convert it to PNG, or to OpenEXR if it is HDR");
