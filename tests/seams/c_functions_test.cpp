@@ -186,7 +186,7 @@ TEST_F(CFunctions, VariantsSayWhatWasLookedForInVain) {
     patina_callbacks callbacks{};
     callbacks.read = [](void*, const char* path, patina_reply* reply) {
         constexpr std::string_view kText = R"({ "patina": 1, "workflow": "unlit",
-            "nodes": [{ "id": "a", "node": "tints/warm.node.hlsl" }], "surface": { "color": "= a" } })";
+            "nodes": [{ "id": "a", "node": "./tints/warm.node.hlsl" }], "surface": { "color": "= a" } })";
         constexpr std::string_view kNode = "[node(\"Test/Warm\")]\nfloat Warm(float x = 0.5) { return x; }\n";
         if (std::string_view(path) == "g.graph.json") patina_reply_text(reply, kText.data(), kText.size());
         if (std::string_view(path) == "second/tints/warm.node.hlsl")

@@ -193,6 +193,40 @@ TEST_F(PictureBounds, HeadersOfOtherKindsThatAreDecodedAsTheyAreOpened) {
     EXPECT_EQ(header_fault(siz + "\0\0"s), "its header states no size");
 }
 
+// The lengths and the numbers stand where "Graphics Interchange Format" and "Adobe Photoshop File Formats
+// Specification" have them.
+TEST_F(PictureBounds, HeadersOfGifAndPhotoshop) {
+    using namespace std::string_literals;
+    EXPECT_EQ(header_fault("GIF89a\x0c\0\x0c\0"s), "");
+    EXPECT_NE(header_fault("GIF89a\xbd\xbd\xbd\xbd"s).find("48573 x 48573"), std::string::npos);
+    const auto psd = [](char channels, char height, char mode, const std::string& palette, const std::string& rest) {
+        return "8BPS\0\1\0\0\0\0\0\0\0"s + channels + "\0\0"s + height + "\0\0\0\0\4\0\x08\0"s + mode + palette + rest;
+    };
+    const std::string none = "\0\0\0\0"s, cut = "it is cut off, or its header is damaged";
+    EXPECT_EQ(header_fault(psd(3, 0, 3, none, none + none)), "");
+    EXPECT_EQ(header_fault(psd(1, 0, 1, none, none + none)), "");
+    EXPECT_EQ(header_fault(psd(2, 0, 3, none, none + none)), "its header states fewer channels than its colours have");
+    EXPECT_EQ(header_fault(psd(3, 0, 4, none, none + none)), "its header states fewer channels than its colours have");
+    EXPECT_NE(header_fault(psd(3, 127, 3, none, none + none)).find("4 x 32512"), std::string::npos);
+    EXPECT_TRUE(header_fault(psd(3, 0, 3, "\xff\x7f\0\0"s, none + none)).starts_with(cut));
+    EXPECT_TRUE(header_fault(psd(3, 0, 3, none, none)).starts_with(cut));
+    const std::string block = "8BIM\4\x0f\1a\0\0\0\3abc\0"s;  // a name of one letter, three bytes and one to be even
+    EXPECT_EQ(header_fault(psd(3, 0, 3, none, "\0\0\0\x10"s + block + none)), "");
+    EXPECT_TRUE(header_fault(psd(3, 0, 3, none, "\0\0\0\x0f"s + block + none)).starts_with(cut));
+    EXPECT_TRUE(
+        header_fault(psd(3, 0, 3, none, "\0\0\0\x10"s + "8BIM\4\x0f\1a\x7f\0\0\3abc\0"s + none)).starts_with(cut));
+}
+
+TEST_F(PictureBounds, OfAnAttributeThatIsLongerThanItsFile) {
+    save("good.exr", 8, 8, 3, "zip");
+    std::string bytes = bytes_of("good.exr");
+    ASSERT_EQ(header_fault(bytes), "");
+    const std::size_t type = bytes.find("\0chlist\0", 0, 8);
+    ASSERT_NE(type, bytes.npos);
+    bytes[type + 8 + 3] = '\x7f';  // the highest byte of its length
+    EXPECT_EQ(header_fault(bytes), "it is cut off, or its header is damaged: it states more bytes than it has");
+}
+
 TEST_F(PictureBounds, TheLargestPictureThatIsAllowedIsRead) {
     EXPECT_EQ(size_fault(8192, 8192, 4), "");
     EXPECT_NE(size_fault(8192, 8193, 4), "");
