@@ -15,7 +15,8 @@ namespace {
 std::string reader_of(const PictureBytes& picture) {
     static const auto kExtensions = OIIO::get_extension_map();
     const PictureKind* const kind = picture_kind(picture.bytes);
-    std::string ending = kind ? std::string(kind->endings[0]) : std::filesystem::path(picture.path).extension().string();
+    std::string ending =
+        kind ? std::string(kind->endings[0]) : std::filesystem::path(picture.path).extension().string();
     if (!ending.empty()) ending.erase(0, 1);
     for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
     const auto found = std::ranges::find_if(kExtensions, [&](const auto& format) {

@@ -177,7 +177,7 @@ bool has_all_resources(std::string_view section) {
 }
 
 std::string psd_fault(std::string_view bytes) {
-    constexpr std::uint64_t kLarge = 2;                                      // the version of .psb
+    constexpr std::uint64_t kLarge = 2;                                    // the version of .psb
     constexpr std::uint64_t kChannels[] = {1, 1, 1, 3, 4, 1, 1, 1, 1, 3};  // that a mode needs: RGB is 3, CMYK is 4
     ByteStream from(bytes.substr(4));
     const std::uint64_t version = from.big(2);
