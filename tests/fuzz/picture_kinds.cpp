@@ -143,7 +143,7 @@ Fuzzer pictures(const Setup& setup, const char (&ending)[count], std::vector<See
     const auto run = [path](const Input& input, Random& random) -> Verdict {
         const std::string& bytes = input.bytes;
         // Of a changed header, the bound is most of the time: filling a gigabyte with zeros.
-        runtime::limit_pixels(one_in(200, random) ? runtime::kMostPixels : kUsualPixels);
+        runtime::limit_pixels(one_in(5000, random) ? runtime::kMostPixels : kUsualPixels);
         write_file(path, bytes);
         const auto loaded = runtime::load_image(path);
         std::string wrong = wrong_with(loaded, path);
