@@ -32,6 +32,22 @@ std::string fault_of(const OIIO::ImageSpec& spec) {
     return fault;
 }
 
+// The rows are read as the file has them: OpenImageIO would convert them in a buffer of 64 MiB, for the smallest
+// picture.
+bool read_scanlines(OIIO::ImageInput& input, const OIIO::ImageSpec& spec, int begin, int end, int channels,
+                    std::vector<float>& into) {
+    if (!spec.channelformats.empty())
+        return input.read_scanlines(0, 0, begin, end, 0, 0, channels, OIIO::TypeDesc::FLOAT, into.data());
+    const std::size_t line = spec.scanline_bytes(true), pixel = spec.pixel_bytes(true);
+    std::vector<char> native(line * static_cast<std::size_t>(end - begin));
+    if (!input.read_native_scanlines(0, 0, begin, end, 0, native.data())) return false;
+    const auto stride = [](std::size_t bytes) { return static_cast<OIIO::stride_t>(bytes); };
+    const std::size_t out = sizeof(float) * static_cast<std::size_t>(channels);
+    return OIIO::convert_image(channels, spec.width, end - begin, 1, native.data(), spec.format, stride(pixel),
+                               stride(line), stride(native.size()), into.data(), OIIO::TypeDesc::FLOAT, stride(out),
+                               stride(out * std::size_t(spec.width)), stride(sizeof(float) * into.size()));
+}
+
 // Some rows at a time: a file that claims many more pixels than it has fails before they take memory.
 bool read_rows(OIIO::ImageInput& input, const OIIO::ImageSpec& spec, int channels, Image& image) {
     constexpr int kRows = 256;
@@ -44,7 +60,7 @@ bool read_rows(OIIO::ImageInput& input, const OIIO::ImageSpec& spec, int channel
         const auto as = OIIO::TypeDesc::FLOAT;
         const bool good = has_tiles ? input.read_tiles(0, 0, spec.x, spec.x + spec.width, begin, end, 0, 1, 0, channels,
                                                        as, read.data())
-                                    : input.read_scanlines(0, 0, begin, end, 0, 0, channels, as, read.data());
+                                    : read_scanlines(input, spec, begin, end, channels, read);
         if (!good) return false;
         for (auto p = read.begin(); p != read.end(); p += channels) {
             const bool grey = channels < 3;
