@@ -40,6 +40,8 @@ std::vector<Seed> written_pictures(const Setup& setup, const std::string& ending
         spec.attribute("oiio:ColorSpace", form.channels == 3 ? "sRGB" : "linear");
         spec.attribute("compression", form.compression);
         spec.attribute("ImageDescription", "a seed");
+        spec.attribute("IPTC:City", "a city");
+        spec.attribute("Exif:FNumber", 2.8f);
         if (std::string_view(form.compression) == "zip" || std::string_view(form.compression) == "none")
             spec.tile_width = spec.tile_height = 16;
         std::vector<float> pixels(std::size_t(form.width) * std::size_t(form.height) * std::size_t(form.channels));

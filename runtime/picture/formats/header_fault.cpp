@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "runtime/files/bytes.h"
+#include "runtime/picture/formats/tiff_directory.h"
 #include "runtime/picture/picture_bounds.h"
 
 namespace patina::runtime {
@@ -195,12 +196,56 @@ std::string psd_fault(std::string_view bytes) {
     return size_fault(width, height, channels);
 }
 
+// --- IPTC data in JPEG and TIFF: "IPTC-NAA Information Interchange Model", part I, section 1.6. OpenImageIO 2.4 reads
+// as many bytes as they state, also behind their end.
+
+bool is_whole_iptc(std::string_view data) {
+    ByteStream from(data);
+    for (std::size_t at = 0; from.is_good() && at < data.size() && from.take(1) == "\x1c";) {
+        const std::uint64_t record = from.big(1);
+        if (record != 1 && record != 2) break;
+        from.take(1);
+        const std::uint64_t size = from.big(2);
+        from.take(size);
+        at += 5 + size;
+    }
+    return from.is_good();
+}
+
+constexpr const char* kDamagedIptc = "its IPTC data are damaged: they state more bytes than they have";
+
+// In segments APP13, which begin with the name of Photoshop and the number 1028 of the resource. Libraries find them
+// also behind bytes that belong to no segment.
+std::string jpeg_fault(std::string_view bytes) {
+    constexpr std::string_view kStart = "Photoshop 3.0\0008BIM\4\4"sv, kApp13 = "\xff\xed"sv;
+    constexpr std::size_t kMark = 4;  // the mark and the length of the segment, before its data
+    for (std::size_t at = bytes.find(kStart); at != bytes.npos; at = bytes.find(kStart, at + 1)) {
+        if (at < kMark || bytes.substr(at - kMark, 2) != kApp13) continue;
+        const std::uint64_t length = Bytes(bytes).big_endian(at - 2, 2).value_or(2);
+        ByteStream from(bytes.substr(at, std::max<std::uint64_t>(length, 2) - 2));
+        from.take(kStart.size() + 4);  // four zeros behind the number
+        const std::string_view data = from.take(from.big(2));
+        if (!from.is_good() || !is_whole_iptc(data)) return kDamagedIptc;
+    }
+    return {};
+}
+
+std::string tiff_fault(std::string_view bytes) {
+    constexpr std::uint64_t kIptc = 33723;
+    TiffDirectory directory(bytes);
+    return is_whole_iptc(directory.bytes_of(kIptc)) ? "" : kDamagedIptc;
+}
+
 }  // namespace
 
 std::string header_fault(std::string_view bytes) {
     if (bytes.starts_with("DDS ")) return dds_fault(bytes);
     if (bytes.starts_with("GIF8")) return gif_fault(bytes);
     if (bytes.starts_with("8BPS")) return psd_fault(bytes);
+    if (bytes.starts_with("\xff\xd8\xff")) return jpeg_fault(bytes);
+    if (bytes.starts_with("II*\0"sv) || bytes.starts_with("MM\0*"sv) || bytes.starts_with("II+\0"sv) ||
+        bytes.starts_with("MM\0+"sv))
+        return tiff_fault(bytes);
     if (bytes.starts_with("\x76\x2f\x31\x01"sv)) return exr_fault(bytes);
     if (bytes.starts_with("RIFF") && bytes.size() > 12 && bytes.substr(8, 4) == "WEBP") return webp_fault(bytes);
     const bool is_jpeg2000 = bytes.starts_with("\xff\x4f\xff\x51") || bytes.starts_with("\0\0\0\x0cjP  "sv);

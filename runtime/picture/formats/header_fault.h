@@ -9,8 +9,8 @@
 
 namespace patina::runtime {
 
-// Of OpenEXR, WebP, JPEG 2000, GIF, Photoshop and DDS; nothing for other kinds, whose decoders take memory late. A
-// header that cannot be read is the decoder's to report, unless it states more than the file can hold.
+// Of OpenEXR, WebP, JPEG, JPEG 2000, TIFF, GIF, Photoshop and DDS; nothing for other kinds, whose decoders take memory
+// late. A header that cannot be read is the decoder's to report, unless it states more than the file can hold.
 std::string header_fault(std::string_view bytes);
 
 }  // namespace patina::runtime

@@ -10,6 +10,7 @@
 
 #include "runtime/files/bytes.h"
 #include "runtime/picture/formats/png_chunks.h"
+#include "runtime/picture/formats/tiff_directory.h"
 
 namespace patina::runtime {
 namespace {
@@ -74,58 +75,16 @@ bool is_whole_webp(std::string_view all) {
     return length && bytes.has(8, *length);
 }
 
-// The first directory of a TIFF lists where its pieces of pixels begin and how long they are. Those who decode them
-// take what is missing as black.
-class TiffDirectory {
-public:
-    explicit TiffDirectory(std::string_view bytes)
-        : bytes_(bytes), is_big_endian_(bytes.starts_with('M')), is_large_(number(2, 2) == kLarge) {}
-
-    bool has_all_pieces() {
-        const std::uint64_t at = is_large_ ? number(8, 8) : number(4, 4);
-        const std::uint64_t count = number(at, is_large_ ? 8 : 2), size = is_large_ ? 20 : 12;
-        std::vector<std::uint64_t> begins, lengths;
-        for (std::uint64_t i = 0; is_good_ && i < count; ++i) {
-            const std::uint64_t entry = at + (is_large_ ? 8 : 2) + i * size, tag = number(entry, 2);
-            // A second list is a mistake of the file; reading it again and again takes long.
-            if (begins.empty() && (tag == kStripOffsets || tag == kTileOffsets)) begins = values(entry);
-            if (lengths.empty() && (tag == kStripLengths || tag == kTileLengths)) lengths = values(entry);
-        }
-        for (std::size_t i = 0; i < begins.size() && i < lengths.size(); ++i)
-            is_good_ = is_good_ && bytes_.has(begins[i], lengths[i]);
-        return is_good_;
-    }
-
-private:
-    static constexpr std::uint64_t kLarge = 43, kStripOffsets = 273, kStripLengths = 279, kTileOffsets = 324,
-                                   kTileLengths = 325;
-
-    std::uint64_t number(std::uint64_t at, std::uint64_t size) {
-        const auto made = is_big_endian_ ? bytes_.big_endian(at, size) : bytes_.little_endian(at, size);
-        is_good_ = is_good_ && made;
-        return is_good_ ? *made : 0;
-    }
-
-    // In the entry itself if there is room.
-    std::vector<std::uint64_t> values(std::uint64_t entry) {
-        constexpr std::uint64_t kShort = 3, kLong = 16;
-        const std::uint64_t type = number(entry + 2, 2), size = type == kShort ? 2 : type == kLong ? 8 : 4;
-        const std::uint64_t word = is_large_ ? 8 : 4, count = number(entry + 4, word);
-        is_good_ = is_good_ && count <= bytes_.size();
-        const std::uint64_t inside = entry + 4 + word,
-                            at = is_good_ && count * size > word ? number(inside, word) : inside;
-        std::vector<std::uint64_t> made;
-        for (std::uint64_t i = 0; is_good_ && i < count; ++i) made.push_back(number(at + i * size, size));
-        return made;
-    }
-
-    Bytes bytes_;
-    bool is_good_ = true;  // false: something lies behind the end of the file
-    bool is_big_endian_, is_large_;
-};
-
+// Where its pieces of pixels begin, and how long they are. Those who decode them take what is missing as black.
 bool is_whole_tiff(std::string_view bytes) {
-    return TiffDirectory(bytes).has_all_pieces();
+    constexpr std::pair<std::uint64_t, std::uint64_t> kPieces[] = {{273, 279}, {324, 325}};  // strips, tiles
+    TiffDirectory directory(bytes);
+    for (const auto& [begin, length] : kPieces) {
+        const std::vector<std::uint64_t> begins = directory.values(begin), lengths = directory.values(length);
+        for (std::size_t i = 0; i < begins.size() && i < lengths.size(); ++i)
+            if (!directory.has(begins[i], lengths[i])) return false;
+    }
+    return directory.is_good();
 }
 
 constexpr std::array kPng = {".png"sv};

@@ -217,6 +217,29 @@ TEST_F(PictureBounds, HeadersOfGifAndPhotoshop) {
         header_fault(psd(3, 0, 3, none, "\0\0\0\x10"s + "8BIM\4\x0f\1a\x7f\0\0\3abc\0"s + none)).starts_with(cut));
 }
 
+// A block: 0x1c, the record, a number, two bytes of length, data.
+TEST_F(PictureBounds, HeadersWithDamagedIptcData) {
+    using namespace std::string_literals;
+    const std::string good = "\x1c\2\x78\0\3abc"s,
+                      damaged = "its IPTC data are damaged: they state more bytes than they have";
+    const auto jpeg = [](const std::string& data, int stated) {
+        const std::string inner = "Photoshop 3.0\0008BIM\4\4\0\0\0\0\0"s + char(stated) + data;
+        return "\xff\xd8\xff\xed\0"s + char(inner.size() + 2) + inner + "\xff\xda";
+    };
+    EXPECT_EQ(header_fault(jpeg(good, 8)), "");
+    EXPECT_EQ(header_fault(jpeg(good + good, 16)), "");
+    EXPECT_EQ(header_fault(jpeg(good + '\0', 9)), "");
+    EXPECT_EQ(header_fault(jpeg("", 0)), "");
+    EXPECT_EQ(header_fault(jpeg(good, 9)), damaged);
+    EXPECT_EQ(header_fault(jpeg("\x1c\2\x78\0\4abc"s, 8)), damaged);
+    EXPECT_EQ(header_fault(jpeg(good + "\x1c\2\x78", 11)), damaged);
+    const auto tiff = [](const std::string& data) {
+        return "II*\0\x08\0\0\0\1\0\xbb\x83\4\0\2\0\0\0\x1a\0\0\0\0\0\0\0"s + data;  // an entry of two longs
+    };
+    EXPECT_EQ(header_fault(tiff(good)), "");
+    EXPECT_EQ(header_fault(tiff("\x1c\2\x78\0\4abc"s)), damaged);
+}
+
 TEST_F(PictureBounds, OfAnAttributeThatIsLongerThanItsFile) {
     save("good.exr", 8, 8, 3, "zip");
     std::string bytes = bytes_of("good.exr");

@@ -146,6 +146,17 @@ TEST_F(PictureFile, IsReadByOneReaderAlone) {
     EXPECT_NE(decoded.error.find("cannot be read from memory"), std::string::npos) << decoded.error;
 }
 
+// A PNG says where it lies on a page (oFFs).
+TEST_F(PictureFile, FarOutsideOfAnyPictureIsRefused) {
+    OIIO::ImageSpec spec(4, 4, 3, OIIO::TypeDesc::UINT8);
+    spec.x = spec.full_x = 2'000'000'000;
+    const auto output = OIIO::ImageOutput::create("far.png");
+    const std::vector<float> pixels(48, 0.5f);
+    ASSERT_TRUE(output && output->open(path("far.png"), spec) &&
+                output->write_image(OIIO::TypeDesc::FLOAT, pixels.data()) && output->close());
+    expect_fault("far.png", "its header places it far outside of any picture");
+}
+
 TEST_F(PictureFile, OfKtxIsRefusedWithAdvice) {
     write("a.ktx2", "\xabKTX 20\xbb\r\n\x1a\n" + std::string(100, '\0'));
     expect_fault("a.ktx2", "it is a KTX2 file, which is not supported: convert it to PNG, or to OpenEXR if it is HDR");
