@@ -388,13 +388,10 @@ Term GraphMaker::output_of(const Element& graph, Scope& around, std::string_view
         made = connected(scope, *found);
         if (found->has("channels")) made = terms::swizzled(made, found->attribute("channels"));
     } else if (found->has("interfacename")) {
-        Element port{.category = "node"};
-        port.children.push_back(
-            Element{.category = "input",
-                    .attributes = {{"name", "in"},
-                                   {"type", std::string(found->type())},
-                                   {"interfacename", std::string(found->attribute("interfacename"))}}});
-        made = this->input(scope, port, {.name = "in", .type = std::string(found->type())});
+        Element value{.attributes = {{"type", std::string(found->type())},
+                                     {"interfacename", std::string(found->attribute("interfacename"))}}};
+        made =
+            this->input(scope, node_with(std::move(value), *found), {.name = "in", .type = std::string(found->type())});
     } else {
         made = literal(*found, found->type(), found->attribute("value"));
     }

@@ -35,6 +35,17 @@ std::size_t GraphMaker::number_of(const Element& node) {
     return found->second;
 }
 
+const Element& GraphMaker::node_with(Element input, const Element& place) {
+    input.category = "input";
+    input.attributes.emplace_back("name", "in");
+    Element& made = made_.emplace_back(Element{.category = place.category});
+    if (place.has("name")) made.attributes.emplace_back("name", std::string(place.name()));
+    made.line = place.line;
+    made.column = place.column;
+    made.children.push_back(std::move(input));
+    return made;
+}
+
 std::size_t GraphMaker::note(const Element& node) {
     import_.reached.insert(&node);
     return number_of(node);
@@ -97,13 +108,10 @@ Term GraphMaker::computed(Scope& scope, const Element& node, std::string_view ou
             made = connected(inner, *found);
             if (found->has("channels")) made = terms::swizzled(made, found->attribute("channels"));
         } else {
-            Element port{.category = "node"};
-            port.children.push_back(*found);
-            port.children[0].category = "input";
-            port.children[0].attributes.push_back({"name", "in"});
-            std::erase_if(port.children[0].attributes,
-                          [&](const auto& each) { return each.first == "name" && each.second != "in"; });
-            made = input(inner, port, {.name = "in", .type = std::string(found->type())});
+            Element value = *found;
+            std::erase_if(value.attributes, [](const auto& each) { return each.first == "name"; });
+            made =
+                input(inner, node_with(std::move(value), *found), {.name = "in", .type = std::string(found->type())});
         }
         return made;
     }

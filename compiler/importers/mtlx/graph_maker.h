@@ -15,6 +15,7 @@
 //   refusals.cpp        what the compiler would refuse of the result
 #pragma once
 
+#include <deque>
 #include <map>
 #include <memory>
 #include <optional>
@@ -156,6 +157,8 @@ private:
     void sort_properties();
     void report_nodes();
     std::size_t number_of(const Element& node);
+    // A node with one input, "in". It is reported as `place`, and lives as long as this.
+    const Element& node_with(Element input, const Element& place);
 
     Import& import_;
     std::string name_;
@@ -165,6 +168,7 @@ private:
     std::map<Key, Term> values_{};
     std::set<Key> open_{};
     std::vector<const Element*> elements_{};  // by number
+    std::deque<Element> made_{};              // elements that no document has
     std::map<const Element*, std::size_t> numbers_{};
     std::map<std::size_t, Outcome> outcomes_{};
     std::map<std::string, Term, std::less<>> named_{};                    // by text
