@@ -48,6 +48,10 @@ private:
                     "needs [part], [without], [pack] or [unpack] in a pass file: nothing else fills the slot");
             return;
         }
+        for (const Attribute& other : decl.attributes) {
+            if (&other == made || !is_derivation(other.name)) continue;
+            return bad(other.span, other.name, fmt::format("derives '{}' a second time", decl.name));
+        }
         if (made->name == "pack") return pack(decl, *made);
         if (made->name == "unpack") return unpack(decl, *made);
         if (made->args.size() < 2 || made->args.size() > 3)

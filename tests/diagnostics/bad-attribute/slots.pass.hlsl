@@ -25,3 +25,5 @@ SurfaceExtras packedOfNothing(LightingSurface surface);
 LightingSurface unpacked(LightingSurface surface, SurfaceExtras extras);
 [slot] [unpack("packSurface")]
 LightingSurface unpackedOfNothing(LightingSurface surface);
+[slot] [part("final", "sum.direct")] [without("final", "sum.direct")]
+float3 madeTwice(LightingSurface surface, LightSum sum);
