@@ -136,6 +136,27 @@ Typed call_gathered(Emitter& emitter, const FunctionDecl& function, const Declar
     return {.value = scope.builder->call(instance.id, values), .type = instance.result, .outputs = instance.outputs};
 }
 
+// A pass file may declare a slot and a struct of the library's again. A function of the library then calls the slot
+// with the library's struct.
+bool takes(Emitter& emitter, const Slot& slot, const FunctionDecl& function, std::span<const Value> values,
+           const Expr& expr, const Scope& scope) {
+    const std::vector<ir::Param>& params = emitter.module[slot.function].params;
+    for (std::size_t i = 0; i < values.size() && i < params.size(); ++i) {
+        const ir::Type type = scope.builder->type(values[i]);
+        if (params[i].type == type) continue;
+        const std::string name = emitter.module.type_name(type);
+        emitter.diagnostics
+            .report(Code::TypeMismatch, expr.args[i]->span, fmt::format("the argument '{}'", function.params[i].name),
+                    fmt::format("the {} of another file", name),
+                    fmt::format("that of the file which declares '{}'", function.name))
+            .note(
+                "a function of the library is called that the pass file does not declare again: give the struct "
+                "another name");
+        return false;
+    }
+    return true;
+}
+
 Typed call_slot(Emitter& emitter, const FunctionDecl& function, const Expr& expr, Scope& scope) {
     if (expr.args.size() != function.params.size()) {
         emitter.diagnostics.report(Code::ArgumentCount, expr.name_span, function.name, function.params.size(),
@@ -157,6 +178,7 @@ Typed call_slot(Emitter& emitter, const FunctionDecl& function, const Expr& expr
         if (!value.ok()) return {};
         values.push_back(value.value);
     }
+    if (!takes(emitter, *slot, function, values, expr, scope)) return {};
     if (slot->needs_quad) note_slot_quad(scope);
     return {.value = scope.builder->call(slot->function, values), .type = slot->result};
 }
