@@ -24,7 +24,7 @@ std::string fault_of(const OIIO::ImageSpec& spec) {
     if (spec.width < 1 || spec.height < 1 || spec.depth > 1 || spec.deep || spec.nchannels < 1)
         return "it has no pixels, or is a volume";
     constexpr int kFarthest = 1 << 30;
-    if (std::max({spec.x, spec.y, -spec.x, -spec.y}) > kFarthest)
+    if (std::max(spec.x, spec.y) > kFarthest || std::min(spec.x, spec.y) < -kFarthest)
         return "its header places it far outside of any picture";
     const auto size = [](int number) { return static_cast<std::uint64_t>(std::max(number, 1)); };
     std::string fault = size_fault(size(spec.width), size(spec.height), size(spec.nchannels));

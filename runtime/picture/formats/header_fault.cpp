@@ -14,6 +14,8 @@ namespace {
 
 using namespace std::string_view_literals;
 
+constexpr const char* kMoreThanThere = "it is cut off, or its header is damaged: it states more bytes than it has";
+
 // --- OpenEXR: "OpenEXR File Layout", headers of attributes: name, type, size, value.
 
 struct ExrPart {
@@ -97,7 +99,7 @@ std::string exr_fault(std::string_view bytes) {
         if (!has_parts) break;
     }
     // OpenEXR takes as much memory for an attribute as its header says.
-    return from.is_good() ? "" : "it is cut off, or its header is damaged: it states more bytes than it has";
+    return from.is_good() ? "" : kMoreThanThere;
 }
 
 // --- WebP: RFC 9649, sections 2.5 to 2.7.
@@ -189,8 +191,7 @@ std::string psd_fault(std::string_view bytes) {
     from.take(from.big(4));  // colours of a palette
     const std::string_view resources = from.take(from.big(4));
     from.take(from.big(version == kLarge ? 8 : 4));  // layers
-    if (!from.is_good() || !has_all_resources(resources))
-        return "it is cut off, or its header is damaged: it states more bytes than it has";
+    if (!from.is_good() || !has_all_resources(resources)) return kMoreThanThere;
     if (channels < (mode < std::size(kChannels) ? kChannels[mode] : 1))
         return "its header states fewer channels than its colours have";
     return size_fault(width, height, channels);

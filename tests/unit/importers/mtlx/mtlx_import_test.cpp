@@ -1,6 +1,5 @@
 // MaterialX documents: what they become; every row of the table of nodes and every input of the surface shaders. All
 // documents are written here.
-#include <algorithm>
 #include <map>
 #include <set>
 
@@ -385,20 +384,6 @@ TEST(MtlxImport, NodesWithFunctionsOfTheirOwnCompile) {
     }
     for (const std::string_view each : mtlx::special_nodes())
         EXPECT_TRUE(tested.contains(each) || each == "geompropvalueuniform" || each == "UsdUvTexture") << each;
-}
-
-// What such an output says is reported at its place, and not at an element that is gone.
-TEST(MtlxImport, OutputsThatReadNothing) {
-    const Imported made = import_text(R"(<materialx version="1.39">
-<nodedef name="ND_a" node="a" type="float"><output name="out" type="float"/></nodedef>
-<nodegraph name="NG_a" nodedef="ND_a"><texcoord name="t" type="vector2"/>
-<output/></nodegraph>
-<a name="rows" type="float"/>
-<open_pbr_surface name="s" type="surfaceshader"><input name="base_metalness" type="float" nodename="rows"/></open_pbr_surface>
-<surfacematerial name="m" type="material"><input name="surfaceshader" type="surfaceshader" nodename="s"/></surfacematerial>
-</materialx>)");
-    const auto is_output = [](const Remark& each) { return each.line == 4 && each.part == "output"; };
-    EXPECT_TRUE(std::ranges::any_of(made.remarks, is_output)) << remarks(made, Remark::Kind::Changed);
 }
 
 // The files of noise have test lines with values of a reference in Python, which follows the papers.

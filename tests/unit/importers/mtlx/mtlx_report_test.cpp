@@ -1,4 +1,6 @@
 // What an import of a MaterialX document says of what it does not take as it is.
+#include <algorithm>
+
 #include "tests/unit/importers/mtlx/mtlx_document.h"
 
 namespace patina::importers {
@@ -134,6 +136,20 @@ TEST(MtlxReport, WhatARefusedNodeReadStays) {
         sources()));
     EXPECT_NE(text_of(made).find("It read tint = "), std::string::npos) << text_of(made);
     expect_compiles(made, "a refused surface");
+}
+
+// What an output without a connection says is reported at its place, and not at an element that is gone.
+TEST(MtlxReport, OutputsThatReadNothing) {
+    const Imported made = import_text(R"(<materialx version="1.39">
+<nodedef name="ND_a" node="a" type="float"><output name="out" type="float"/></nodedef>
+<nodegraph name="NG_a" nodedef="ND_a"><texcoord name="t" type="vector2"/>
+<output/></nodegraph>
+<a name="rows" type="float"/>
+<open_pbr_surface name="s" type="surfaceshader"><input name="base_metalness" type="float" nodename="rows"/></open_pbr_surface>
+<surfacematerial name="m" type="material"><input name="surfaceshader" type="surfaceshader" nodename="s"/></surfacematerial>
+</materialx>)");
+    const auto is_output = [](const Remark& each) { return each.line == 4 && each.part == "output"; };
+    EXPECT_TRUE(std::ranges::any_of(made.remarks, is_output)) << remarks(made, Remark::Kind::Changed);
 }
 
 }  // namespace
