@@ -148,13 +148,15 @@ TEST_F(PictureFile, IsReadByOneReaderAlone) {
 
 // A PNG says where it lies on a page (oFFs).
 TEST_F(PictureFile, FarOutsideOfAnyPictureIsRefused) {
-    OIIO::ImageSpec spec(4, 4, 3, OIIO::TypeDesc::UINT8);
-    spec.x = spec.full_x = 2'000'000'000;
-    const auto output = OIIO::ImageOutput::create("far.png");
-    const std::vector<float> pixels(48, 0.5f);
-    ASSERT_TRUE(output && output->open(path("far.png"), spec) &&
-                output->write_image(OIIO::TypeDesc::FLOAT, pixels.data()) && output->close());
-    expect_fault("far.png", "its header places it far outside of any picture");
+    for (const int x : {2'000'000'000, -2'000'000'000}) {
+        OIIO::ImageSpec spec(4, 4, 3, OIIO::TypeDesc::UINT8);
+        spec.x = spec.full_x = x;
+        const auto output = OIIO::ImageOutput::create("far.png");
+        const std::vector<float> pixels(48, 0.5f);
+        ASSERT_TRUE(output && output->open(path("far.png"), spec) &&
+                    output->write_image(OIIO::TypeDesc::FLOAT, pixels.data()) && output->close());
+        expect_fault("far.png", "its header places it far outside of any picture");
+    }
 }
 
 TEST_F(PictureFile, OfKtxIsRefusedWithAdvice) {
