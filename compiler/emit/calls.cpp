@@ -7,7 +7,7 @@
 #include "compiler/emit/arguments.h"
 #include "compiler/emit/functions.h"
 #include "compiler/emit/operations/operations.h"
-#include "compiler/emit/statements.h"
+#include "compiler/emit/statements/statements.h"
 #include "compiler/emit/types.h"
 #include "compiler/nodelang/other_names.h"
 

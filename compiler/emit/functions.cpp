@@ -5,7 +5,7 @@
 
 #include "compiler/base/bits.h"
 #include "compiler/emit/constant_value.h"
-#include "compiler/emit/statements.h"
+#include "compiler/emit/statements/statements.h"
 #include "compiler/emit/types.h"
 #include "compiler/nodelang/parse.h"
 

@@ -1,4 +1,4 @@
-#include "compiler/emit/statements.h"
+#include "compiler/emit/statements/statements.h"
 
 #include <algorithm>
 

@@ -5,7 +5,7 @@
 
 #include "compiler/base/text.h"
 #include "compiler/emit/constant_value.h"
-#include "compiler/emit/statements.h"
+#include "compiler/emit/statements/statements.h"
 
 namespace patina::emit {
 

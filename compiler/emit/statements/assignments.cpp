@@ -5,7 +5,7 @@
 #include "compiler/emit/constant_value.h"
 #include "compiler/emit/conversion.h"
 #include "compiler/emit/operations/operations.h"
-#include "compiler/emit/statements.h"
+#include "compiler/emit/statements/statements.h"
 #include "compiler/emit/types.h"
 
 namespace patina::emit {
