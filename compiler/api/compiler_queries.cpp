@@ -88,11 +88,11 @@ std::vector<const nodelang::Expr*> read_arguments(graph::Session& session, const
     for (const auto& argument : arguments) {
         const std::string &name = argument.first, &text = argument.second;
         const auto param = std::find_if(function.params.begin(), function.params.end(),
-                                        [&](const nodelang::ParamDecl& p) { return !p.is_out && p.name == name; });
+                                        [&](const nodelang::ParamDecl& p) { return p.is_input() && p.name == name; });
         if (param == function.params.end()) {
             std::vector<std::string_view> known;
             for (const nodelang::ParamDecl& p : function.params) {
-                if (!p.is_out) known.push_back(p.name);
+                if (p.is_input()) known.push_back(p.name);
             }
             session.diagnostics.report(Code::UnknownPort, {}, function.name, "input", name)
                 .at(function.name)

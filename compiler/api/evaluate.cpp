@@ -283,7 +283,7 @@ std::optional<NodeTest> read_test(const EvaluationContext& context, const nodela
     std::vector<const Expr*> arguments(function.params.size(), nullptr);
     std::size_t next = 0;
     for (std::size_t i = 0; i < function.params.size() && next < call->args.size(); ++i) {
-        if (function.params[i].is_out) continue;
+        if (!function.params[i].is_input()) continue;
         arguments[i] = call->args[next++];
         std::optional<NodeTest::Argument> argument =
             read_argument(context, function.params[i], *arguments[i], diagnostics);

@@ -126,7 +126,7 @@ bool gather_arguments(Emitter& emitter, const FunctionDecl& function, const Decl
     for (std::size_t i = 0; i < function.params.size(); ++i) {
         const ParamDecl& param = function.params[i];
         Argument& argument = gathered.emplace_back();
-        if (param.is_out) continue;
+        if (!param.is_input()) continue;
         const Expr* given = arguments[i];
         if (!given && !param.initial) {
             emitter.diagnostics.report(Code::MissingInput, span, param.name, function.name);
@@ -164,7 +164,7 @@ unsigned deduce_width(const FunctionDecl& function, std::span<const Argument> ar
     unsigned widest = 1, narrowest = 4;
     bool generic = false;
     for (std::size_t i = 0; i < function.params.size(); ++i) {
-        if (function.params[i].type.name != "floatN" || function.params[i].is_out) continue;
+        if (function.params[i].type.name != "floatN" || !function.params[i].is_input()) continue;
         generic = true;
         const Type type = arguments[i].value.type;
         if (!type.is_vector()) continue;

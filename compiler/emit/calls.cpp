@@ -5,6 +5,7 @@
 
 #include "compiler/base/text.h"
 #include "compiler/emit/arguments.h"
+#include "compiler/emit/constant_value.h"
 #include "compiler/emit/functions.h"
 #include "compiler/emit/operations/operations.h"
 #include "compiler/emit/statements/statements.h"
@@ -110,13 +111,17 @@ Typed call_gathered(Emitter& emitter, const FunctionDecl& function, const Declar
         return choose(emitter, argument.value.value, results, scope);
     }
     const unsigned width = deduce_width(function, gathered);
-    Scope border{.builder = scope.builder, .declarations = &home, .generic_width = width, .half = half};
+    Scope border{.builder = scope.builder,
+                 .declarations = &home,
+                 .generic_width = width,
+                 .half = half,
+                 .hlsl = function.is_hlsl};
     std::vector<Value> values;
     values.reserve(function.params.size());
     bool good = true;
     for (std::size_t i = 0; i < function.params.size(); ++i) {
         const ParamDecl& param = function.params[i];
-        if (param.is_out || param.is_const) continue;
+        if (!param.is_input() || param.is_const) continue;
         const Span at = arguments[i] ? arguments[i]->span : span;
         const Type wanted = type(emitter, param.type, border);
         Typed value = gathered[i].value;
@@ -194,12 +199,102 @@ Typed call(Emitter& emitter, const FunctionDecl& function, const Declarations& h
     return call_gathered(emitter, function, home, arguments, gathered, scope, span, half);
 }
 
+namespace {
+
+// How much an argument changes when a parameter takes it; none: it cannot.
+std::optional<unsigned> change_of(Type from, Type to) {
+    if (from == to) return 0;
+    if (!from.is_numeric() || !to.is_numeric() || from.is_matrix() != to.is_matrix()) return {};
+    if (from.is_matrix()) return from.rows >= to.rows && from.cols >= to.cols ? std::optional(100u) : std::nullopt;
+    unsigned change = 0;
+    if (from.width() > to.width()) change += 100;
+    if (from.width() < to.width() && !from.is_scalar()) return {};
+    if (from.width() < to.width()) change += 30;
+    if (from.scalar != to.scalar) change += from.is_floating() == to.is_floating() ? 1 : to.is_floating() ? 3 : 10;
+    return change;
+}
+
+// The function of that name which HLSL would call: the one whose parameters change the arguments least.
+const FunctionDecl* overload(Emitter& emitter, const Expr& expr, Scope& scope) {
+    const FunctionDecl* const first = scope.declarations->function(expr.text);
+    if (!scope.hlsl || !first) return first;
+    const Declarations& home = scope.declarations->home_of(expr.text);
+    const auto others = home.overloads.find(expr.text);
+    if (others == home.overloads.end()) return first;
+    std::vector<const FunctionDecl*> fitting = {first};
+    fitting.insert(fitting.end(), others->second.begin(), others->second.end());
+    std::erase_if(fitting, [&](const FunctionDecl* each) { return each->params.size() != expr.args.size(); });
+    if (fitting.size() < 2) return fitting.empty() ? first : fitting[0];
+    // What the arguments assign must happen once, when they are read for the call.
+    Scope aside = scope;
+    std::vector<Type> types;
+    for (const Expr* argument : expr.args)
+        types.push_back(primary(emitter, expression(emitter, *argument, aside), aside, argument->span).type);
+    const FunctionDecl* best = first;
+    std::optional<unsigned> least;
+    for (const FunctionDecl* each : fitting) {
+        const Scope of{.declarations = &home, .hlsl = true};
+        std::optional<unsigned> sum = 0;
+        for (std::size_t i = 0; sum && i < types.size(); ++i) {
+            const std::optional<unsigned> change = change_of(types[i], type(emitter, each->params[i].type, of));
+            sum = change ? std::optional(*sum + *change) : std::nullopt;
+        }
+        if (!sum || (least && *least <= *sum)) continue;
+        least = sum;
+        best = each;
+    }
+    return best;
+}
+
+// HLSL: a call with an argument for each parameter, the outputs included. They are assigned after the call.
+Typed call_with_outputs(Emitter& emitter, const FunctionDecl& function, const Declarations& home, const Expr& expr,
+                        Scope& scope) {
+    std::vector<const Expr*> arguments(function.params.size(), nullptr);
+    for (std::size_t i = 0; i < arguments.size(); ++i) {
+        if (function.params[i].is_input()) arguments[i] = expr.args[i];
+    }
+    const Typed made = call(emitter, function, home, arguments, scope, expr.span, scope.half);
+    if (!made.ok()) return {};
+    ir::Builder& b = *scope.builder;
+    const bool has_value = function.result.name != "void";
+    std::uint32_t part = has_value ? 1 : 0;
+    bool good = true;
+    for (std::size_t i = 0; i < arguments.size(); ++i) {
+        if (!function.params[i].is_out) continue;
+        const Value value = b.extract(made.value, part++);
+        good = store(emitter, *expr.args[i], {.value = value, .type = b.type(value)}, scope) && good;
+    }
+    if (!good) return {};
+    if (!has_value) return {.value = made.value, .type = made.type};
+    const Value value = b.extract(made.value, 0);
+    return {.value = value, .type = b.type(value)};
+}
+
+// "(Light)0" of HLSL: every number in it is 0.
+Typed struct_of_zeros(Emitter& emitter, const StructDecl& structure, const Expr& expr, Scope& scope) {
+    const Type wanted = type(emitter, {.name = structure.name, .span = expr.name_span}, scope);
+    if (wanted.is_error()) return {};
+    const Typed given =
+        expr.args.size() == 1 ? primary(emitter, expression(emitter, *expr.args[0], scope), scope, expr.span) : Typed{};
+    if (given.ok() && given.type == wanted) return given;
+    const bool is_zero = expr.args.size() == 1 && constant_value(emitter.known, *expr.args[0], scope) == 0.0;
+    if (is_zero) return {.value = scope.builder->zero(wanted), .type = wanted};
+    emitter.diagnostics.report(Code::TypeMismatch, expr.span, "what becomes a struct",
+                               given.ok() ? emitter.module.type_name(given.type) : "no value", "0");
+    return {};
+}
+
+}  // namespace
+
 Typed call_expression(Emitter& emitter, const Expr& expr, Scope& scope) {
     bool found = false;
-    const Typed built_in = intrinsic(emitter, expr.text, expr, scope, found);
+    // A file of HLSL may have a function with the name of one of the language.
+    const bool is_own = scope.hlsl && scope.declarations->functions.contains(expr.text);
+    const Typed built_in = is_own ? Typed{} : intrinsic(emitter, expr.text, expr, scope, found);
     if (found) return built_in;
     const TypeName type_name{.name = expr.text, .span = expr.name_span};
-    if (const FunctionDecl* function = scope.declarations->function(expr.text)) {
+    const FunctionDecl* const function = overload(emitter, expr, scope);
+    if (function && (!function->marks.is_of_hlsl || scope.hlsl)) {
         if (function->marks.is_slot) return call_slot(emitter, *function, expr, scope);
         if (function->marks.is_stage) {
             emitter.diagnostics.report(Code::UnknownName, expr.name_span, "callable function", expr.text)
@@ -207,15 +302,19 @@ Typed call_expression(Emitter& emitter, const Expr& expr, Scope& scope) {
             return {};
         }
         const auto inputs = static_cast<std::size_t>(std::count_if(function->params.begin(), function->params.end(),
-                                                                   [](const ParamDecl& p) { return !p.is_out; }));
-        if (expr.args.size() > inputs) {
+                                                                   [](const ParamDecl& p) { return p.is_input(); }));
+        if (expr.args.size() > inputs && !(scope.hlsl && expr.args.size() == function->params.size())) {
             emitter.diagnostics.report(Code::ArgumentCount, expr.name_span, expr.text, inputs, expr.args.size());
             return {};
         }
+        const bool has_outputs = std::any_of(function->params.begin(), function->params.end(),
+                                             [](const ParamDecl& p) { return p.is_out; });
+        if (scope.hlsl && has_outputs && expr.args.size() == function->params.size())
+            return call_with_outputs(emitter, *function, scope.declarations->home_of(expr.text), expr, scope);
         std::vector<const Expr*> arguments(function->params.size(), nullptr);
         std::size_t next = 0;
         for (std::size_t i = 0; i < function->params.size() && next < expr.args.size(); ++i) {
-            if (!function->params[i].is_out) arguments[i] = expr.args[next++];
+            if (function->params[i].is_input()) arguments[i] = expr.args[next++];
         }
         return call(emitter, *function, scope.declarations->home_of(expr.text), arguments, scope, expr.span,
                     scope.half);
@@ -229,6 +328,8 @@ Typed call_expression(Emitter& emitter, const Expr& expr, Scope& scope) {
         const Type wanted = type(emitter, type_name, scope);
         return wanted.is_error() ? Typed{} : constructor(emitter, wanted, expr, scope);
     }
+    const StructDecl* const structure = scope.hlsl ? scope.declarations->structure(expr.text) : nullptr;
+    if (structure) return struct_of_zeros(emitter, *structure, expr, scope);
     std::vector<std::string_view> known = intrinsic_names();
     for (std::string_view name : scope.declarations->function_names()) known.push_back(name);
     DiagnosticRecord& record = emitter.diagnostics.report(Code::UnknownName, expr.name_span, "function", expr.text);

@@ -1,6 +1,7 @@
 #include "compiler/emit/constant_value.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace patina::emit {
 
@@ -56,7 +57,9 @@ std::optional<double> constant_value(const Known& known, const Expr& expr, const
             if (expr.text == "+") return *a + *b;
             if (expr.text == "-") return *a - *b;
             if (expr.text == "*") return *a * *b;
-            if (expr.text == "/" && *b != 0) return *a / *b;
+            // In HLSL, a quotient of integers is cut, and their kind is not known here.
+            const bool may_be_cut = scope.hlsl && *a == std::floor(*a) && *b == std::floor(*b);
+            if (expr.text == "/" && *b != 0 && !may_be_cut) return *a / *b;
             if (expr.text == "<") return *a < *b;
             if (expr.text == "<=") return *a <= *b;
             if (expr.text == ">") return *a > *b;
@@ -76,7 +79,9 @@ std::optional<double> constant_value(const Known& known, const Expr& expr, const
         case Expr::Kind::Call:
         case Expr::Kind::Method:
         case Expr::Kind::File:
-        case Expr::Kind::Object: return {};
+        case Expr::Kind::Object:
+        case Expr::Kind::Assign:
+        case Expr::Kind::AssignLater: return {};
     }
     return {};
 }

@@ -37,6 +37,43 @@ Typed literal_as(Emitter& emitter, Typed value, Scalar scalar, Scope& scope, Spa
     return {.value = scope.builder->constant(type, number), .type = type, .literal = true};
 }
 
+Typed hlsl_cast(Emitter& emitter, const Typed& value, Type wanted, Scope& scope) {
+    if (!value.ok() || !value.type.is_numeric() || !wanted.is_numeric()) return {};
+    ir::Builder& b = *scope.builder;
+    const Type have = value.type;
+    if (have.is_matrix() != wanted.is_matrix()) {
+        if (!have.is_scalar()) return {};
+        const Value one = b.convert(value.value, wanted.scalar);
+        const std::vector<Value> rows(wanted.rows, b.splat(one, wanted.cols));
+        return {.value = b.construct(wanted, rows), .type = wanted};
+    }
+    Value v = value.value;
+    if (have.is_matrix()) {
+        if (have.rows < wanted.rows || have.cols < wanted.cols) return {};
+        const Type cut = wanted.with_scalar(have.scalar);
+        if (have != cut) {
+            std::vector<Value> rows;
+            for (unsigned row = 0; row < wanted.rows; ++row) {
+                const Value whole = b.extract(v, row);
+                rows.push_back(have.cols == wanted.cols
+                                   ? whole
+                                   : b.swizzle(whole, std::span(std::array{0u, 1u, 2u, 3u}).first(wanted.cols)));
+            }
+            v = b.construct(cut, rows);
+        }
+        return {.value = b.convert(v, wanted.scalar), .type = wanted};
+    }
+    const unsigned width = wanted.width();
+    if (have.width() > width) {
+        v = width == 1 ? b.extract(v, 0) : b.swizzle(v, std::span(std::array{0u, 1u, 2u, 3u}).first(width));
+    } else if (have.width() < width && have.width() > 1) {
+        return {};
+    }
+    v = b.convert(v, wanted.scalar);
+    if (have.width() == 1 && width > 1) v = b.splat(v, width);
+    return {.value = v, .type = wanted};
+}
+
 Typed convert(Emitter& emitter, Typed value, Type wanted, Scope& scope, Span span, std::string_view what) {
     if (!value.ok() || wanted.is_error()) return {};
     if (value.type == wanted) return {.value = value.value, .type = wanted};
@@ -59,6 +96,9 @@ Typed convert(Emitter& emitter, Typed value, Type wanted, Scope& scope, Span spa
             if (have == 1 && wanted.width() > 1) v = b.splat(v, wanted.width());
             return {.value = v, .type = wanted};
         }
+    }
+    if (scope.hlsl) {
+        if (Typed made = hlsl_cast(emitter, value, wanted, scope); made.ok()) return made;
     }
     DiagnosticRecord& record = emitter.diagnostics.report(
         Code::TypeMismatch, span, what, emitter.module.type_name(value.type), emitter.module.type_name(wanted));
@@ -88,6 +128,42 @@ Typed expression_as(Emitter& emitter, const Expr& expr, Type wanted, Scope& scop
     return convert(emitter, value, wanted, scope, expr.span, what);
 }
 
+namespace {
+
+bool hlsl_unify(Emitter& emitter, std::span<Typed> operands, Scope& scope) {
+    const auto firm_half = [&] {
+        return std::any_of(operands.begin(), operands.end(),
+                           [](const Typed& t) { return t.type.scalar == Scalar::Half; }) &&
+               std::none_of(operands.begin(), operands.end(), [](const Typed& t) {
+                   return t.type.scalar == Scalar::Float && !t.literal;
+               });
+    };
+    Scalar scalar = Scalar::Bool;
+    unsigned width = 1, rows = 0, cols = 0;
+    for (const Typed& operand : operands) {
+        scalar = std::max(scalar, operand.type.scalar);  // they are in this order
+        if (operand.type.is_matrix()) {
+            rows = rows == 0 ? operand.type.rows : std::min<unsigned>(rows, operand.type.rows);
+            cols = cols == 0 ? operand.type.cols : std::min<unsigned>(cols, operand.type.cols);
+        } else if (operand.type.width() > 1) {
+            width = width == 1 ? operand.type.width() : std::min(width, operand.type.width());
+        }
+    }
+    // A literal does not make a half a float.
+    if (firm_half()) scalar = Scalar::Half;
+    if (rows > 0 && width > 1) return false;
+    const Type wanted = rows > 0 ? Type::matrix(scalar, rows, cols) : Type::vector(scalar, width);
+    for (Typed& operand : operands) {
+        const bool literal = operand.literal && wanted.is_scalar();
+        if (operand.type != wanted) operand = hlsl_cast(emitter, operand, wanted, scope);
+        operand.literal = literal;
+        operand.is_whole = false;
+    }
+    return true;
+}
+
+}  // namespace
+
 bool unify(Emitter& emitter, std::span<Typed> operands, Scope& scope, Span span, std::string_view op) {
     for (const Typed& operand : operands) {
         if (!operand.ok()) return false;
@@ -99,6 +175,7 @@ bool unify(Emitter& emitter, std::span<Typed> operands, Scope& scope, Span span,
             return false;
         }
     }
+    if (scope.hlsl && hlsl_unify(emitter, operands, scope)) return true;
     const auto firm = std::find_if(operands.begin(), operands.end(), [](const Typed& t) { return !t.literal; });
     Scalar scalar = firm != operands.end() ? firm->type.scalar : operands[0].type.scalar;
     bool any_matrix = false;

@@ -9,6 +9,7 @@
 #include "compiler/emit/conversion.h"
 #include "compiler/emit/operations/operations.h"
 #include "compiler/emit/operations/textures.h"
+#include "compiler/emit/statements/statements.h"
 #include "compiler/nodelang/other_names.h"
 
 namespace patina::emit {
@@ -98,10 +99,13 @@ Typed object_value(Emitter& emitter, const Expr& expr, Scope& scope) {
 }
 
 Typed file_constant(Emitter& emitter, const VariableDecl& variable, Scope& scope) {
-    Scope file{.builder = scope.builder, .declarations = scope.declarations, .half = scope.half};
+    Scope file{.builder = scope.builder,
+               .declarations = scope.declarations,
+               .half = scope.half,
+               .hlsl = variable.is_hlsl};
     if (!variable.value) return {};
-    return expression_as(emitter, *variable.value, type(emitter, variable.type, file), file,
-                         fmt::format("'{}'", variable.name));
+    return array_or_value(emitter, *variable.value, type(emitter, variable.type, file), file,
+                          fmt::format("'{}'", variable.name));
 }
 
 Typed named_value(Emitter& emitter, const Expr& expr, Scope& scope) {
@@ -131,6 +135,22 @@ Typed named_value(Emitter& emitter, const Expr& expr, Scope& scope) {
 }  // namespace
 
 Typed array_or_value(Emitter& emitter, const Expr& expr, Type wanted, Scope& scope, std::string_view what) {
+    if (scope.hlsl && expr.kind == Expr::Kind::List && wanted.is_numeric())
+        return constructor(emitter, wanted, expr, scope);
+    if (scope.hlsl && expr.kind == Expr::Kind::List && wanted.kind == ir::Kind::Struct) {
+        std::vector<Value> members;
+        for (std::uint32_t i = 0; i < expr.args.size() && i < ir::part_count(emitter.module, wanted); ++i)
+            members.push_back(
+                array_or_value(emitter, *expr.args[i], ir::part_type(emitter.module, wanted, i), scope, "a member").value);
+        if (members.size() != ir::part_count(emitter.module, wanted) || members.size() != expr.args.size()) {
+            emitter.diagnostics.report(Code::TypeMismatch, expr.span, what,
+                                       fmt::format("a list of {}", expr.args.size()),
+                                       fmt::format("a list of {}", ir::part_count(emitter.module, wanted)));
+            return {};
+        }
+        if (std::any_of(members.begin(), members.end(), [](Value member) { return !member; })) return {};
+        return {.value = scope.builder->construct(wanted, members), .type = wanted};
+    }
     if (wanted.kind != ir::Kind::Array || expr.kind != Expr::Kind::List)
         return view_as(emitter, expr, wanted, scope, what);
     const ir::Array array = emitter.module.arrays[wanted.ref];
@@ -211,6 +231,8 @@ Typed expression(Emitter& emitter, const Expr& expr, Scope& scope) {
             emitter.diagnostics.report(Code::UnknownName, expr.span, "file", expr.text);
             return {};
         case Expr::Kind::Object: return object_value(emitter, expr, scope);
+        case Expr::Kind::Assign:
+        case Expr::Kind::AssignLater: return assignment(emitter, expr, scope);
     }
     return {};
 }

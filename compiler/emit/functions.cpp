@@ -43,6 +43,7 @@ Instance emit_function(Emitter& emitter, const FunctionDecl& function, const Dec
                 .declarations = &home,
                 .generic_width = width,
                 .half = half,
+                .hlsl = function.is_hlsl,
                 .function = &function,
                 .needs_quad = &instance.needs_quad};
     made.params.reserve(function.params.size());
@@ -96,6 +97,7 @@ ir::FunctionId outer_function(Emitter& emitter, const FunctionDecl& function, co
     ir::Builder builder(emitter.module, made, emitter.options);
     bool quad = false;
     scope.builder = &builder;
+    scope.hlsl = function.is_hlsl;
     scope.needs_quad = &quad;
     for (const ParamDecl& param : function.params) {
         const Type param_type = type(emitter, param.type, scope);
@@ -182,7 +184,8 @@ const Outputs* begin_body(Emitter& emitter, const FunctionDecl& function, const 
         if (param.is_out) {
             outputs.names.emplace_back(param.name);
             members.push_back({std::string(param.name), param_type});
-            local.value = {.value = scope.builder->zero(param_type), .type = param_type};
+            local.value = {.value = param.is_inout ? value_of(param, param_type) : scope.builder->zero(param_type),
+                           .type = param_type};
         } else if (param.is_const) {
             local.constant = arguments[i].constant;
             local.value = {.value = scope.builder->constant(param_type, {*local.constant}), .type = param_type};

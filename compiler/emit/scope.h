@@ -42,6 +42,7 @@ struct Typed {
     ir::Value value;
     ir::Type type = ir::Type::error();
     bool literal = false;  // a literal, or arithmetic of literals: it takes the type of number that its context needs
+    bool is_whole = false;  // in HLSL: a float that is an int there, of sign()
     const Outputs* outputs = nullptr;
     const std::vector<std::string_view>* enumerators = nullptr;  // of an enum's value: the words that == accepts
 
@@ -78,7 +79,7 @@ struct Local {
     std::string_view name;
     Typed value;
     bool is_const = false;
-    std::optional<double> constant;  // the value, if it is known
+    std::optional<double> constant;  // the value, if it is known; in HLSL also of a variable, until it is assigned
 };
 
 // Where an expression or statement is being emitted.
@@ -89,6 +90,8 @@ struct Scope {
     std::vector<Local> locals{};
     unsigned generic_width = 0;  // of floatN; 0 outside generic functions
     bool half = false;           // `float` means half
+    bool hlsl = false;           // HLSL's rules hold: numbers convert to each other, vectors are cut
+    std::size_t block = 0;       // the first of the locals that the innermost block declares
     // The function that is being emitted, for its returns.
     const FunctionDecl* function = nullptr;
     ir::Type result{};

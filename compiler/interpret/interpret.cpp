@@ -70,7 +70,11 @@ void run_loop(Machine& machine, const Loop& loop, Mask active) {
     while (true) {
         double* index = machine.at(loop.index);
         const double* end = machine.at(loop.end);
-        const Mask running = active & lanes_where([&](unsigned lane) { return index[lane] < end[lane]; });
+        Mask running = active & lanes_where([&](unsigned lane) { return index[lane] < end[lane]; });
+        if (loop.goes_on != kNowhere) {
+            const double* goes_on = machine.at(loop.goes_on);
+            running &= lanes_where([&](unsigned lane) { return goes_on[lane] != 0; });
+        }
         if (loop.is_over_lights) machine.light = running == 0 ? -1 : light_of(machine, index);
         if (running == 0) return;
         run_block(machine, loop.block, running);

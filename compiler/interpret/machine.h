@@ -64,6 +64,7 @@ struct Loop {
     Slot begin = kNowhere;
     Slot end = kNowhere;
     Slot index = kNowhere;
+    Slot goes_on = kNowhere;  // of a loop that may end early: a carried bool
     std::uint32_t block = 0;
     bool is_over_lights = false;
     std::vector<Move> initial{};

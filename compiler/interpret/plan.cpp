@@ -410,6 +410,7 @@ void Planner::loop(Value value) {
     const Slot carried = reserve(count);
     slot(value) = carried;
     made.initial = moves(initial, carried);
+    if (i.is_while) made.goes_on = carried + count - 1;
     open_loops_.push_back({.index = made.index, .carried = carried, .initial = initial});
     plan_block(ir::BlockId{i.data});
     open_loops_.pop_back();

@@ -64,7 +64,9 @@ public:
     void begin_else();
     // Both lists have the same types; returns the If.
     Value end_if(std::span<const Value> then_values, std::span<const Value> else_values);
-    Value begin_for(Value begin, Value end, std::span<const Value> initial, bool is_light_loop = false);
+    // `is_while`: see Inst.
+    Value begin_for(Value begin, Value end, std::span<const Value> initial, bool is_light_loop = false,
+                    bool is_while = false);
     Value loop_index() const;
     Value loop_carried(std::uint32_t index) const;
     Value end_for(std::span<const Value> next);

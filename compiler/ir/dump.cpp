@@ -74,6 +74,7 @@ private:
         if (inst.type.kind != Kind::Void || has(inst.op, Structure)) out_ += fmt::format("%{} = ", value.index);
         out_ += info(inst.op).text;
         if (inst.op == Op::For && inst.is_light_loop) out_ += " light";
+        if (inst.is_while) out_ += " while";
         if (inst.type.kind != Kind::Void) out_ += " " + type(inst.type);
         if (inst.op == Op::Call) out_ += " " + callee(inst);
         operands(inst);

@@ -54,6 +54,8 @@ std::string_view to_string(Rate rate);
 struct Inst {
     Op op = Op::Constant;
     bool is_light_loop = false;  // on For: each iteration is one light, so LoopIndex has rate Light
+    // On For: the last value that it carries is a bool, and a round begins only if that is true.
+    bool is_while = false;
     Type type{};
     std::uint32_t first_operand = 0;  // into Function::operands
     std::uint32_t operand_count = 0;

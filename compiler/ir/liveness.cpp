@@ -65,6 +65,7 @@ private:
         // A loop's initial values are needed by what is carried.
         const std::size_t count = inst.op == Op::For ? 2 : args.size();
         for (std::size_t i = 0; i < count; i++) need(args[i]);
+        if (inst.is_while) need_carried(inst, inst.operand_count - 3);
     }
 
     const Function& function_;

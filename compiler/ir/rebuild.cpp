@@ -68,6 +68,8 @@ bool is_unchanged(const Function& from, std::uint32_t body, std::uint32_t index)
 
 // True if the copy of the If or For yields this value, too.
 bool keeps(const Copy& copy, const Inst& structure, std::uint32_t index) {
+    // What decides whether a round begins is the last one.
+    if (structure.is_while && index + 3 == structure.operand_count) return true;
     if (structure.op == Op::For && is_unchanged(copy.from, structure.data, index)) return false;
     return is_live(copy, yield_of(copy.from, structure.data), index);
 }
@@ -122,7 +124,7 @@ std::uint32_t kept_index(const Copy& copy, const Inst& structure, std::uint32_t 
         }
     }
     const Value structure =
-        copy.to.begin_for(copy.map[args[0].index], copy.map[args[1].index], initial, inst.is_light_loop);
+        copy.to.begin_for(copy.map[args[0].index], copy.map[args[1].index], initial, inst.is_light_loop, inst.is_while);
     copy.map[body[0].index] = copy.to.loop_index();
     for (std::uint32_t i = 0; i < kept.size(); i++) copy.map[body[kept[i] + 1].index] = copy.to.loop_carried(i);
     copy_block(copy, inst.data);

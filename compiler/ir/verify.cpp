@@ -184,6 +184,8 @@ private:
         if (!counter.is_scalar() || !counter.is_integer() || function_[args[1]].type != counter) {
             return void(fail(value, "a loop counts with ints"));
         }
+        if (inst.is_while && (args.size() < 3 || function_[args.back()].type != kBool))
+            return void(fail(value, "what decides whether a round begins is not a bool"));
         block(inst.data, &inst);
         if (!ok()) return;
         const auto initial = args.subspan(2), next = yielded(inst.data);

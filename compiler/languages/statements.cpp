@@ -345,7 +345,9 @@ void Body::print_for(Value v) {
         const Text text = expression(initial);
         assign(slot(v, i), initial, text, v);
     }
-    const std::string begin = argument(v, 0), end = at_least(above(Precedence::Relational), expression(arg(v, 1)));
+    const std::string begin = argument(v, 0);
+    std::string end = at_least(above(Precedence::Relational), expression(arg(v, 1)));
+    if (inst.is_while) end += fmt::format(" && {}", names_[slot(v, slot_count(function_, v) - 1)]);
     writer_.names.open();
     std::string index;
     const std::string fallback(kLoopIndices[std::min<std::size_t>(loops_, std::size(kLoopIndices) - 1)]);

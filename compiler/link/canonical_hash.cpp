@@ -188,7 +188,7 @@ private:
             hash.add(hash_block(function, inst.data, depth, values));
             hash.add(hash_block(function, inst.data + 1, depth, values));
         } else if (inst.op == Op::For) {
-            hash.add(hash_block(function, inst.data, depth + 1, values));
+            hash.add(inst.is_while).add(hash_block(function, inst.data, depth + 1, values));
         } else if (inst.op == Op::LoopIndex || inst.op == Op::LoopCarried) {
             hash.add(depth).add(inst.data);
         } else {

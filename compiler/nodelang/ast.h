@@ -34,6 +34,9 @@ struct Expr {
         Ternary,   // args[0] ? args[1] : args[2]
         File,      // text: "./rust.png"
         Object,    // text: a struct of the library; args: the values of its members. A gradient of a graph
+        // Of HLSL alone:
+        Assign,      // args[0] text args[1]; its value is what was assigned. text: = += ...
+        AssignLater,  // the same, but its value is that of before: x++
     };
     Kind kind = Kind::Number;
     NumberKind number_kind = NumberKind::Int;
@@ -62,6 +65,11 @@ struct Stmt {
         Return,   // value may be null
         Discard,  // discardIf(value);
         Block,    // body
+        // Of HLSL alone. The jumps are gone when a function has been parsed (jumps.h).
+        Evaluate,  // value, for what it assigns
+        Loop,      // while (value) { body; step }. No value: for ever
+        Break,
+        Continue,
     };
     Kind kind = Kind::Block;
     Span span{};
@@ -72,11 +80,15 @@ struct Stmt {
     bool is_const = false;
     bool is_light_loop = false;  // [light] for
     bool is_unrolled = false;    // [unroll] for: the rounds are written out if their number is known
+    bool tests_later = false;    // Loop: the first round runs in any case
+    bool takes_break = false;    // Block: of a switch, which a break leaves
     const Expr* target = nullptr;
     const Expr* value = nullptr;
-    const Expr* limit = nullptr;
+    const Expr* limit = nullptr;    // Loop: what must hold, too, for a further round; may be null
+    const Stmt* counter = nullptr;  // Loop: the only declaration at its head
     Statements body{};
     Statements alternative{};
+    Statements step{};
 };
 
 // [name(arguments)]; arguments are expressions, or strings (kind File with the text).
@@ -92,9 +104,12 @@ struct ParamDecl {
     Span span{};
     bool is_const = false;
     bool is_out = false;
+    bool is_inout = false;          // is_out, and an input too
     const Expr* initial = nullptr;  // a constant expression, a semantic (Name), or an earlier parameter's .sampler
     std::vector<Attribute> attributes{};
     std::string_view doc{};  // text of the trailing `///<` or of the @-lines of the function's comment
+
+    bool is_input() const { return !is_out || is_inout; }
 };
 
 struct UnreadBody;
@@ -107,6 +122,7 @@ struct FunctionMarks {
     bool is_member = false;       // [member]: its first parameter is the value before the dot
     bool is_in_float = false;     // [inFloat]: it computes in float, also for half arguments
     bool is_of_object = false;    // [perObject]: it depends on the object that is drawn
+    bool is_of_hlsl = false;      // [hlsl]: only functions that are read by HLSL's rules may call it
     bool is_foreign = false;      // [foreign]: an included file defines it, or text that is not the node language
     std::string_view spelling{};  // of a call of a foreign function; empty: its name and the arguments
 };
@@ -119,6 +135,7 @@ struct FunctionDecl {
     std::vector<ParamDecl> params{};
     std::vector<Attribute> attributes{};
     FunctionMarks marks{};
+    bool is_hlsl = false;         // read by HLSL's rules: see parse.h
     std::string_view doc{};       // the /// lines, with the slashes
     std::uint32_t doc_begin = 0;  // global offset of doc's first byte
     bool has_body = false;
@@ -168,6 +185,7 @@ struct VariableDecl {
     std::string_view name{};
     Span span{};
     bool is_const = false;
+    bool is_hlsl = false;
     const Expr* value = nullptr;
     std::vector<Attribute> attributes{};
     std::string_view doc{};

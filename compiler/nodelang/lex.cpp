@@ -14,10 +14,11 @@ namespace {
 constexpr std::string_view kNoBreakSpace = "\xc2\xa0";
 constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
 
-// 2 if the two characters are one operator, 1 if the first is an operator alone, 0 if it is not an operator.
-constexpr std::size_t punctuation_length(char first, char second) {
+// 3 or 2 if the characters are one operator, 1 if the first is an operator alone, 0 if it is not an operator.
+constexpr std::size_t punctuation_length(char first, char second, char third) {
     constexpr std::string_view kDoubled = "<>=&|+-", kBeforeEquals = "<>!+-*/%&|^", kAlone = "+-*/%<>=!&|^~?:;,.()[]{}";
     if (kAlone.find(first) == std::string_view::npos) return 0;
+    if (second == first && (first == '<' || first == '>') && third == '=') return 3;
     if (second == first && kDoubled.find(first) != std::string_view::npos) return 2;
     return second == '=' && kBeforeEquals.find(first) != std::string_view::npos ? 2 : 1;
 }
@@ -52,7 +53,7 @@ constexpr std::size_t sequence_length(char first) {
 }
 
 // A literal without its sign: digits, then a suffix. False if it is malformed or too large.
-bool read_number(std::string_view literal, Token& token) {
+bool read_number(std::string_view literal, bool is_hlsl, Token& token) {
     const bool is_hex = literal.starts_with("0x") || literal.starts_with("0X");
     std::string_view digits = literal;
     char suffix = '\0';
@@ -82,6 +83,10 @@ bool read_number(std::string_view literal, Token& token) {
         case 'u': token.number_kind = NumberKind::Uint; break;
         case 'f': token.number_kind = NumberKind::Float; break;
         case 'h': token.number_kind = NumberKind::Half; break;
+        case 'l':
+            if (!is_hlsl) return false;
+            token.number_kind = is_whole ? NumberKind::Int : NumberKind::Float;
+            break;
         default: return false;
     }
     if (suffix == 'u' && (!is_whole || token.number > 4294967295.0)) return false;
@@ -91,8 +96,8 @@ bool read_number(std::string_view literal, Token& token) {
 
 }  // namespace
 
-Lexer::Lexer(Text text, Place place, Diagnostics& diagnostics) : text_(text), place_(place), diagnostics_(diagnostics) {
-    if (place == Place::File && looking_at(kByteOrderMark)) here_ = kByteOrderMark.size();
+Lexer::Lexer(Text text, Place place, Diagnostics& diagnostics) : text_(text), place_(place), diagnostics_(&diagnostics) {
+    if (place != Place::Graph && looking_at(kByteOrderMark)) here_ = kByteOrderMark.size();
 }
 
 Token Lexer::next() {
@@ -127,15 +132,19 @@ std::size_t Lexer::end_of_word(std::size_t from) const {
 
 void Lexer::skip_space(Token& token) {
     bool same_line_as_token = here_ > 0;
+    token.begins_line = here_ == 0;
     int newlines = 0;           // since the last comment
     bool in_doc_block = false;  // the last thing was a /// line
     while (here_ < text_.text.size()) {
         if (is_space(at(here_))) {
             if (at(here_) == '\n') {
                 same_line_as_token = false;
+                token.begins_line = true;
                 ++newlines;
             }
             ++here_;
+        } else if (place_ == Place::Hlsl && (looking_at("\\\n") || looking_at("\\\r\n"))) {
+            here_ += at(here_ + 1) == '\n' ? 2 : 3;  // the line goes on
         } else if (looking_at(kNoBreakSpace)) {
             here_ += kNoBreakSpace.size();
         } else if (looking_at("//")) {
@@ -158,7 +167,7 @@ void Lexer::skip_space(Token& token) {
 void Lexer::skip_block_comment() {
     const std::size_t close = text_.text.find("*/", here_ + 2);
     if (close == std::string_view::npos) {
-        diagnostics_.report(Code::Syntax, span(here_, here_ + 2), "'*/' after this", "the end of the text");
+        diagnostics_->report(Code::Syntax, span(here_, here_ + 2), "'*/' after this", "the end of the text");
         here_ = text_.text.size();
         return;
     }
@@ -208,12 +217,12 @@ void Lexer::number(Token& token) {
     here_ = end_of_word(end);
     token.text = text_.text.substr(begin, here_ - begin);
     token.kind = Token::Kind::Number;
-    if (read_number(token.text, token)) return;
+    if (read_number(token.text, place_ == Place::Hlsl, token)) return;
     token.kind = Token::Kind::Bad;
     if (std::isinf(token.number)) {
-        diagnostics_.report(Code::BadNumber, span(begin, here_), token.text, "32-bit float");
+        diagnostics_->report(Code::BadNumber, span(begin, here_), token.text, "32-bit float");
     } else {
-        diagnostics_.report(Code::BadLiteral, span(begin, here_), token.text);
+        diagnostics_->report(Code::BadLiteral, span(begin, here_), token.text);
     }
 }
 
@@ -222,7 +231,7 @@ void Lexer::string(Token& token) {
     const std::size_t end = text_.text.find_first_of("\"\n", begin);
     if (end == std::string_view::npos || text_.text[end] == '\n') {
         token.kind = Token::Kind::Bad;
-        diagnostics_.report(Code::Syntax, span(here_, begin), "another '\"' after this", "the end of the line");
+        diagnostics_->report(Code::Syntax, span(here_, begin), "another '\"' after this", "the end of the line");
         here_ = std::min(end, text_.text.size());
         return;
     }
@@ -240,7 +249,7 @@ void Lexer::graph_name(Token& token) {
     if (place_ == Place::Graph) return;
     token.kind = Token::Kind::Bad;
     diagnostics_
-        .report(Code::BadCharacter, span(begin, here_), fmt::format("'{}'", text_.text.substr(begin, here_ - begin)))
+        ->report(Code::BadCharacter, span(begin, here_), fmt::format("'{}'", text_.text.substr(begin, here_ - begin)))
         .note(is_property
                   ? "only a graph reads properties: give the function a parameter"
                   : fmt::format(
@@ -249,7 +258,8 @@ void Lexer::graph_name(Token& token) {
 }
 
 void Lexer::punctuation(Token& token) {
-    const std::size_t length = punctuation_length(at(here_), at(here_ + 1));
+    std::size_t length = punctuation_length(at(here_), at(here_ + 1), at(here_ + 2));
+    if (place_ == Place::Hlsl && at(here_) == '#') length = at(here_ + 1) == '#' ? 2 : 1;
     if (length == 0) return bad_character(token);
     token.kind = Token::Kind::Punctuation;
     token.text = text_.text.substr(here_, length);
@@ -268,13 +278,15 @@ void Lexer::bad_character(Token& token) {
     const bool is_printable = (byte > 0x20 && byte < 0x7f) || token.text.size() > 1;
     const std::string what =
         is_printable ? fmt::format("'{}'", token.text) : fmt::format("the character 0x{:02x}", unsigned{byte});
-    DiagnosticRecord& record = diagnostics_.report(Code::BadCharacter, span(begin, here_), what);
+    DiagnosticRecord& record = diagnostics_->report(Code::BadCharacter, span(begin, here_), what);
     if (is_color)
         record.note(
             "an expression cannot contain a colour: read one by its name, of a property or of a value of `patina "
             "eval`");
     else if (c == '#' && place_ == Place::File)
-        record.note("there is no preprocessor: write a constant as 'const float NAME = 1;'");
+        record.note(
+            "there is no preprocessor: write a constant as 'const float NAME = 1;', or let the file begin with "
+            "'#pragma hlsl'");
     if (c == '$' || c == '@') record.note(fmt::format("'{}' begins a name: put the name directly after it", c));
 }
 

@@ -2,6 +2,8 @@
 // one. It reports bad characters and numbers; the parser does not report a Bad token again. Comments are not tokens: a
 // token carries the `///` lines before it, and the `///<` text between it and the previous token.
 //
+// In a file of HLSL (hlsl_mark.h) it also knows what the preprocessor (preprocessor.h) needs: '#', and where lines begin.
+//
 //   Lexer lexer({text, base}, Lexer::Place::File, diagnostics);
 //   for (Token t = lexer.next(); t.kind != Token::Kind::End; t = lexer.next()) ...
 #pragma once
@@ -27,6 +29,7 @@ struct Token {
     NumberKind number_kind = NumberKind::Int;
     std::size_t begin = 0;  // offsets into Text::text
     std::size_t end = 0;
+    bool begins_line = false;
     std::string_view text;
     double number = 0;
     std::string_view doc;           // whole lines, slashes included; empty if there are none
@@ -41,14 +44,16 @@ struct Token {
 
 class Lexer {
 public:
-    // Only graphs have $properties and @semantics.
-    enum class Place { File, Graph };
+    // Only graphs have $properties and @semantics, and only HLSL has a preprocessor.
+    enum class Place { File, Graph, Hlsl };
 
     Lexer(Text text, Place place, Diagnostics& diagnostics);
 
     // The next token. At the end of the text it is End, however often this is called.
     Token next();
 
+    // From now on, mistakes are reported here.
+    void report_to(Diagnostics& diagnostics) { diagnostics_ = &diagnostics; }
     // Continues at the offset.
     void go_to(std::size_t offset) { here_ = offset; }
 
@@ -71,7 +76,7 @@ private:
 
     Text text_;
     Place place_;
-    Diagnostics& diagnostics_;
+    Diagnostics* diagnostics_;
     std::size_t here_ = 0;
 };
 

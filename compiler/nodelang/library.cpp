@@ -72,8 +72,15 @@ std::vector<std::string_view> Declarations::function_names() const {
 }
 
 void index_declarations(const Ast& ast, Declarations& into, Diagnostics& diagnostics) {
-    for (const FunctionDecl& f : ast.functions)
-        add(into.functions, f, &FunctionDecl::name_span, into.unread, diagnostics);
+    for (const FunctionDecl& f : ast.functions) {
+        const auto first = into.functions.find(f.name);
+        const bool is_overload = first != into.functions.end() && f.is_hlsl && !f.attribute("node") &&
+                                 !first->second->attribute("node");
+        if (is_overload)
+            into.overloads[f.name].push_back(&f);
+        else
+            add(into.functions, f, &FunctionDecl::name_span, into.unread, diagnostics);
+    }
     for (const StructDecl& s : ast.structs) add(into.structs, s, &StructDecl::span, into.unread, diagnostics);
     for (const EnumDecl& e : ast.enums) add(into.enums, e, &EnumDecl::span, into.unread, diagnostics);
     for (const VariableDecl& v : ast.variables) add(into.variables, v, &VariableDecl::span, into.unread, diagnostics);

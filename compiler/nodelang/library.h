@@ -20,6 +20,8 @@ struct Declarations {
     std::unordered_map<std::string_view, const EnumDecl*> enums;
     std::unordered_map<std::string_view, const VariableDecl*> variables;
     std::unordered_map<std::string_view, const Unread*> unread;  // further ones, of any kind
+    // Of HLSL: the functions of a name after the first one.
+    std::unordered_map<std::string_view, std::vector<const FunctionDecl*>> overloads{};
 
     const FunctionDecl* function(std::string_view name) const;
     const StructDecl* structure(std::string_view name) const;

@@ -21,6 +21,12 @@ bool is_too_large(Text text, Diagnostics& diagnostics) {
     return true;
 }
 
+bool has_hlsl_mark(Text text) {
+    Diagnostics unread;
+    Lexer lexer(text, Lexer::Place::Hlsl, unread);
+    return lexer.next().is("#") && lexer.next().is_word("pragma") && lexer.next().is_word("hlsl");
+}
+
 }  // namespace
 
 void parse_file(Text text, Ast& ast, Diagnostics& diagnostics, Bodies bodies) {
@@ -31,7 +37,9 @@ void parse_file(Text text, Ast& ast, Diagnostics& diagnostics, Bodies bodies) {
         diagnostics.report(Code::NotUtf8, {text.at(bad), text.at(bad + 1)}, bad + 1, unsigned{byte});
         return;
     }
-    Parser(text, Lexer::Place::File, ast, diagnostics, bodies).file();
+    const bool is_hlsl = has_hlsl_mark(text);
+    Parser(text, is_hlsl ? Lexer::Place::Hlsl : Lexer::Place::File, ast, diagnostics, is_hlsl ? Bodies::Now : bodies)
+        .file();
 }
 
 namespace {
@@ -73,8 +81,9 @@ Parser::Parser(Text text, Lexer::Place place, Ast& ast, Diagnostics& diagnostics
       errors_before_(diagnostics.error_count()),
       bodies_(bodies),
       lexer_(text, place, diagnostics) {
-    now_ = lexer_.next();
-    after_ = lexer_.next();
+    if (is_hlsl()) preprocessor_.emplace(lexer_, ast, diagnostics);
+    now_ = next_token();
+    after_ = next_token();
 }
 
 const Expr* Parser::whole_expression() {
@@ -122,7 +131,7 @@ Token Parser::take() {
     last_end_ = now_.end;
     const Token taken = now_;
     now_ = after_;
-    after_ = lexer_.next();
+    after_ = next_token();
     return taken;
 }
 
@@ -141,7 +150,7 @@ bool Parser::take_word(std::string_view word) {
 std::string Parser::describe(const Token& token) const {
     switch (token.kind) {
         case Token::Kind::End:
-            return place_ == Lexer::Place::File ? "the end of the file" : "the end of the expression";
+            return place_ == Lexer::Place::Graph ? "the end of the expression" : "the end of the file";
         case Token::Kind::String: return "a string";
         case Token::Kind::Property: return fmt::format("'${}'", token.text);
         case Token::Kind::Semantic: return fmt::format("'@{}'", token.text);
@@ -186,7 +195,9 @@ bool Parser::name(std::string_view what, Token& into) {
 // skipped.
 bool Parser::end_of_statement() {
     if (take_if(";")) return true;
-    const bool at_line_end = text_.text.substr(last_end_, now().begin - last_end_).find('\n') != std::string_view::npos;
+    // What a macro stands for is all at one place.
+    const std::size_t gap = std::max(now().begin, last_end_) - last_end_;
+    const bool at_line_end = text_.text.substr(last_end_, gap).find('\n') != std::string_view::npos;
     if (!at_line_end || now().kind == Token::Kind::Bad) {
         expected("';'");
         return false;

@@ -1,6 +1,7 @@
 // Parses declarations: everything in a file outside functions, and their types, attributes and parameters.
 #include <algorithm>
 
+#include "compiler/nodelang/jumps.h"
 #include "compiler/nodelang/parser.h"
 
 namespace patina::nodelang {
@@ -22,6 +23,7 @@ constexpr AttributeInfo kAttributes[] = {
     {kFunction, "range"},
     {kFunction, "inline"},
     {kFunction, "inFloat"},
+    {kFunction, "hlsl"},
     // Functions that passes call, and how the slots among them are derived.
     {kFunction, "slot"},
     {kFunction, "part"},
@@ -143,6 +145,7 @@ FunctionMarks marks_of(const FunctionDecl& function) {
             .is_member = function.attribute("member") != nullptr,
             .is_in_float = function.attribute("inFloat") != nullptr,
             .is_of_object = function.attribute("perObject") != nullptr,
+            .is_of_hlsl = function.attribute("hlsl") != nullptr,
             .is_foreign = foreign != nullptr,
             .spelling = foreign && !foreign->args.empty() ? foreign->args[0]->text : std::string_view()};
 }
@@ -192,36 +195,55 @@ bool Parser::declaration() {
         return enumeration(doc);
     }
     const std::size_t begin = now().begin;
-    const bool is_const = take_word("const");
+    bool is_const = false;
+    if (is_hlsl() ? !qualifiers(is_const) : (is_const = take_word("const"), false)) return false;
     TypeName type;
     Token word;
     if (!type_name(type, "a declaration") || !name("a name", word)) return false;
-    const bool is_function = !is_const && now().is("(");
+    const bool is_function = (!is_const || is_hlsl()) && now().is("(");
     check_attributes(marks, is_function ? kFunction : kVariable);
     if (is_function) {
         FunctionDecl decl{.name = word.text,
                           .name_span = span(word),
                           .result = type,
                           .attributes = std::move(marks),
+                          .is_hlsl = is_hlsl(),
                           .doc = doc,
                           .doc_begin = doc.empty() ? 0 : text_.at(offset_of(doc))};
         return function(std::move(decl), begin);
     }
-    return variable({.type = type,
-                     .name = word.text,
-                     .span = span(word),
-                     .is_const = is_const,
-                     .attributes = std::move(marks),
-                     .doc = doc});
+    for (;;) {
+        if (!variable({.type = type,
+                       .name = word.text,
+                       .span = span(word),
+                       .is_const = is_const,
+                       .is_hlsl = is_hlsl(),
+                       .attributes = marks,
+                       .doc = doc}))
+            return false;
+        // "static const float a = 1, b = 2;"
+        if (!is_hlsl() || !take_if(",")) return end_of_variable();
+        if (!name("a name", word)) return false;
+    }
 }
 
 // --- types and attributes
 
 bool Parser::type_name(TypeName& into, std::string_view what) {
     Token word;
+    if (is_hlsl() && now().is_word("unsigned") && after().is_word("int")) {
+        into = {.name = "uint", .span = span(take())};
+        take();
+        return true;
+    }
     if (!name(what, word)) return false;
     into.name = word.text;
     into.span = span(word);
+    // "Texture2D<float4>": what is read of it is always a float4.
+    if (is_hlsl() && now().is("<")) {
+        while (!now().is(">") && !now().is(";") && now().kind != Token::Kind::End) take();
+        return expect(">", "'>'");
+    }
     return true;
 }
 
@@ -288,6 +310,15 @@ bool Parser::structure(std::vector<Attribute> marks, std::string_view doc) {
         member.name = member_name.text;
         member.span = span(member_name);
         if (!array_size(member.type)) return false;
+        skip_semantic();
+        if (is_hlsl() && now().is(",")) {
+            const TypeName same{.name = member.type.name, .span = member.type.span};
+            take();
+            if (!name("a name for the member", member_name)) return false;
+            decl.members.push_back({.type = same, .name = member_name.text, .span = span(member_name)});
+            if (!array_size(decl.members.back().type)) return false;
+            continue;
+        }
         bool found = false;
         member.doc = trailing_doc_and(";", found);
         if (!found && !end_of_statement()) return false;
@@ -330,9 +361,15 @@ bool Parser::variable(VariableDecl decl) {
         return false;
     }
     if (decl.doc.empty()) decl.doc = now().trailing_doc;
-    const bool ended = end_of_statement();
-    if (decl.doc.empty()) decl.doc = now().trailing_doc;
     ast_.variables.push_back(std::move(decl));
+    return true;
+}
+
+// Takes the ';' and what is written behind it about the last variable.
+bool Parser::end_of_variable() {
+    const bool ended = end_of_statement();
+    VariableDecl& last = ast_.variables.back();
+    if (last.doc.empty()) last.doc = now().trailing_doc;
     return ended;
 }
 
@@ -341,6 +378,7 @@ bool Parser::variable(VariableDecl decl) {
 bool Parser::function(FunctionDecl decl, std::size_t begin) {
     decl.marks = marks_of(decl);
     if (!parameters(decl)) return false;
+    skip_semantic();
     if (decl.has_body) {
         // The text of a foreign function has been taken already.
     } else if (now().is("{")) {
@@ -350,8 +388,11 @@ bool Parser::function(FunctionDecl decl, std::size_t begin) {
         } else if (!block(decl.body)) {
             return false;
         }
+        if (is_hlsl()) remove_jumps(decl, ast_);
     } else if (!end_of_statement()) {
         return false;
+    } else if (is_hlsl()) {
+        return true;  // it only announces the function
     }
     decl.span = span_from(begin);
     ast_.functions.push_back(std::move(decl));
@@ -381,8 +422,8 @@ void Parser::leave_unread(FunctionDecl& function) {
 void Parser::go_to(std::size_t offset) {
     lexer_.go_to(offset);
     last_end_ = offset;
-    now_ = lexer_.next();
-    after_ = lexer_.next();
+    now_ = next_token();
+    after_ = next_token();
 }
 
 // Takes the ')' here and the text behind it, from its '{' to the '}' that closes it. No token of the text is read: it
@@ -406,6 +447,7 @@ bool Parser::foreign_code(FunctionDecl& function) {
 
 bool Parser::parameters(FunctionDecl& function) {
     const Token open = take();
+    if (is_hlsl() && after().is(")")) take_word("void");
     for (bool more = !now().is(")"); more;) {
         ParamDecl& param = function.params.emplace_back();
         if (!parameter(param)) return false;
@@ -418,17 +460,23 @@ bool Parser::parameters(FunctionDecl& function) {
 bool Parser::parameter(ParamDecl& into) {
     if (!attributes(into.attributes)) return false;
     check_attributes(into.attributes, kParameter);
+    if (is_hlsl()) return hlsl_parameter(into);
     into.is_const = take_word("const");
     into.is_out = !into.is_const && take_word("out");
     if ((now().is_word("in") || now().is_word("inout")) && after().kind == Token::Kind::Word) {
         expected("a type").note("a parameter is an input; write 'out' before its type to make it an output");
         return false;
     }
+    return typed_parameter(into);
+}
+
+bool Parser::typed_parameter(ParamDecl& into) {
     Token word;
     if (!type_name(into.type, "a parameter") || !name("a name for the parameter", word)) return false;
     into.name = word.text;
     into.span = span(word);
     if (!array_size(into.type)) return false;
+    skip_semantic();
     if (into.is_out || !take_if("=")) return true;
     const Node initial = expression();
     into.initial = initial.expr;

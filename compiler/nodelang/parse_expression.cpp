@@ -74,6 +74,7 @@ Node Parser::expression() {
     const bool is_leaf = now().kind == Token::Kind::Number || now().kind == Token::Kind::Word;
     if (is_leaf && (after().is(",") || after().is(")") || after().is(";"))) return primary();
     const Node condition = binary(1);
+    if (condition && is_hlsl() && is_assignment(now())) return assigned(condition);
     if (!condition || !now().is("?")) return condition;
     const Token question = take();
     const Node if_true = expression();
@@ -102,12 +103,14 @@ Node Parser::binary(int lowest_precedence) {
 }
 
 Node Parser::unary() {
-    if (!now().is("-") && !now().is("!") && !now().is("~") && !now().is("+")) return postfix();
+    const bool is_step = is_hlsl() && (now().is("++") || now().is("--"));
+    if (!is_step && !now().is("-") && !now().is("!") && !now().is("~") && !now().is("+")) return postfix();
     const Nested nested(*this);
     if (!nested.allowed()) return {};
     const Token op = take();
     const Node operand = unary();
     if (!operand) return {};
+    if (is_step) return stepped(operand, op, true);
     return make({.kind = Expr::Kind::Unary, .name_span = span(op), .text = op.text}, op.begin, {operand});
 }
 
@@ -123,6 +126,8 @@ Node Parser::postfix() {
             node = after().is("(") ? method_of(node) : member_of(node);
         } else if (now().is("[")) {
             node = index_of(node);
+        } else if (is_hlsl() && (now().is("++") || now().is("--"))) {
+            node = stepped(node, take(), false);
         } else {
             return node;
         }
@@ -170,20 +175,24 @@ Node Parser::primary() {
             const Node made = now().is("(") ? call(word) : leaf(Expr::Kind::Name, word);
             return made && is_statement(word) ? Node{} : made;
         }
-        case Token::Kind::Punctuation: {
+        case Token::Kind::Punctuation:
             if (!now().is("(")) break;
-            const Token open = take();
-            Node inner = expression();
-            if (!inner || !expect_close(")", open)) return {};
-            inner.begin = open.begin;
-            return inner;
-        }
+            return bracketed();
         case Token::Kind::String:
         case Token::Kind::End:
         case Token::Kind::Bad: break;
     }
     expected("a value");
     return {};
+}
+
+Node Parser::bracketed() {
+    const Token open = take();
+    if (is_hlsl() && now().kind == Token::Kind::Word && after().is(")")) return cast(open);
+    Node inner = expression();
+    if (!inner || !expect_close(")", open)) return {};
+    inner.begin = open.begin;
+    return inner;
 }
 
 // In an expression of a graph, words of statements are names like others, unless a value follows: "if (x) 1". Reports

@@ -6,13 +6,8 @@
 namespace patina::nodelang {
 namespace {
 
-constexpr std::string_view kAssignments[] = {"=", "+=", "-=", "*=", "/=", "%=", "&=", "|=", "^="};
+constexpr std::string_view kAssignments[] = {"=", "+=", "-=", "*=", "/=", "%=", "&=", "|=", "^=", "<<=", ">>="};
 constexpr std::string_view kLoopShape = "write a loop like this: for (int i = 0; i < 8; i++)";
-
-bool is_assignment(const Token& token) {
-    return token.kind == Token::Kind::Punctuation &&
-           std::find(std::begin(kAssignments), std::end(kAssignments), token.text) != std::end(kAssignments);
-}
 
 // Statements of C that the language does not have.
 bool is_left_out(const Token& token) {
@@ -28,6 +23,11 @@ std::string_view instead_of(const Token& token) {
 }
 
 }  // namespace
+
+bool is_assignment(const Token& token) {
+    return token.kind == Token::Kind::Punctuation &&
+           std::find(std::begin(kAssignments), std::end(kAssignments), token.text) != std::end(kAssignments);
+}
 
 // Ends a statement with a span without the ';', which is never the mistake.
 const Stmt* Parser::finish(Stmt stmt, std::size_t begin) {
@@ -45,57 +45,66 @@ void Parser::statements(Statements& into) {
     const int depth = braces_;
     while (now().kind != Token::Kind::End && !now().is("}")) {
         if (take_if(";")) continue;
-        if (const Stmt* stmt = statement()) {
-            into.push_back(stmt);
-        } else {
-            skip_statement(depth);
-        }
+        if (!statement(into)) skip_statement(depth);
     }
 }
 
-const Stmt* Parser::statement() {
+bool Parser::statement(Statements& into) {
     const Nested nested(*this);
-    if (!nested.allowed()) return nullptr;
+    if (!nested.allowed()) return false;
+    const auto add = [&](const Stmt* made) {
+        if (made) into.push_back(made);
+        return made != nullptr;
+    };
     const std::size_t begin = now().begin;
     if (now().is("{")) {
         Stmt inner{.kind = Stmt::Kind::Block};
-        return block(inner.body) ? finish(std::move(inner), begin) : nullptr;
+        return block(inner.body) && add(finish(std::move(inner), begin));
     }
-    if (now().is("[") || now().is_word("for")) return for_statement();
-    if (now().is_word("if")) return if_statement();
-    if (now().is_word("return")) return return_statement();
-    if (now().is_word("discardIf")) return discard_statement();
-    if (now().is_word("const")) return declaration_statement();
+    if (now().is_word("if")) return add(if_statement());
+    if (now().is_word("return")) return add(return_statement());
+    if (now().is_word("discardIf")) return add(discard_statement());
+    if (is_hlsl()) return hlsl_statement(into);
+    if (now().is("[") || now().is_word("for")) return add(for_statement());
+    if (now().is_word("const")) return declaration_statement(into);
     if (is_left_out(now())) {
         expected("a statement").note(std::string(instead_of(now())));
-        return nullptr;
+        return false;
     }
     const bool two_words = now().kind == Token::Kind::Word && after().kind == Token::Kind::Word;
-    return two_words ? declaration_statement() : assignment();
+    return two_words ? declaration_statement(into) : add(assignment());
 }
 
-const Stmt* Parser::declaration_statement() {
-    const std::size_t begin = now().begin;
-    Stmt stmt{.kind = Stmt::Kind::Declare, .is_const = take_word("const")};
-    Token word;
-    if (!type_name(stmt.type, "a statement") || !name("a name for the variable", word)) return nullptr;
-    stmt.name = word.text;
-    stmt.name_span = span(word);
-    if (!array_size(stmt.type)) return nullptr;
-    if (take_if("=")) {
-        const Node value = initializer();
-        if (!value) return nullptr;
-        stmt.value = value.expr;
-    } else if (stmt.is_const) {
-        expected("'=' and the value of the constant");
-        return nullptr;
+bool Parser::declaration_statement(Statements& into) {
+    std::size_t begin = now().begin;
+    bool is_const = false;
+    TypeName type;
+    if (is_hlsl() ? !qualifiers(is_const) : (is_const = take_word("const"), false)) return false;
+    if (!type_name(type, "a statement")) return false;
+    for (;;) {
+        Stmt stmt{.kind = Stmt::Kind::Declare, .type = type, .is_const = is_const};
+        Token word;
+        if (!name("a name for the variable", word)) return false;
+        stmt.name = word.text;
+        stmt.name_span = span(word);
+        if (!array_size(stmt.type)) return false;
+        if (take_if("=")) {
+            const Node value = initializer();
+            if (!value) return false;
+            stmt.value = value.expr;
+        } else if (stmt.is_const) {
+            expected("'=' and the value of the constant");
+            return false;
+        }
+        into.push_back(finish(std::move(stmt), begin));
+        if (!now().is(",")) return end_of_statement();
+        if (!is_hlsl()) {
+            expected("';'").note("declare each variable on its own");
+            return false;
+        }
+        take();
+        begin = now().begin;
     }
-    const Stmt* made = finish(std::move(stmt), begin);
-    if (now().is(",")) {
-        expected("';'").note("declare each variable on its own");
-        return nullptr;
-    }
-    return end_of_statement() ? made : nullptr;
 }
 
 const Stmt* Parser::assignment() {
@@ -135,13 +144,12 @@ const Stmt* Parser::if_statement() {
 // One statement or a block.
 bool Parser::body(Statements& into) {
     if (now().is("{")) return block(into);
+    if (is_hlsl() && take_if(";")) return true;
     if (now().is(";")) {
         expected("a statement or '{'");
         return false;
     }
-    const Stmt* stmt = statement();
-    if (stmt) into.push_back(stmt);
-    return stmt != nullptr;
+    return statement(into);
 }
 
 const Stmt* Parser::for_statement() {

@@ -7,10 +7,12 @@
 #pragma once
 
 #include <initializer_list>
+#include <optional>
 #include <span>
 
 #include "compiler/base/made_once.h"
 #include "compiler/nodelang/lex.h"
+#include "compiler/nodelang/preprocessor.h"
 
 namespace patina::nodelang {
 
@@ -40,6 +42,9 @@ struct UnreadBody {
     MadeOnce<ReadBody> read{};
 };
 
+// = += -= ...
+bool is_assignment(const Token& token);
+
 class Parser {
 public:
     Parser(Text text, Lexer::Place place, Ast& ast, Diagnostics& diagnostics, Bodies bodies = Bodies::Now);
@@ -68,6 +73,8 @@ private:
     // --- tokens (parse.cpp)
     const Token& now() const { return now_; }
     const Token& after() const { return after_; }
+    bool is_hlsl() const { return place_ == Lexer::Place::Hlsl; }
+    Token next_token() { return preprocessor_ ? preprocessor_->next() : lexer_.next(); }
     Token take();  // the current token; the next one becomes current
     bool take_if(std::string_view punctuation);
     bool take_word(std::string_view word);
@@ -95,6 +102,7 @@ private:
     Node method_of(const Node& object);
     Node index_of(const Node& object);
     Node primary();
+    Node bracketed();
     Node call(const Token& callee);
     bool is_statement(const Token& word);
     Node initializer();
@@ -109,8 +117,8 @@ private:
     // --- statements (parse_statement.cpp)
     bool block(Statements& into);
     void statements(Statements& into);
-    const Stmt* statement();
-    const Stmt* declaration_statement();
+    bool statement(Statements& into);
+    bool declaration_statement(Statements& into);
     const Stmt* assignment();
     const Stmt* if_statement();
     const Stmt* for_statement();
@@ -121,6 +129,22 @@ private:
     const Stmt* discard_statement();
     bool body(Statements& into);
     const Stmt* finish(Stmt stmt, std::size_t begin);
+
+    // --- what only HLSL has (parse_hlsl.cpp)
+    bool hlsl_statement(Statements& into);
+    bool hints(Stmt& loop);
+    bool condition(Node& into);
+    bool for_loop(Stmt& loop, Statements& first);
+    const Stmt* switch_statement();
+    bool cases(const Node& selector, Statements& into);
+    bool expressions(Statements& into);
+    Node assigned(const Node& target);
+    Node stepped(const Node& target, const Token& op, bool is_before);
+    Node cast(const Token& open);
+    bool begins_declaration() const;
+    bool qualifiers(bool& is_const);
+    bool hlsl_parameter(ParamDecl& into);
+    void skip_semantic();
 
     // --- declarations (parse_declaration.cpp)
     bool declaration();
@@ -133,12 +157,14 @@ private:
     bool structure(std::vector<Attribute> marks, std::string_view doc);
     bool enumeration(std::string_view doc);
     bool variable(VariableDecl decl);
+    bool end_of_variable();
     bool function(FunctionDecl decl, std::size_t begin);
     bool parameters(FunctionDecl& function);
     bool foreign_code(FunctionDecl& function);
     void leave_unread(FunctionDecl& function);
     void go_to(std::size_t offset);
     bool parameter(ParamDecl& into);
+    bool typed_parameter(ParamDecl& into);
 
     Text text_;
     Lexer::Place place_;
@@ -147,6 +173,7 @@ private:
     std::size_t errors_before_;  // number of errors before this text was read
     Bodies bodies_;
     Lexer lexer_;
+    std::optional<Preprocessor> preprocessor_{};  // of HLSL
     Token now_;
     Token after_;               // the token after now_
     std::size_t last_end_ = 0;  // where the last taken token ended

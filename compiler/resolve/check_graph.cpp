@@ -23,7 +23,7 @@ std::vector<std::string_view> input_names(const ResolvedNode& node) {
         for (const nodelang::ParamDecl& param : node.function->params) {
             const bool hidden = std::any_of(param.attributes.begin(), param.attributes.end(),
                                             [](const nodelang::Attribute& a) { return a.name == "hidden"; });
-            if (!param.is_out && !hidden) names.push_back(param.name);
+            if (param.is_input() && !hidden) names.push_back(param.name);
         }
     } else if (node.subgraph) {
         for (const Input& input : node.subgraph->graph->inputs) names.push_back(input.name);

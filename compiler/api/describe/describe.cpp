@@ -116,7 +116,7 @@ NodeInfo describe_node(const nodelang::FunctionDecl& function, const EvaluationC
     for (const nodelang::ParamDecl& param : function.params) {
         const bool hidden = std::any_of(param.attributes.begin(), param.attributes.end(),
                                         [](const nodelang::Attribute& a) { return a.name == "hidden"; });
-        if (!param.is_out && !hidden) node.ports.push_back(describe_param(param, context));
+        if (param.is_input() && !hidden) node.ports.push_back(describe_param(param, context));
     }
     if (function.result.name != "void") {
         node.ports.push_back({.name = "out",

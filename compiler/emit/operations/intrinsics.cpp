@@ -102,6 +102,35 @@ const Intrinsic* find_intrinsic(std::string_view name) {
     return found != std::end(kIntrinsics) && found->name == name ? found : nullptr;
 }
 
+// What HLSL converts before an intrinsic function takes its operands.
+void hlsl_arguments(Emitter& emitter, Takes takes, std::span<Typed> operands, Scope& scope) {
+    const auto cast_to = [&](Typed& operand, Type wanted) {
+        if (const Typed made = hlsl_cast(emitter, operand, wanted, scope); made.ok()) operand = made;
+    };
+    const Scalar floating = scope.half ? Scalar::Half : Scalar::Float;
+    for (Typed& operand : operands) {
+        if (!operand.type.is_numeric()) continue;
+        if (takes == Takes::Bools) {
+            cast_to(operand, operand.type.with_scalar(Scalar::Bool));
+        } else if (takes == Takes::Numbers) {
+            if (operand.type.is_bool()) cast_to(operand, operand.type.with_scalar(Scalar::Int));
+        } else if (!operand.type.is_floating() && !operand.literal) {
+            cast_to(operand, operand.type.with_scalar(floating));
+        } else if (takes == Takes::Product && operand.literal) {
+            cast_to(operand, operand.type.with_scalar(floating));
+        }
+        if (takes == Takes::Vectors3 && operand.type.width() == 4) cast_to(operand, operand.type.with_width(3));
+    }
+    if (takes != Takes::Product) return;
+    // A vector that is too long for the matrix is cut.
+    for (const std::size_t i : {0u, 1u}) {
+        const Type matrix = operands[1 - i].type;
+        const unsigned size = i == 0 ? matrix.rows : matrix.cols;
+        if (matrix.is_matrix() && operands[i].type.is_vector() && operands[i].type.width() > size)
+            cast_to(operands[i], operands[i].type.with_width(size));
+    }
+}
+
 }  // namespace
 
 std::vector<std::string_view> intrinsic_names() {
@@ -160,6 +189,7 @@ Typed intrinsic(Emitter& emitter, std::string_view name, const Expr& expr, Scope
     }
     if (!good) return {};
     ir::Builder& b = *scope.builder;
+    if (scope.hlsl && row) hlsl_arguments(emitter, row->takes, operands, scope);
     const auto refuse = [&](const Typed& operand) {
         emitter.diagnostics.report(Code::BadOperand, expr.span, name, emitter.module.type_name(operand.type));
         return Typed{};
@@ -193,7 +223,14 @@ Typed intrinsic(Emitter& emitter, std::string_view name, const Expr& expr, Scope
             }
             return {.value = b.emit(Op::MatMul, type, {operands[0].value, operands[1].value}), .type = type};
         }
-        return refuse(operands[0]);
+        if (!scope.hlsl) return refuse(operands[0]);
+        // Of two vectors, mul is their dot product; a scalar scales the other side.
+        if (!unify(emitter, operands, scope, expr.span, name)) return {};
+        const Type type = operands[0].type;
+        if (left.is_scalar() || right.is_scalar())
+            return {.value = b.emit(Op::Mul, type, {operands[0].value, operands[1].value}), .type = type};
+        const Type scalar = Type::scalar_of(type.scalar);
+        return {.value = b.emit(Op::Dot, scalar, {operands[0].value, operands[1].value}), .type = scalar};
     }
     if (row->takes == Takes::Matrix) {
         if (!operands[0].type.is_matrix()) return refuse(operands[0]);
@@ -242,7 +279,7 @@ Typed intrinsic(Emitter& emitter, std::string_view name, const Expr& expr, Scope
                         : rule == ir::TypeRule::Bools ? Type::vector(Scalar::Bool, type.width())
                                                       : type;
     warn_unless_finite(emitter, row->op, result, values, scope, expr.span, name);
-    return {.value = b.emit(row->op, result, values), .type = result};
+    return {.value = b.emit(row->op, result, values), .type = result, .is_whole = scope.hlsl && row->op == Op::Sign};
 }
 
 Typed constructor(Emitter& emitter, Type wanted, const Expr& expr, Scope& scope) {
@@ -252,6 +289,15 @@ Typed constructor(Emitter& emitter, Type wanted, const Expr& expr, Scope& scope)
     for (const Expr* argument : expr.args) {
         Typed part = primary(emitter, expression(emitter, *argument, scope), scope, argument->span);
         if (!part.ok()) return {};
+        if (scope.hlsl && expr.args.size() == 1) {
+            if (const Typed made = hlsl_cast(emitter, part, wanted, scope); made.ok()) return made;
+        }
+        if (scope.hlsl && part.type.is_matrix()) {
+            for (unsigned row = 0; row < part.type.rows; ++row)
+                parts.push_back(b.convert(b.extract(part.value, row), wanted.scalar));
+            count += part.type.components();
+            continue;
+        }
         if (!part.type.is_numeric() || part.type.is_matrix()) {
             emitter.diagnostics.report(Code::BadOperand, argument->span, expr.text,
                                        emitter.module.type_name(part.type));
@@ -273,6 +319,15 @@ Typed constructor(Emitter& emitter, Type wanted, const Expr& expr, Scope& scope)
                 rows.push_back(b.construct(Type::vector(wanted.scalar, wanted.cols),
                                            std::span(parts).subspan(r * wanted.cols, wanted.cols)));
             }
+        } else if (scope.hlsl && count == needed) {
+            std::vector<Value> numbers;
+            for (const Value part : parts) {
+                const unsigned width = b.type(part).width();
+                for (unsigned i = 0; i < width; ++i) numbers.push_back(width == 1 ? part : b.extract(part, i));
+            }
+            for (unsigned r = 0; r < wanted.rows; ++r)
+                rows.push_back(b.construct(Type::vector(wanted.scalar, wanted.cols),
+                                           std::span(numbers).subspan(r * wanted.cols, wanted.cols)));
         } else {
             emitter.diagnostics.report(Code::ArgumentCount, expr.name_span, expr.text, needed, count);
             return {};

@@ -42,6 +42,20 @@ Typed swizzle(Typed object, std::string_view letters, Scope& scope) {
 
 }  // namespace
 
+std::vector<MatrixElement> matrix_elements(std::string_view word, Type matrix) {
+    std::vector<MatrixElement> made;
+    const bool from_zero = word.starts_with("_m");
+    while (word.starts_with("_")) {
+        word.remove_prefix(from_zero && word.starts_with("_m") ? 2 : 1);
+        if (word.size() < 2) return {};
+        const int first = from_zero ? '0' : '1', row = word[0] - first, column = word[1] - first;
+        if (row < 0 || row >= matrix.rows || column < 0 || column >= matrix.cols) return {};
+        made.push_back({static_cast<std::uint32_t>(row), static_cast<std::uint32_t>(column)});
+        word.remove_prefix(2);
+    }
+    return word.empty() && made.size() <= 4 ? made : std::vector<MatrixElement>();
+}
+
 Typed primary(Emitter& emitter, Typed value, Scope& scope, Span span) {
     if (!value.outputs || !value.ok()) return value;
     if (!value.outputs->has_primary) {
@@ -97,6 +111,15 @@ Typed member(Emitter& emitter, Typed object, std::string_view name, Span span, S
             .note(Diagnostics::suggestion(name, known));
         return {};
     }
+    if (scope.hlsl && object.type.is_matrix()) {
+        const std::vector<MatrixElement> elements = matrix_elements(name, object.type);
+        std::vector<Value> parts;
+        for (const MatrixElement& each : elements)
+            parts.push_back(scope.builder->extract(scope.builder->extract(object.value, each.row), each.column));
+        const Type type = Type::vector(object.type.scalar, static_cast<unsigned>(parts.size()));
+        if (parts.size() == 1) return {.value = parts[0], .type = type};
+        if (!parts.empty()) return {.value = scope.builder->construct(type, parts), .type = type};
+    }
     Typed part = swizzle(object, name, scope);
     if (!part.ok()) {
         DiagnosticRecord& record =
@@ -114,6 +137,7 @@ Typed element(Emitter& emitter, const Expr& expr, Scope& scope) {
     const Typed object = primary(emitter, expression(emitter, *expr.args[0], scope), scope, expr.args[0]->span);
     Typed at = primary(emitter, expression(emitter, *expr.args[1], scope), scope, expr.args[1]->span);
     if (!object.ok() || !at.ok()) return {};
+    if (scope.hlsl && at.type.is_scalar() && !at.type.is_integer()) at = hlsl_cast(emitter, at, ir::kInt, scope);
     if (!at.type.is_scalar() || !at.type.is_integer()) {
         emitter.diagnostics.report(Code::TypeMismatch, expr.args[1]->span, "the index",
                                    emitter.module.type_name(at.type), "int");

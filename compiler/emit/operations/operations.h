@@ -11,6 +11,11 @@ namespace patina::emit {
 
 // object.name: an output, a struct's member, a function marked [member], or a swizzle.
 Typed member(Emitter& emitter, Typed object, std::string_view name, Span span, Scope& scope);
+// The elements that HLSL names by "_m01", "_12" or "_m00_m11"; empty: the word is none of these.
+struct MatrixElement {
+    std::uint32_t row = 0, column = 0;
+};
+std::vector<MatrixElement> matrix_elements(std::string_view word, ir::Type matrix);
 // object[index]
 Typed element(Emitter& emitter, const Expr& expr, Scope& scope);
 

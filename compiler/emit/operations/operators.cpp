@@ -57,11 +57,50 @@ Typed enum_operand(Emitter& emitter, const Expr& expr, const std::vector<std::st
     return primary(emitter, expression(emitter, expr, scope), scope, expr.span);
 }
 
+// What HLSL converts before the kinds of the two sides are made the same.
+void hlsl_operands(Emitter& emitter, std::string_view op, bool are_bools, std::array<Typed, 2>& sides, Scope& scope) {
+    const bool divides = op == "/" || op == "%", both_whole = (sides[0].is_whole || sides[0].type.is_integer()) &&
+                                                              (sides[1].is_whole || sides[1].type.is_integer());
+    const bool both_bools = sides[0].type.is_bool() && sides[1].type.is_bool();
+    const bool compares = op == "==" || op == "!=";
+    for (Typed& side : sides) {
+        if (!side.ok() || !side.type.is_numeric()) continue;
+        const bool is_bool = side.type.is_bool();
+        Scalar wanted = side.type.scalar;
+        if (are_bools) wanted = Scalar::Bool;
+        else if (is_bool && !(compares && both_bools)) wanted = Scalar::Int;
+        else if (divides && both_whole && side.is_whole) wanted = Scalar::Int;
+        if (wanted != side.type.scalar) side = hlsl_cast(emitter, side, side.type.with_scalar(wanted), scope);
+    }
+    // What is shifted keeps its kind.
+    if ((op == "<<" || op == ">>") && sides[0].type.is_integer() && sides[1].type.is_integer())
+        sides[1] = hlsl_cast(emitter, sides[1], sides[1].type.with_scalar(sides[0].type.scalar), scope);
+}
+
+bool compares_types(Op op) {
+    return ir::info(op).rule == ir::TypeRule::Compare;
+}
+
+// Two matrices of one type, element by element.
+Typed by_rows(Op op, const std::array<Typed, 2>& sides, Scope& scope) {
+    ir::Builder& b = *scope.builder;
+    const Type type = sides[0].type, row = Type::vector(type.scalar, type.cols);
+    std::vector<ir::Value> rows;
+    for (unsigned i = 0; i < type.rows; ++i)
+        rows.push_back(b.emit(op, row, {b.extract(sides[0].value, i), b.extract(sides[1].value, i)}));
+    return {.value = b.construct(type, rows), .type = type};
+}
+
 }  // namespace
 
 Typed unary(Emitter& emitter, const Expr& expr, Scope& scope) {
     Typed operand = primary(emitter, expression(emitter, *expr.args[0], scope), scope, expr.args[0]->span);
     if (!operand.ok() || expr.text == "+") return operand;
+    if (scope.hlsl && operand.type.is_numeric() && operand.type.is_bool() != (expr.text == "!")) {
+        const Typed made =
+            hlsl_cast(emitter, operand, operand.type.with_scalar(expr.text == "!" ? Scalar::Bool : Scalar::Int), scope);
+        if (made.ok()) operand = made;
+    }
     const bool good = expr.text == "!"   ? operand.type.is_bool()
                       : expr.text == "~" ? operand.type.is_integer()
                                          : operand.type.is_numeric() && !operand.type.is_bool();
@@ -108,9 +147,10 @@ Typed binary(Emitter& emitter, const Expr& expr, Scope& scope) {
             sides[i] = primary(emitter, expression(emitter, *expr.args[i], scope), scope, expr.args[i]->span);
         }
     }
+    if (scope.hlsl) hlsl_operands(emitter, row->text, row->on == BinaryOperator::On::Bools, sides, scope);
     const bool literal = sides[0].literal && sides[1].literal;
     // Whole literals are divided as floats: 1 / 2 is 0.5, as an artist means it.
-    if (literal && row->op == Op::Div) {
+    if (literal && row->op == Op::Div && !scope.hlsl) {
         for (Typed& side : sides) {
             if (side.type.is_integer())
                 side = literal_as(emitter, side, scope.half ? Scalar::Half : Scalar::Float, scope, expr.span);
@@ -122,6 +162,7 @@ Typed binary(Emitter& emitter, const Expr& expr, Scope& scope) {
                       : row->on == BinaryOperator::On::Integers ? type.is_integer()
                       : equality                                ? true
                                                                 : !type.is_bool();
+    if (scope.hlsl && good && type.is_matrix() && !compares_types(row->op)) return by_rows(row->op, sides, scope);
     if (!good || (type.is_matrix() && row->op != Op::Add && row->op != Op::Sub)) {
         DiagnosticRecord& record =
             emitter.diagnostics.report(Code::BadOperands, expr.name_span, expr.text, emitter.module.type_name(type),
@@ -148,15 +189,19 @@ Typed binary(Emitter& emitter, const Expr& expr, Scope& scope) {
 }
 
 Typed ternary(Emitter& emitter, const Expr& expr, Scope& scope) {
-    if (const std::optional<double> known = constant_value(emitter.known, *expr.args[0], scope)) {
+    if (const std::optional<double> known = constant_value(emitter.known, *expr.args[0], scope); known && !scope.hlsl) {
         return expression(emitter, *expr.args[*known != 0 ? 1 : 2], scope);
     }
-    const Typed condition = primary(emitter, expression(emitter, *expr.args[0], scope), scope, expr.args[0]->span);
+    Typed condition = primary(emitter, expression(emitter, *expr.args[0], scope), scope, expr.args[0]->span);
     std::array<Typed, 2> branches;
     for (std::size_t i : {0u, 1u}) {
         branches[i] = primary(emitter, expression(emitter, *expr.args[i + 1], scope), scope, expr.args[i + 1]->span);
     }
     if (!condition.ok()) return {};
+    if (scope.hlsl && condition.type.is_numeric() && !condition.type.is_bool()) {
+        const Typed made = hlsl_cast(emitter, condition, condition.type.with_scalar(Scalar::Bool), scope);
+        if (made.ok()) condition = made;
+    }
     if (branches[0].ok() && branches[0].type == branches[1].type && branches[0].type.kind == ir::Kind::Struct) {
         return {.value = scope.builder->emit(Op::Select, branches[0].type,
                                              {condition.value, branches[0].value, branches[1].value}),
@@ -164,6 +209,10 @@ Typed ternary(Emitter& emitter, const Expr& expr, Scope& scope) {
     }
     if (!unify(emitter, branches, scope, expr.span, "?:")) return {};
     Type type = branches[0].type;
+    if (scope.hlsl && condition.type.is_vector() && type.is_scalar()) {
+        type = type.with_width(condition.type.width());
+        for (Typed& branch : branches) branch = hlsl_cast(emitter, branch, type, scope);
+    }
     if (!condition.type.is_bool() || (condition.type.is_vector() && condition.type.width() != type.width())) {
         emitter.diagnostics.report(Code::TypeMismatch, expr.args[0]->span, "the condition",
                                    emitter.module.type_name(condition.type), "bool");
@@ -171,7 +220,7 @@ Typed ternary(Emitter& emitter, const Expr& expr, Scope& scope) {
     }
     // Two whole literals have no context to adapt to. A choice between them is a float, as the author of a graph means
     // it.
-    if (branches[0].literal && type.is_integer()) {
+    if (branches[0].literal && type.is_integer() && !scope.hlsl) {
         for (Typed& branch : branches)
             branch = literal_as(emitter, branch, scope.half ? Scalar::Half : Scalar::Float, scope, expr.span);
         type = branches[0].type;

@@ -204,6 +204,14 @@ Typed method(Emitter& emitter, const Expr& expr, Scope& scope) {
         sampler = given.value;
         arguments = arguments.subspan(1);
     }
+    if (scope.hlsl && row->op == Op::TexelLoad && arguments.size() == 1) {
+        // HLSL: the texel and the level as one int3.
+        const Typed at = expression_as(emitter, *arguments[0], Type::vector(Scalar::Int, 3), scope, "the texel");
+        if (!at.ok()) return {};
+        operands.push_back(b.swizzle(at.value, std::array{0u, 1u}));
+        operands.push_back(b.extract(at.value, 2));
+        return {.value = seen(read.view, b.emit(row->op, ir::kFloat4, operands), b), .type = ir::kFloat4};
+    }
     if (arguments.size() != wanted.size()) {
         emitter.diagnostics.report(Code::ArgumentCount, expr.name_span, expr.text, wanted.size(), arguments.size());
         return {};

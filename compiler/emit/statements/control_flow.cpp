@@ -24,18 +24,35 @@ bool contains_return(const Statements& list) {
     });
 }
 
-// The names of all variables that the statements assign to.
-void collect_assigned(const Statements& list, std::vector<std::string_view>& names) {
+void add_root(const Expr& target, std::vector<std::string_view>& names) {
+    const Expr* root = &target;
+    while (root->kind == Expr::Kind::Member || root->kind == Expr::Kind::Index) root = root->args[0];
+    if (root->kind == Expr::Kind::Name) names.push_back(root->text);
+}
+
+// HLSL: assignments in an expression, and arguments that a function may assign to.
+void collect_assigned(const Expr* expr, const Scope& scope, std::vector<std::string_view>& names) {
+    if (!expr || !scope.hlsl) return;
+    if (expr->kind == Expr::Kind::Assign || expr->kind == Expr::Kind::AssignLater) add_root(*expr->args[0], names);
+    if (expr->kind == Expr::Kind::Call && scope.declarations->function(expr->text)) {
+        for (const Expr* arg : expr->args) add_root(*arg, names);
+    }
+    for (const Expr* arg : expr->args) collect_assigned(arg, scope, names);
+}
+
+}  // namespace
+
+void collect_assigned(const Statements& list, const Scope& scope, std::vector<std::string_view>& names) {
     for (const Stmt* s : list) {
-        if (s->kind == Stmt::Kind::Assign) {
-            const Expr* root = s->target;
-            while (root->kind == Expr::Kind::Member || root->kind == Expr::Kind::Index) root = root->args[0];
-            if (root->kind == Expr::Kind::Name) names.push_back(root->text);
-        }
-        collect_assigned(s->body, names);
-        collect_assigned(s->alternative, names);
+        if (s->kind == Stmt::Kind::Assign) add_root(*s->target, names);
+        for (const Expr* expr : {s->target, s->value, s->limit}) collect_assigned(expr, scope, names);
+        collect_assigned(s->body, scope, names);
+        collect_assigned(s->alternative, scope, names);
+        collect_assigned(s->step, scope, names);
     }
 }
+
+namespace {
 
 std::vector<Value> values_of(const std::vector<Local>& locals, std::size_t count) {
     std::vector<Value> values;
@@ -80,7 +97,7 @@ bool if_statement(Emitter& emitter, const Stmt& stmt, const Statements& list, st
     // If the condition is known, only the branch that runs is emitted, and the other one is not checked.
     if (const std::optional<double> known = constant_value(emitter.known, *stmt.value, scope)) {
         const std::size_t outer = scope.locals.size();
-        if (statements(emitter, *known != 0 ? stmt.body : stmt.alternative, 0, scope, returned)) return true;
+        if (block(emitter, *known != 0 ? stmt.body : stmt.alternative, scope, returned)) return true;
         scope.locals.resize(outer);
         return false;
     }
@@ -103,12 +120,12 @@ bool if_statement(Emitter& emitter, const Stmt& stmt, const Statements& list, st
     b.begin_if(condition.value);
     scope.flow = outer_flow == "for" ? outer_flow : "if";
     Value then_returned, else_returned;
-    const bool then_returns = statements(emitter, stmt.body, 0, scope, then_returned);
+    const bool then_returns = block(emitter, stmt.body, scope, then_returned);
     const std::vector<Value> then_values = values_of(scope.locals, outer);
     restore(scope.locals, before);
     b.begin_else();
     const bool else_returns = rest_is_else ? statements(emitter, list, next, scope, else_returned)
-                                           : statements(emitter, stmt.alternative, 0, scope, else_returned);
+                                           : block(emitter, stmt.alternative, scope, else_returned);
     const std::vector<Value> else_values = values_of(scope.locals, outer);
     restore(scope.locals, before);
     scope.flow = outer_flow;
@@ -195,7 +212,7 @@ void for_statement(Emitter& emitter, const Stmt& stmt, Scope& scope) {
     b.name(end.value, emitter.module.intern("count"));
     const std::size_t outer = scope.locals.size();
     std::vector<std::string_view> assigned;
-    collect_assigned(stmt.body, assigned);
+    collect_assigned(stmt.body, scope, assigned);
     std::vector<std::size_t> carried;
     std::vector<Value> initial;
     for (std::size_t i = 0; i < outer; ++i) {

@@ -1,6 +1,7 @@
 #include "compiler/emit/statements/statements.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "compiler/emit/types.h"
 
@@ -9,6 +10,24 @@ namespace patina::emit {
 using ir::Op;
 using ir::Type;
 using ir::Value;
+
+namespace {
+
+// Something that stands alone: a call for its outputs.
+void evaluate(Emitter& emitter, const Expr& expr, Scope& scope) {
+    (void)expression(emitter, expr, scope);
+}
+
+}  // namespace
+
+bool block(Emitter& emitter, const Statements& list, Scope& scope, Value& returned) {
+    const std::size_t outer = scope.locals.size();
+    const std::size_t outer_block = std::exchange(scope.block, outer);
+    const bool returns = statements(emitter, list, 0, scope, returned);
+    scope.block = outer_block;
+    if (!returns) scope.locals.resize(outer);
+    return returns;
+}
 
 bool statements(Emitter& emitter, const Statements& list, std::size_t first, Scope& scope, Value& returned) {
     for (std::size_t i = first; i < list.size(); ++i) {
@@ -20,6 +39,14 @@ bool statements(Emitter& emitter, const Statements& list, std::size_t first, Sco
                 if (if_statement(emitter, stmt, list, i + 1, scope, returned)) return true;
                 break;
             case Stmt::Kind::For: for_statement(emitter, stmt, scope); break;
+            case Stmt::Kind::Loop: loop_statement(emitter, stmt, scope); break;
+            case Stmt::Kind::Evaluate: evaluate(emitter, *stmt.value, scope); break;
+            case Stmt::Kind::Break:
+            case Stmt::Kind::Continue:
+                emitter.diagnostics.report(Code::Syntax, stmt.span, "a statement",
+                                           stmt.kind == Stmt::Kind::Break ? "'break' outside of a loop or 'switch'"
+                                                                          : "'continue' outside of a loop");
+                break;
             case Stmt::Kind::Return:
                 if (scope.flow == "for") {
                     emitter.diagnostics.report(Code::PartialReturn, stmt.span).note(std::string(kReturnOnce));
@@ -39,10 +66,7 @@ bool statements(Emitter& emitter, const Statements& list, std::size_t first, Sco
                 break;
             }
             case Stmt::Kind::Block: {
-                const std::size_t outer = scope.locals.size();
-                const bool returns = statements(emitter, stmt.body, 0, scope, returned);
-                if (returns) return true;
-                scope.locals.resize(outer);
+                if (block(emitter, stmt.body, scope, returned)) return true;
                 break;
             }
         }

@@ -177,14 +177,14 @@ void Content::signature(const Function& function) {
 }
 
 void Content::instruction(const Function& function, const Inst& inst, std::uint32_t data) {
-    const auto& [op, is_light_loop, of, unused_first, operand_count, unused_data, from, hint] = inst;
+    const auto& [op, is_light_loop, is_while, of, unused_first, operand_count, unused_data, from, hint] = inst;
     static_cast<void>(unused_first);
     static_cast<void>(unused_data);
     type(of);
     const bool is_new_constant = op == Op::Constant && mention(constants_, mentioned_constants_, data);
     const bool is_new_origin = is_new(from);
     const bool is_new_name = hint && mention(names_, mentioned_names_, hint.index);
-    const std::uint32_t words[] = {static_cast<std::uint32_t>(op) | std::uint32_t{is_light_loop} << 16, operand_count,
+    const std::uint32_t words[] = {static_cast<std::uint32_t>(op) | std::uint32_t{is_light_loop} << 16 | std::uint32_t{is_while} << 17, operand_count,
                                    op == Op::Constant ? constants_[data] : data, from ? origins_[from.index] : 0,
                                    hint ? names_[hint.index] : 0};
     put(words);

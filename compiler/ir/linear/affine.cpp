@@ -126,6 +126,14 @@ private:
                 has_grown |= add(frame.made.values[body[k + 1].index], of(frame, next[k]));
             }
         }
+        if (!inst.is_while) return;
+        // A loop that may end early is linear in nothing that it computes with.
+        for (std::uint32_t k = 0; k + 2 < args.size(); k++) {
+            Dependence& carried = frame.made.values[body[k + 1].index];
+            if (!carried.any()) continue;
+            const std::uint32_t count = component_count(module_, frame.function[args[k + 2]].type);
+            carried = broken(frame, inst, count, {body[k + 1]}, Blame::What::Condition);
+        }
     }
 
     const Dependence& of(const Frame& frame, Value value) const { return frame.made.values[value.index]; }

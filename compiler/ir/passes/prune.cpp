@@ -231,6 +231,7 @@ private:
         // A loop's initial values are needed by what is carried.
         const std::size_t count = inst.op == Op::For ? 2 : args.size();
         for (std::size_t i = 0; i < count; i++) need_all(f, args[i]);
+        if (inst.is_while) need_carried(f, inst, inst.operand_count - 3);
     }
 
     const Module& module_;

@@ -1,0 +1,21 @@
+// Turns a function of HLSL, in which statements jump out of branches, loops and the function, into one without jumps:
+// what follows a jump is in an else, or behind a test of a bool that says that nothing has jumped.
+//
+//   for (...) { if (a) continue; b; }       ->   for (...) { if (a) { } else { b; } }
+//   while (c) { b; if (a) break; }          ->   while (!ended && c) { b; if (a) { ended = true; } }
+//   if (a) { if (b) return 1; c; } return 2;
+//     ->   if (a) { if (b) { result = 1; done = true; } if (!done) { c; } } if (!done) { result = 2; } return result;
+#pragma once
+
+#include "compiler/nodelang/ast.h"
+
+namespace patina::nodelang {
+
+// The function's body without Break and Continue, and with at most such a Return as a function of the node language may
+// have: at the end of the body, or of each branch at its end.
+void remove_jumps(FunctionDecl& function, Ast& ast);
+
+// No statement after the list is reached.
+bool always_leaves(const Statements& list);
+
+}  // namespace patina::nodelang

@@ -1,0 +1,71 @@
+// The preprocessor of HLSL, between the lexer and the parser of a file that is read by HLSL's rules: it leaves out lines
+// whose #if does not hold, and puts the tokens of macros in the place of their names. What it puts there has the place
+// of the macro's use, so that messages point at the text of the author. It reads no other file: #include is ignored, as
+// are #pragma and #line.
+//
+//   Preprocessor preprocessor(lexer, ast, diagnostics);
+//   for (Token t = preprocessor.next(); t.kind != Token::Kind::End; t = preprocessor.next()) ...
+#pragma once
+
+#include <deque>
+#include <map>
+#include <set>
+#include <string_view>
+#include <vector>
+
+#include "compiler/nodelang/lex.h"
+
+namespace patina::nodelang {
+
+class Preprocessor {
+public:
+    Preprocessor(Lexer& lexer, Ast& ast, Diagnostics& diagnostics)
+        : lexer_(lexer), ast_(ast), diagnostics_(diagnostics) {}
+
+    // The next token of the text that remains.
+    Token next();
+
+    // A name that is not defined, and that a condition may compare: it is 0.
+    void make_zero(std::string_view name) { zeros_.insert(name); }
+
+private:
+    struct Macro {
+        bool has_parameters = false;
+        std::vector<std::string_view> parameters{};
+        std::vector<Token> body{};
+    };
+    struct Branch {
+        bool is_open = true, was_open = true;  // this part is read; one of the parts was
+        Token mark{};                          // the '#'
+    };
+    using Tokens = std::vector<Token>;
+    using Rest = std::deque<Token>;
+    using Active = std::set<std::string_view>;  // macros that are being replaced
+
+    bool is_open() const { return branches_.empty() || branches_.back().is_open; }
+    Span span(const Token& token) const { return lexer_.span(token.begin, token.end); }
+    void wrong(const Token& at, std::string_view expected, std::string_view found);
+    Token raw();
+    void directive(const Token& mark);
+    void define(const Tokens& line);
+    void branch(const Token& mark, const Token& word, const Tokens& line);
+    bool holds(const Token& word, const Tokens& line);
+    Tokens with_defined_decided(const Tokens& line);
+    bool replace(const Token& name, Tokens& into, Rest* rest, const Active& active);
+    bool arguments(const Token& name, Rest* rest, std::vector<Tokens>& into);
+    Tokens replaced(const Tokens& list, const Active& active);
+    Token pasted(const Token& left, const Token& right);
+
+    Lexer& lexer_;
+    Ast& ast_;
+    Diagnostics& diagnostics_;
+    Diagnostics unread_{};  // what is wrong in lines that are left out
+    std::map<std::string_view, Macro> macros_{};
+    std::set<std::string_view> zeros_{};
+    std::vector<Branch> branches_{};
+    std::deque<Token> ahead_{};   // of the lexer
+    std::deque<Token> made_{};    // of macros: they are not replaced again
+    std::size_t made_count_ = 0;  // of all macros so far
+};
+
+}  // namespace patina::nodelang
