@@ -31,8 +31,8 @@ struct Declarations {
     std::vector<std::string_view> function_names() const;
 };
 
-// Adds every declaration of `ast` to `into`, in addition to those that are unread. A constant that leads back to itself is
-// reported, and loses its value.
+// Adds every declaration of `ast` to `into`, in addition to those that are unread. A constant that leads back to itself
+// is reported, and loses its value.
 void index_declarations(Ast& ast, Declarations& into, Diagnostics& diagnostics);
 
 // The text of attribute argument `index` (a string or a bare word), or empty.
