@@ -143,9 +143,10 @@ private:
         if (const nodelang::FunctionDecl* function = resolved.function) {
             if (function->result.name != "void") box.outputs.push_back(port("out", function->result.name));
             for (const nodelang::ParamDecl& param : function->params) {
-                GraphPort& made = (param.is_out ? box.outputs : box.inputs).emplace_back();
-                made = {.name = std::string(param.name), .type = std::string(param.type.name), .value = {}};
-                if (!param.is_out) made.value = default_of(param);
+                if (param.is_out) box.outputs.push_back(port(param.name, param.type.name));
+                if (!param.is_input()) continue;
+                box.inputs.push_back(port(param.name, param.type.name));
+                box.inputs.back().value = default_of(param);
             }
         } else if (resolved.subgraph) {
             for (const graph::Input& input : resolved.subgraph->graph->inputs)

@@ -85,6 +85,8 @@ bool is_same(const Expr& a, const Expr& b, const Renaming& renaming) {
         case Expr::Kind::Ternary:
         case Expr::Kind::File:
         case Expr::Kind::Object:
+        case Expr::Kind::Assign:
+        case Expr::Kind::AssignLater:
             if (a.text != b.text) return false;
     }
     for (std::size_t i = 0; i < a.args.size(); ++i) {

@@ -307,8 +307,8 @@ Typed call_expression(Emitter& emitter, const Expr& expr, Scope& scope) {
             emitter.diagnostics.report(Code::ArgumentCount, expr.name_span, expr.text, inputs, expr.args.size());
             return {};
         }
-        const bool has_outputs = std::any_of(function->params.begin(), function->params.end(),
-                                             [](const ParamDecl& p) { return p.is_out; });
+        const bool has_outputs =
+            std::any_of(function->params.begin(), function->params.end(), [](const ParamDecl& p) { return p.is_out; });
         if (scope.hlsl && has_outputs && expr.args.size() == function->params.size())
             return call_with_outputs(emitter, *function, scope.declarations->home_of(expr.text), expr, scope);
         std::vector<const Expr*> arguments(function->params.size(), nullptr);

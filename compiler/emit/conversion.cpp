@@ -37,8 +37,9 @@ Typed literal_as(Emitter& emitter, Typed value, Scalar scalar, Scope& scope, Spa
     return {.value = scope.builder->constant(type, number), .type = type, .literal = true};
 }
 
-Typed hlsl_cast(Emitter& emitter, const Typed& value, Type wanted, Scope& scope) {
+Typed hlsl_cast(const Typed& value, Type wanted, Scope& scope) {
     if (!value.ok() || !value.type.is_numeric() || !wanted.is_numeric()) return {};
+    constexpr std::array kFirst = {0u, 1u, 2u, 3u};
     ir::Builder& b = *scope.builder;
     const Type have = value.type;
     if (have.is_matrix() != wanted.is_matrix()) {
@@ -55,9 +56,8 @@ Typed hlsl_cast(Emitter& emitter, const Typed& value, Type wanted, Scope& scope)
             std::vector<Value> rows;
             for (unsigned row = 0; row < wanted.rows; ++row) {
                 const Value whole = b.extract(v, row);
-                rows.push_back(have.cols == wanted.cols
-                                   ? whole
-                                   : b.swizzle(whole, std::span(std::array{0u, 1u, 2u, 3u}).first(wanted.cols)));
+                rows.push_back(have.cols == wanted.cols ? whole
+                                                        : b.swizzle(whole, std::span(kFirst).first(wanted.cols)));
             }
             v = b.construct(cut, rows);
         }
@@ -65,7 +65,7 @@ Typed hlsl_cast(Emitter& emitter, const Typed& value, Type wanted, Scope& scope)
     }
     const unsigned width = wanted.width();
     if (have.width() > width) {
-        v = width == 1 ? b.extract(v, 0) : b.swizzle(v, std::span(std::array{0u, 1u, 2u, 3u}).first(width));
+        v = width == 1 ? b.extract(v, 0) : b.swizzle(v, std::span(kFirst).first(width));
     } else if (have.width() < width && have.width() > 1) {
         return {};
     }
@@ -98,7 +98,7 @@ Typed convert(Emitter& emitter, Typed value, Type wanted, Scope& scope, Span spa
         }
     }
     if (scope.hlsl) {
-        if (Typed made = hlsl_cast(emitter, value, wanted, scope); made.ok()) return made;
+        if (Typed made = hlsl_cast(value, wanted, scope); made.ok()) return made;
     }
     DiagnosticRecord& record = emitter.diagnostics.report(
         Code::TypeMismatch, span, what, emitter.module.type_name(value.type), emitter.module.type_name(wanted));
@@ -130,13 +130,12 @@ Typed expression_as(Emitter& emitter, const Expr& expr, Type wanted, Scope& scop
 
 namespace {
 
-bool hlsl_unify(Emitter& emitter, std::span<Typed> operands, Scope& scope) {
+bool hlsl_unify(std::span<Typed> operands, Scope& scope) {
     const auto firm_half = [&] {
         return std::any_of(operands.begin(), operands.end(),
                            [](const Typed& t) { return t.type.scalar == Scalar::Half; }) &&
-               std::none_of(operands.begin(), operands.end(), [](const Typed& t) {
-                   return t.type.scalar == Scalar::Float && !t.literal;
-               });
+               std::none_of(operands.begin(), operands.end(),
+                            [](const Typed& t) { return t.type.scalar == Scalar::Float && !t.literal; });
     };
     Scalar scalar = Scalar::Bool;
     unsigned width = 1, rows = 0, cols = 0;
@@ -155,7 +154,7 @@ bool hlsl_unify(Emitter& emitter, std::span<Typed> operands, Scope& scope) {
     const Type wanted = rows > 0 ? Type::matrix(scalar, rows, cols) : Type::vector(scalar, width);
     for (Typed& operand : operands) {
         const bool literal = operand.literal && wanted.is_scalar();
-        if (operand.type != wanted) operand = hlsl_cast(emitter, operand, wanted, scope);
+        if (operand.type != wanted) operand = hlsl_cast(operand, wanted, scope);
         operand.literal = literal;
         operand.is_whole = false;
     }
@@ -175,7 +174,7 @@ bool unify(Emitter& emitter, std::span<Typed> operands, Scope& scope, Span span,
             return false;
         }
     }
-    if (scope.hlsl && hlsl_unify(emitter, operands, scope)) return true;
+    if (scope.hlsl && hlsl_unify(operands, scope)) return true;
     const auto firm = std::find_if(operands.begin(), operands.end(), [](const Typed& t) { return !t.literal; });
     Scalar scalar = firm != operands.end() ? firm->type.scalar : operands[0].type.scalar;
     bool any_matrix = false;

@@ -22,10 +22,10 @@ Typed literal_as(Emitter& emitter, Typed value, ir::Scalar scalar, Scope& scope,
 // As view_as(); or an array, of a list of its elements.
 Typed array_or_value(Emitter& emitter, const Expr& expr, ir::Type wanted, Scope& scope, std::string_view what);
 // As HLSL converts: any number to any other, and what is too long is cut. Not ok() if there is no such conversion.
-Typed hlsl_cast(Emitter& emitter, const Typed& value, ir::Type wanted, Scope& scope);
-// Brings operands to one type: literals adapt, half becomes float, scalars are splatted. In HLSL, also as hlsl_cast(): all
-// get the later of their kinds (bool, int, uint, half, float) and the shortest of their widths. Reports what cannot be
-// joined.
+Typed hlsl_cast(const Typed& value, ir::Type wanted, Scope& scope);
+// Brings operands to one type: literals adapt, half becomes float, scalars are splatted. In HLSL, also as hlsl_cast():
+// all get the later of their kinds (bool, int, uint, half, float) and the shortest of their widths. Reports what cannot
+// be joined.
 bool unify(Emitter& emitter, std::span<Typed> operands, Scope& scope, Span span, std::string_view op);
 // A value of the graph in the precision of the node that reads it.
 Typed at_border(Typed value, const Scope& scope);

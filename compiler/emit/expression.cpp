@@ -99,10 +99,8 @@ Typed object_value(Emitter& emitter, const Expr& expr, Scope& scope) {
 }
 
 Typed file_constant(Emitter& emitter, const VariableDecl& variable, Scope& scope) {
-    Scope file{.builder = scope.builder,
-               .declarations = scope.declarations,
-               .half = scope.half,
-               .hlsl = variable.is_hlsl};
+    Scope file{
+        .builder = scope.builder, .declarations = scope.declarations, .half = scope.half, .hlsl = variable.is_hlsl};
     if (!variable.value) return {};
     return array_or_value(emitter, *variable.value, type(emitter, variable.type, file), file,
                           fmt::format("'{}'", variable.name));
@@ -141,7 +139,8 @@ Typed array_or_value(Emitter& emitter, const Expr& expr, Type wanted, Scope& sco
         std::vector<Value> members;
         for (std::uint32_t i = 0; i < expr.args.size() && i < ir::part_count(emitter.module, wanted); ++i)
             members.push_back(
-                array_or_value(emitter, *expr.args[i], ir::part_type(emitter.module, wanted, i), scope, "a member").value);
+                array_or_value(emitter, *expr.args[i], ir::part_type(emitter.module, wanted, i), scope, "a member")
+                    .value);
         if (members.size() != ir::part_count(emitter.module, wanted) || members.size() != expr.args.size()) {
             emitter.diagnostics.report(Code::TypeMismatch, expr.span, what,
                                        fmt::format("a list of {}", expr.args.size()),

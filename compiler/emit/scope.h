@@ -41,7 +41,7 @@ struct Outputs {
 struct Typed {
     ir::Value value;
     ir::Type type = ir::Type::error();
-    bool literal = false;  // a literal, or arithmetic of literals: it takes the type of number that its context needs
+    bool literal = false;   // a literal, or arithmetic of literals: it takes the type of number that its context needs
     bool is_whole = false;  // in HLSL: a float that is an int there, of sign()
     const Outputs* outputs = nullptr;
     const std::vector<std::string_view>* enumerators = nullptr;  // of an enum's value: the words that == accepts

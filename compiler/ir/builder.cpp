@@ -305,16 +305,12 @@ Value Builder::end_if(std::span<const Value> then_values, std::span<const Value>
     return open.structure;
 }
 
-Value Builder::begin_for(Value begin, Value end, std::span<const Value> initial, bool is_light_loop,
-                         bool is_while) {
+Value Builder::begin_for(Value begin, Value end, std::span<const Value> initial, bool is_light_loop, bool is_while) {
     std::vector<Value> operands = {begin, end};
     operands.insert(operands.end(), initial.begin(), initial.end());
     const BlockId body = add_block();
-    const Inst inst{.op = Op::For,
-                    .is_light_loop = is_light_loop,
-                    .is_while = is_while,
-                    .type = Type::none(),
-                    .data = body.index};
+    const Inst inst{
+        .op = Op::For, .is_light_loop = is_light_loop, .is_while = is_while, .type = Type::none(), .data = body.index};
     const Value structure = append(inst, operands, current());
     Open open{
         .structure = structure, .outer = block_, .loop_index = {}, .carried = {}, .scope = tables_.numbered.size()};

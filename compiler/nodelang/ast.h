@@ -35,7 +35,7 @@ struct Expr {
         File,      // text: "./rust.png"
         Object,    // text: a struct of the library; args: the values of its members. A gradient of a graph
         // Of HLSL alone:
-        Assign,      // args[0] text args[1]; its value is what was assigned. text: = += ...
+        Assign,       // args[0] text args[1]; its value is what was assigned. text: = += ...
         AssignLater,  // the same, but its value is that of before: x++
     };
     Kind kind = Kind::Number;

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <set>
+#include <utility>
 
 namespace patina::nodelang {
 namespace {
@@ -46,10 +48,10 @@ void collect_names(const Statements& list, Flags& into) {
 // What a jump leaves: a switch, the round of a loop, or the function.
 struct Region {
     bool is_loop = false, is_switch = false;
-    bool is_at_end = true;      // nothing follows in it where the statements are now
-    std::string_view flag{};    // the rest of it is left out; empty: nobody has needed that
-    std::string_view ended{};   // of a loop: there is no further round; empty as above
-    Flags ends{};               // of a loop: flags of regions around it that end it, too
+    bool is_at_end = true;     // nothing follows in it where the statements are now
+    std::string_view flag{};   // the rest of it is left out; empty: nobody has needed that
+    std::string_view ended{};  // of a loop: there is no further round; empty as above
+    Flags ends{};              // of a loop: flags of regions around it that end it, too
 };
 
 class Remover {
@@ -109,7 +111,8 @@ private:
                         .value = value});
     }
     const Stmt* assign(std::string_view to, const Expr* value, Span at) {
-        return add(Stmt{.kind = Stmt::Kind::Assign, .span = at, .name_span = at, .op = "=", .target = name(to), .value = value});
+        return add(Stmt{
+            .kind = Stmt::Kind::Assign, .span = at, .name_span = at, .op = "=", .target = name(to), .value = value});
     }
     const Expr* none_of(const Flags& flags) {
         const Expr* any = nullptr;
@@ -230,7 +233,8 @@ private:
         const auto with_rest = [&](const Statements& list) {
             Statements all = rest;
             // Names of the branch are not those of what follows.
-            if (!list.empty()) all.insert(all.begin(), add(Stmt{.kind = Stmt::Kind::Block, .span = stmt.span, .body = list}));
+            if (!list.empty())
+                all.insert(all.begin(), add(Stmt{.kind = Stmt::Kind::Block, .span = stmt.span, .body = list}));
             return all;
         };
         Flags own;

@@ -96,7 +96,8 @@ bool read_number(std::string_view literal, bool is_hlsl, Token& token) {
 
 }  // namespace
 
-Lexer::Lexer(Text text, Place place, Diagnostics& diagnostics) : text_(text), place_(place), diagnostics_(&diagnostics) {
+Lexer::Lexer(Text text, Place place, Diagnostics& diagnostics)
+    : text_(text), place_(place), diagnostics_(&diagnostics) {
     if (place != Place::Graph && looking_at(kByteOrderMark)) here_ = kByteOrderMark.size();
 }
 

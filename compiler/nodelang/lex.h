@@ -2,7 +2,8 @@
 // one. It reports bad characters and numbers; the parser does not report a Bad token again. Comments are not tokens: a
 // token carries the `///` lines before it, and the `///<` text between it and the previous token.
 //
-// In a file of HLSL (hlsl_mark.h) it also knows what the preprocessor (preprocessor.h) needs: '#', and where lines begin.
+// In a file of HLSL (hlsl_mark.h) it also knows what the preprocessor (preprocessor.h) needs: '#', and where lines
+// begin.
 //
 //   Lexer lexer({text, base}, Lexer::Place::File, diagnostics);
 //   for (Token t = lexer.next(); t.kind != Token::Kind::End; t = lexer.next()) ...

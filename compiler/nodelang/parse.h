@@ -26,8 +26,8 @@ inline constexpr int kMaxNesting = 200;
 // When the bodies of a file's functions are parsed. A user's file is parsed whole, to find its mistakes; of the
 // library, a compilation needs a few functions out of hundreds, and parses these when it needs them.
 enum class Bodies { Now, WhenAsked };
-// If the first line behind comments is kHlslMark, the file is read by the rules of HLSL (docs/node-language.md): it has a
-// preprocessor, more statements, and conversions that an author need not write. Then all bodies are parsed now.
+// If the first line behind comments is kHlslMark, the file is read by the rules of HLSL (docs/node-language.md): it has
+// a preprocessor, more statements, and conversions that an author need not write. Then all bodies are parsed now.
 inline constexpr std::string_view kHlslMark = "#pragma hlsl";
 void parse_file(Text text, Ast& ast, Diagnostics& diagnostics, Bodies bodies = Bodies::Now);
 

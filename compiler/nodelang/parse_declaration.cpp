@@ -213,16 +213,21 @@ bool Parser::declaration() {
         return function(std::move(decl), begin);
     }
     for (;;) {
-        if (!variable({.type = type,
-                       .name = word.text,
-                       .span = span(word),
-                       .is_const = is_const,
-                       .is_hlsl = is_hlsl(),
-                       .attributes = marks,
-                       .doc = doc}))
-            return false;
+        VariableDecl decl{.type = type,
+                          .name = word.text,
+                          .span = span(word),
+                          .is_const = is_const,
+                          .is_hlsl = is_hlsl(),
+                          .attributes = marks,
+                          .doc = doc};
+        if (!variable(decl)) return false;
         // "static const float a = 1, b = 2;"
-        if (!is_hlsl() || !take_if(",")) return end_of_variable();
+        const bool has_next = is_hlsl() && take_if(",");
+        if (decl.doc.empty()) decl.doc = now().trailing_doc;
+        const bool ended = has_next || end_of_statement();
+        if (decl.doc.empty() && !has_next) decl.doc = now().trailing_doc;
+        ast_.variables.push_back(std::move(decl));
+        if (!has_next) return ended;
         if (!name("a name", word)) return false;
     }
 }
@@ -346,7 +351,7 @@ bool Parser::enumeration(std::string_view doc) {
     return end_of_statement();
 }
 
-bool Parser::variable(VariableDecl decl) {
+bool Parser::variable(VariableDecl& decl) {
     if (!array_size(decl.type)) return false;
     if (!decl.is_const && decl.attributes.empty()) {
         diagnostics_.report(Code::Syntax, decl.type.span, "'const' or an attribute before a variable of the file",
@@ -360,17 +365,7 @@ bool Parser::variable(VariableDecl decl) {
         expected("'=' and the value of the constant");
         return false;
     }
-    if (decl.doc.empty()) decl.doc = now().trailing_doc;
-    ast_.variables.push_back(std::move(decl));
     return true;
-}
-
-// Takes the ';' and what is written behind it about the last variable.
-bool Parser::end_of_variable() {
-    const bool ended = end_of_statement();
-    VariableDecl& last = ast_.variables.back();
-    if (last.doc.empty()) last.doc = now().trailing_doc;
-    return ended;
 }
 
 // --- functions

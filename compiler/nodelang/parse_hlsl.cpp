@@ -8,12 +8,12 @@ namespace patina::nodelang {
 namespace {
 
 // Words before a type that change no value.
-constexpr std::string_view kQualifiers[] = {"column_major", "extern",    "groupshared", "inline", "nointerpolation",
-                                            "precise",      "row_major", "shared",      "static", "uniform",
-                                            "volatile"};
+constexpr std::string_view kQualifiers[] = {"column_major",    "extern",  "groupshared", "inline",
+                                            "nointerpolation", "precise", "row_major",   "shared",
+                                            "static",          "uniform", "volatile"};
 // Hints for the compiler of the engine.
-constexpr std::string_view kHints[] = {"allow_uav_condition", "branch", "call", "fastopt", "flatten", "forcecase",
-                                       "loop"};
+constexpr std::string_view kHints[] = {"allow_uav_condition", "branch", "call", "fastopt", "flatten",
+                                       "forcecase",           "loop"};
 
 template <std::size_t count>
 bool is_one_of(const Token& token, const std::string_view (&words)[count]) {

@@ -156,8 +156,7 @@ private:
     std::string_view trailing_doc_and(std::string_view separator, bool& found);
     bool structure(std::vector<Attribute> marks, std::string_view doc);
     bool enumeration(std::string_view doc);
-    bool variable(VariableDecl decl);
-    bool end_of_variable();
+    bool variable(VariableDecl& decl);
     bool function(FunctionDecl decl, std::size_t begin);
     bool parameters(FunctionDecl& function);
     bool foreign_code(FunctionDecl& function);

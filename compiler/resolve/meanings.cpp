@@ -345,7 +345,7 @@ private:
         std::vector<Argument> arguments;
         auto next = expr.args.begin();
         for (const ParamDecl& param : function.params) {
-            if (param.is_out) continue;
+            if (!param.is_input()) continue;
             if (next == expr.args.end()) break;
             arguments.push_back({.param = &param, .value = *next, .where = (*next)->span});
             ++next;

@@ -32,10 +32,11 @@ std::string doc_line(std::string_view doc) {
     return std::string(trim(doc));
 }
 
-PortInfo describe_param(const nodelang::ParamDecl& param, const EvaluationContext& context) {
+// An `inout` parameter is two ports.
+PortInfo describe_param(const nodelang::ParamDecl& param, bool is_output, const EvaluationContext& context) {
     PortInfo port{.name = std::string(param.name),
                   .type = std::string(param.type.name),
-                  .is_output = param.is_out,
+                  .is_output = is_output,
                   .default_value = {},
                   .range = {},
                   .unit = {},
@@ -116,7 +117,7 @@ NodeInfo describe_node(const nodelang::FunctionDecl& function, const EvaluationC
     for (const nodelang::ParamDecl& param : function.params) {
         const bool hidden = std::any_of(param.attributes.begin(), param.attributes.end(),
                                         [](const nodelang::Attribute& a) { return a.name == "hidden"; });
-        if (param.is_input() && !hidden) node.ports.push_back(describe_param(param, context));
+        if (param.is_input() && !hidden) node.ports.push_back(describe_param(param, false, context));
     }
     if (function.result.name != "void") {
         node.ports.push_back({.name = "out",
@@ -129,7 +130,7 @@ NodeInfo describe_node(const nodelang::FunctionDecl& function, const EvaluationC
                               .enumerators = {}});
     }
     for (const nodelang::ParamDecl& param : function.params) {
-        if (param.is_out) node.ports.push_back(describe_param(param, context));
+        if (param.is_out) node.ports.push_back(describe_param(param, true, context));
     }
     return node;
 }

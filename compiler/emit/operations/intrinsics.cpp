@@ -105,7 +105,7 @@ const Intrinsic* find_intrinsic(std::string_view name) {
 // What HLSL converts before an intrinsic function takes its operands.
 void hlsl_arguments(Emitter& emitter, Takes takes, std::span<Typed> operands, Scope& scope) {
     const auto cast_to = [&](Typed& operand, Type wanted) {
-        if (const Typed made = hlsl_cast(emitter, operand, wanted, scope); made.ok()) operand = made;
+        if (const Typed made = hlsl_cast(operand, wanted, scope); made.ok()) operand = made;
     };
     const Scalar floating = scope.half ? Scalar::Half : Scalar::Float;
     for (Typed& operand : operands) {
@@ -290,7 +290,7 @@ Typed constructor(Emitter& emitter, Type wanted, const Expr& expr, Scope& scope)
         Typed part = primary(emitter, expression(emitter, *argument, scope), scope, argument->span);
         if (!part.ok()) return {};
         if (scope.hlsl && expr.args.size() == 1) {
-            if (const Typed made = hlsl_cast(emitter, part, wanted, scope); made.ok()) return made;
+            if (const Typed made = hlsl_cast(part, wanted, scope); made.ok()) return made;
         }
         if (scope.hlsl && part.type.is_matrix()) {
             for (unsigned row = 0; row < part.type.rows; ++row)

@@ -137,7 +137,7 @@ Typed element(Emitter& emitter, const Expr& expr, Scope& scope) {
     const Typed object = primary(emitter, expression(emitter, *expr.args[0], scope), scope, expr.args[0]->span);
     Typed at = primary(emitter, expression(emitter, *expr.args[1], scope), scope, expr.args[1]->span);
     if (!object.ok() || !at.ok()) return {};
-    if (scope.hlsl && at.type.is_scalar() && !at.type.is_integer()) at = hlsl_cast(emitter, at, ir::kInt, scope);
+    if (scope.hlsl && at.type.is_scalar() && !at.type.is_integer()) at = hlsl_cast(at, ir::kInt, scope);
     if (!at.type.is_scalar() || !at.type.is_integer()) {
         emitter.diagnostics.report(Code::TypeMismatch, expr.args[1]->span, "the index",
                                    emitter.module.type_name(at.type), "int");

@@ -67,14 +67,17 @@ void hlsl_operands(Emitter& emitter, std::string_view op, bool are_bools, std::a
         if (!side.ok() || !side.type.is_numeric()) continue;
         const bool is_bool = side.type.is_bool();
         Scalar wanted = side.type.scalar;
-        if (are_bools) wanted = Scalar::Bool;
-        else if (is_bool && !(compares && both_bools)) wanted = Scalar::Int;
-        else if (divides && both_whole && side.is_whole) wanted = Scalar::Int;
-        if (wanted != side.type.scalar) side = hlsl_cast(emitter, side, side.type.with_scalar(wanted), scope);
+        if (are_bools)
+            wanted = Scalar::Bool;
+        else if (is_bool && !(compares && both_bools))
+            wanted = Scalar::Int;
+        else if (divides && both_whole && side.is_whole)
+            wanted = Scalar::Int;
+        if (wanted != side.type.scalar) side = hlsl_cast(side, side.type.with_scalar(wanted), scope);
     }
     // What is shifted keeps its kind.
     if ((op == "<<" || op == ">>") && sides[0].type.is_integer() && sides[1].type.is_integer())
-        sides[1] = hlsl_cast(emitter, sides[1], sides[1].type.with_scalar(sides[0].type.scalar), scope);
+        sides[1] = hlsl_cast(sides[1], sides[1].type.with_scalar(sides[0].type.scalar), scope);
 }
 
 bool compares_types(Op op) {
@@ -98,7 +101,7 @@ Typed unary(Emitter& emitter, const Expr& expr, Scope& scope) {
     if (!operand.ok() || expr.text == "+") return operand;
     if (scope.hlsl && operand.type.is_numeric() && operand.type.is_bool() != (expr.text == "!")) {
         const Typed made =
-            hlsl_cast(emitter, operand, operand.type.with_scalar(expr.text == "!" ? Scalar::Bool : Scalar::Int), scope);
+            hlsl_cast(operand, operand.type.with_scalar(expr.text == "!" ? Scalar::Bool : Scalar::Int), scope);
         if (made.ok()) operand = made;
     }
     const bool good = expr.text == "!"   ? operand.type.is_bool()
@@ -199,7 +202,7 @@ Typed ternary(Emitter& emitter, const Expr& expr, Scope& scope) {
     }
     if (!condition.ok()) return {};
     if (scope.hlsl && condition.type.is_numeric() && !condition.type.is_bool()) {
-        const Typed made = hlsl_cast(emitter, condition, condition.type.with_scalar(Scalar::Bool), scope);
+        const Typed made = hlsl_cast(condition, condition.type.with_scalar(Scalar::Bool), scope);
         if (made.ok()) condition = made;
     }
     if (branches[0].ok() && branches[0].type == branches[1].type && branches[0].type.kind == ir::Kind::Struct) {
@@ -211,7 +214,7 @@ Typed ternary(Emitter& emitter, const Expr& expr, Scope& scope) {
     Type type = branches[0].type;
     if (scope.hlsl && condition.type.is_vector() && type.is_scalar()) {
         type = type.with_width(condition.type.width());
-        for (Typed& branch : branches) branch = hlsl_cast(emitter, branch, type, scope);
+        for (Typed& branch : branches) branch = hlsl_cast(branch, type, scope);
     }
     if (!condition.type.is_bool() || (condition.type.is_vector() && condition.type.width() != type.width())) {
         emitter.diagnostics.report(Code::TypeMismatch, expr.args[0]->span, "the condition",

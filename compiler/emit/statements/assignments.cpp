@@ -105,7 +105,8 @@ bool store(Emitter& emitter, const Expr& target, Typed value, Scope& scope) {
     }
     if (scope.hlsl && object.type.is_matrix()) {
         const std::vector<MatrixElement> elements = matrix_elements(target.text, object.type);
-        const Type part_type = Type::vector(object.type.scalar, static_cast<unsigned>(std::max<std::size_t>(1, elements.size())));
+        const Type part_type =
+            Type::vector(object.type.scalar, static_cast<unsigned>(std::max<std::size_t>(1, elements.size())));
         if (!elements.empty()) value = convert(emitter, value, part_type, scope, target.span, "the value");
         if (!value.ok()) return false;
         Value whole = object.value;
@@ -116,8 +117,7 @@ bool store(Emitter& emitter, const Expr& target, Typed value, Scope& scope) {
                 b.emit(Op::Insert, row_type, {b.extract(whole, elements[i].row), part}, elements[i].column);
             whole = b.emit(Op::Insert, object.type, {whole, row}, elements[i].row);
         }
-        if (!elements.empty())
-            return store(emitter, *target.args[0], {.value = whole, .type = object.type}, scope);
+        if (!elements.empty()) return store(emitter, *target.args[0], {.value = whole, .type = object.type}, scope);
     }
     if (object.type.is_vector()) {
         const std::string_view letters = target.text;

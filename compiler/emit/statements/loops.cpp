@@ -1,5 +1,5 @@
-// The loops of HLSL. A loop whose rounds can be counted becomes a For over them. Any other one becomes a For over at most
-// kOpenRounds rounds that carries a bool, and ends when it is false.
+// The loops of HLSL. A loop whose rounds can be counted becomes a For over them. Any other one becomes a For over at
+// most kOpenRounds rounds that carries a bool, and ends when it is false.
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -28,7 +28,11 @@ struct Counter {
 };
 
 std::string_view turned(std::string_view comparison) {
-    return comparison == "<" ? ">" : comparison == ">" ? "<" : comparison == "<=" ? ">=" : comparison == ">=" ? "<=" : comparison;
+    return comparison == "<"    ? ">"
+           : comparison == ">"  ? "<"
+           : comparison == "<=" ? ">="
+           : comparison == ">=" ? "<="
+                                : comparison;
 }
 
 bool is_assigned(std::string_view name, const std::vector<std::string_view>& assigned) {
@@ -48,8 +52,7 @@ std::optional<double> step_of(Emitter& emitter, const Stmt& step, std::string_vi
     if (step.kind != Stmt::Kind::Assign || !is_counter(*step.target)) return {};
     const bool is_sum = step.op == "=" && step.value->kind == Expr::Kind::Binary && is_counter(*step.value->args[0]);
     const std::string_view op = is_sum ? step.value->text : step.op.substr(0, step.op.size() - 1);
-    const std::optional<double> by =
-        constant_value(emitter.known, is_sum ? *step.value->args[1] : *step.value, scope);
+    const std::optional<double> by = constant_value(emitter.known, is_sum ? *step.value->args[1] : *step.value, scope);
     if (!by || *by == 0 || (op != "+" && op != "-")) return {};
     return op == "+" ? *by : -*by;
 }
@@ -164,7 +167,7 @@ void emit_body(Emitter& emitter, const Stmt& loop, bool with_step, Scope& scope)
 void push_counter(Emitter& emitter, const Counter& counter, Value round, Scope& scope) {
     ir::Builder& b = *scope.builder;
     const Type type = counter.local->value.type;
-    Local made{.name = counter.local->name, .value = {.type = type}, .is_const = true, .constant = {}};
+    Local made{.name = counter.local->name, .value = {.value = {}, .type = type}, .is_const = true, .constant = {}};
     Value at = round;
     if (counter.step != 1) at = b.emit(Op::Mul, ir::kInt, {at, b.constant(ir::kInt, {counter.step})});
     if (counter.first != 0) at = b.emit(Op::Add, ir::kInt, {at, b.constant(ir::kInt, {counter.first})});
@@ -210,13 +213,16 @@ void loop_statement(Emitter& emitter, const Stmt& stmt, Scope& scope) {
     } else if (counter) {
         // "i < count" with an int that stays: the shader asks for it once.
         const Type type = counter->local->value.type;
-        const bool is_plain = counter->step == 1 && type == ir::kInt && counter->comparison == "<" &&
-                              stays(*counter->limit, assigned);
-        const Typed count = is_plain ? primary(emitter, expression(emitter, *counter->limit, scope), scope, counter->limit->span) : Typed{};
+        const bool is_plain =
+            counter->step == 1 && type == ir::kInt && counter->comparison == "<" && stays(*counter->limit, assigned);
+        const Typed count =
+            is_plain ? primary(emitter, expression(emitter, *counter->limit, scope), scope, counter->limit->span)
+                     : Typed{};
         if (is_plain && !count.ok()) return;
         if (is_plain && count.type.is_scalar() && (count.type == ir::kInt)) {
-            const Value from = counter->first == 0 ? count.value
-                                                   : b.emit(Op::Sub, ir::kInt, {count.value, b.constant(ir::kInt, {counter->first})});
+            const Value from = counter->first == 0
+                                   ? count.value
+                                   : b.emit(Op::Sub, ir::kInt, {count.value, b.constant(ir::kInt, {counter->first})});
             end = b.emit(Op::Min, ir::kInt, {from, b.constant(ir::kInt, {kOpenRounds})});
         } else {
             counter.reset();

@@ -184,9 +184,10 @@ void Content::instruction(const Function& function, const Inst& inst, std::uint3
     const bool is_new_constant = op == Op::Constant && mention(constants_, mentioned_constants_, data);
     const bool is_new_origin = is_new(from);
     const bool is_new_name = hint && mention(names_, mentioned_names_, hint.index);
-    const std::uint32_t words[] = {static_cast<std::uint32_t>(op) | std::uint32_t{is_light_loop} << 16 | std::uint32_t{is_while} << 17, operand_count,
-                                   op == Op::Constant ? constants_[data] : data, from ? origins_[from.index] : 0,
-                                   hint ? names_[hint.index] : 0};
+    const std::uint32_t words[] = {
+        static_cast<std::uint32_t>(op) | std::uint32_t{is_light_loop} << 16 | std::uint32_t{is_while} << 17,
+        operand_count, op == Op::Constant ? constants_[data] : data, from ? origins_[from.index] : 0,
+        hint ? names_[hint.index] : 0};
     put(words);
     const std::span<const Value> args = function.args(inst);
     static_assert(sizeof(Value) == sizeof(std::uint32_t));
