@@ -49,6 +49,9 @@ add_python_test(guard ${CMAKE_CURRENT_SOURCE_DIR}/guard/guard_test.py $<TARGET_F
 add_python_test(brdf_values ${CMAKE_CURRENT_SOURCE_DIR}/data/derive_brdf_values.py)
 add_python_test(sources ${CMAKE_CURRENT_SOURCE_DIR}/docs/sources.py ${CMAKE_SOURCE_DIR} $<TARGET_FILE:patina_cli>)
 
+# The links of all pages, and how near each page is.
+add_python_test(links ${CMAKE_CURRENT_SOURCE_DIR}/docs/links.py ${CMAKE_SOURCE_DIR})
+
 # The lessons, and what is written in two languages.
 add_python_test(languages ${CMAKE_CURRENT_SOURCE_DIR}/docs/languages.py ${CMAKE_SOURCE_DIR})
 add_python_test(lessons ${CMAKE_CURRENT_SOURCE_DIR}/docs/lessons.py ${CMAKE_SOURCE_DIR} $<TARGET_FILE:patina_cli>)
