@@ -1,5 +1,5 @@
-# Tests in Python: pages in a browser; reference values, derived independently of Patina from the papers; and the rows
-# and links of docs/sources.md and of the lessons.
+# Tests in Python: pages in a browser; reference values, derived independently of Patina from the papers; the links of
+# all pages; and the rows of docs/sources.md and of the lessons.
 find_package(Python3 COMPONENTS Interpreter)
 
 # A test that is a Python script; without Python it is skipped with a message.

@@ -14,14 +14,17 @@ import re
 import sys
 import urllib.parse
 
-# What builds and package managers make (.gitignore).
-SKIPPED = re.compile(r"\..*|build.*|out|node_modules")
+# What builds and package managers make (.gitignore): in the root, and anywhere.
+MADE_IN_ROOT = re.compile(r"build.*|out")
+MADE = re.compile(r"\..*|node_modules")
 CLICKS = 2
 
 
 def pages(root):
     for folder, folders, files in os.walk(root):
-        folders[:] = sorted(name for name in folders if not SKIPPED.fullmatch(name))
+        is_root = pathlib.Path(folder) == root
+        folders[:] = sorted(name for name in folders
+                            if not MADE.fullmatch(name) and not (is_root and MADE_IN_ROOT.fullmatch(name)))
         yield from (pathlib.Path(folder) / name for name in sorted(files) if name.endswith(".md"))
 
 
