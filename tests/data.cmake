@@ -1,5 +1,5 @@
-# Tests in Python: pages in a browser; reference values, derived independently of Patina from the papers; and the rows
-# and links of docs/sources.md and of the lessons.
+# Tests in Python: pages in a browser; reference values, derived independently of Patina from the papers; the links of
+# all pages; and the rows of docs/sources.md and of the lessons.
 find_package(Python3 COMPONENTS Interpreter)
 
 # A test that is a Python script; without Python it is skipped with a message.
@@ -48,6 +48,9 @@ add_python_test(guard ${CMAKE_CURRENT_SOURCE_DIR}/guard/guard_test.py $<TARGET_F
 
 add_python_test(brdf_values ${CMAKE_CURRENT_SOURCE_DIR}/data/derive_brdf_values.py)
 add_python_test(sources ${CMAKE_CURRENT_SOURCE_DIR}/docs/sources.py ${CMAKE_SOURCE_DIR} $<TARGET_FILE:patina_cli>)
+
+# The links of all pages, and how near each page is.
+add_python_test(links ${CMAKE_CURRENT_SOURCE_DIR}/docs/links.py ${CMAKE_SOURCE_DIR})
 
 # The lessons, and what is written in two languages.
 add_python_test(languages ${CMAKE_CURRENT_SOURCE_DIR}/docs/languages.py ${CMAKE_SOURCE_DIR})

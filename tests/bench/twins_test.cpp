@@ -150,7 +150,7 @@ TEST_P(Twins, DrawThePictureOfTheirGraph) {
     }
 }
 
-// docs/shader-cost.md has the figures. What is above 1 may become less, and must not become more.
+// docs/cost.md has the figures. What is above 1 may become less, and must not become more.
 TEST_P(Twins, CostAboutAsMuchAsTheShadersOfTheirGraph) {
     constexpr double kMostInstructions = 1.05, kMostText = 1.65;
     const Result result = compiled(GetParam());
