@@ -20,7 +20,6 @@ Result compile_for_engine(const CompilerImpl& compiler, const Source& source, co
     graph::Session session(*compiler.library, options, &files);
     std::string_view pass;
     const TrailGuard guard(trail, session.diagnostics, &pass);
-    session.kept = &compiler.kept;
     Result result;
     graph::until_stopped(session, [&] {
         const std::optional<std::uint32_t> base = add_source(session, source);

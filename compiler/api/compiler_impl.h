@@ -4,7 +4,6 @@
 #include "compiler/api/keys/kept_request.h"
 #include "compiler/base/made_once.h"
 #include "compiler/base/remembered.h"
-#include "compiler/link/kept_results.h"
 #include "compiler/resolve/library.h"
 #include "patina/patina.h"
 
@@ -13,7 +12,6 @@ namespace patina {
 struct Compiler::Impl {
     std::unique_ptr<graph::Library> library;
     std::vector<Diagnostic> overlay_errors;  // then nothing is compiled
-    mutable link::KeptResults kept;          // of all compilations, by any thread
     mutable Remembered<KeptRequest> requests{KeptRequest::kMostBytes};
 
     MadeOnce<std::string> hash;  // of the library

@@ -41,15 +41,7 @@ std::string safe_identifier(std::string_view word) {
 
 bool Names::is_free(std::string_view name) const {
     const std::string text(name);
-    const bool is_free = !next_.contains(text) && !is_taken(text);
-    note(text, !is_free);
-    return is_free;
-}
-
-bool Names::would_answer(const Asked& asked) const {
-    return std::all_of(asked.begin(), asked.end(), [&](const auto& each) {
-        return (next_.contains(each.first) || is_taken(each.first)) == each.second;
-    });
+    return !next_.contains(text) && !is_taken(text);
 }
 
 std::string Names::declare(std::string_view wanted) {
@@ -60,13 +52,10 @@ std::string Names::declare(std::string_view wanted) {
     const std::string& base = entry->first;
     unsigned& number = entry->second;
     const std::string* name = &base;
-    note(base, !is_new || is_taken(base));
-    for (unsigned passed = 2; asked_ && passed < number; ++passed) note(numbered(base, passed), true);
     for (bool is_free = is_new && !is_taken(base); !is_free;) {
         const auto made = next_.try_emplace(numbered(base, number++), 2);
         name = &made.first->first;
         is_free = made.second && !is_taken(*name);
-        note(*name, !is_free);
     }
     scopes_.back().push_back({name, &number});
     return *name;
