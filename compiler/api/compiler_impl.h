@@ -1,9 +1,9 @@
 // The members of a Compiler: the library, and descriptions of it that are made when first requested.
 #pragma once
 
-#include "compiler/api/keys/kept_request.h"
+#include "compiler/api/keys/cached_result.h"
 #include "compiler/base/made_once.h"
-#include "compiler/base/remembered.h"
+#include "compiler/base/cache.h"
 #include "compiler/resolve/library.h"
 #include "patina/patina.h"
 

@@ -1,5 +1,5 @@
 // Results that are kept by their keys: which of them are found again, and which are dropped.
-#include "compiler/base/remembered.h"
+#include "compiler/base/cache.h"
 
 #include <gtest/gtest.h>
 

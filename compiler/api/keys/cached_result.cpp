@@ -1,4 +1,4 @@
-#include "compiler/api/keys/kept_request.h"
+#include "compiler/api/keys/cached_result.h"
 
 #include <algorithm>
 #include <filesystem>
