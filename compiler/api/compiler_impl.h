@@ -2,8 +2,8 @@
 #pragma once
 
 #include "compiler/api/keys/cached_result.h"
-#include "compiler/base/made_once.h"
 #include "compiler/base/cache.h"
+#include "compiler/base/made_once.h"
 #include "compiler/resolve/library.h"
 #include "patina/patina.h"
 
@@ -12,7 +12,7 @@ namespace patina {
 struct Compiler::Impl {
     std::unique_ptr<graph::Library> library;
     std::vector<Diagnostic> overlay_errors;  // then nothing is compiled
-    mutable Remembered<KeptRequest> requests{KeptRequest::kMostBytes};
+    mutable Cache<CachedResult> results{CachedResult::kMostBytes};
 
     MadeOnce<std::string> hash;  // of the library
 
