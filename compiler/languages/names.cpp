@@ -2,18 +2,15 @@
 
 #include <algorithm>
 
+#include "compiler/base/letters.h"
 #include "compiler/base/spelling.h"
 
 namespace patina::languages {
 namespace {
 
-bool is_letter_or_digit(char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
-}
-
 // Keeps only letters, digits and single underscores, with no digit first.
 std::string plain_identifier(std::string_view word) {
-    const auto is_letter = [](char c) { return is_letter_or_digit(c) && !(c >= '0' && c <= '9'); };
+    const auto is_letter_or_digit = [](char c) { return is_letter(c) || is_digit(c); };
     // Most names are valid already, so check before copying letter by letter.
     if (!word.empty() && is_letter(word[0]) && std::all_of(word.begin(), word.end(), is_letter_or_digit)) {
         return std::string(word);
@@ -26,7 +23,7 @@ std::string plain_identifier(std::string_view word) {
         plain += next;
     }
     if (plain.empty() || plain == "_") return "value";
-    if (plain[0] >= '0' && plain[0] <= '9') plain.insert(plain.begin(), '_');
+    if (is_digit(plain[0])) plain.insert(plain.begin(), '_');
     return plain;
 }
 
