@@ -8,9 +8,9 @@
 #include <map>
 #include <optional>
 
-#include "tests/terms/term_data.h"
 #include "compiler/json/json_document.h"
 #include "runtime/lighting/model.h"
+#include "tests/terms/term_data.h"
 
 namespace patina::reference {
 namespace {
