@@ -25,12 +25,6 @@ if(Python3_Interpreter_FOUND)
   set_tests_properties(sheet_page PROPERTIES SKIP_REGULAR_EXPRESSION "(^|\n)skipped: " TIMEOUT 300)
 endif()
 
-# The page of `patina nodes --sheet`, in the same browser.
-add_python_test(node_sheet_page ${CMAKE_CURRENT_SOURCE_DIR}/report/node_sheet_test.py $<TARGET_FILE:patina_cli>)
-if(Python3_Interpreter_FOUND)
-  set_tests_properties(node_sheet_page PROPERTIES SKIP_REGULAR_EXPRESSION "(^|\n)skipped: " TIMEOUT 300)
-endif()
-
 # The page of `patina watch --render`, in the same browser.
 add_python_test(live_page ${CMAKE_CURRENT_SOURCE_DIR}/report/live_page_test.py $<TARGET_FILE:patina_cli>)
 if(Python3_Interpreter_FOUND)

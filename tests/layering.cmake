@@ -166,7 +166,7 @@ set(disk "^compiler/(base/disk/disk|json/json_document|json/json_memory)\\.h$")
 # The command uses the public headers, as any program does that embeds the compiler. The commands that draw or import do
 # so through the runtime and the importers. The others need at most the lighting at one point, and write files.
 file(GLOB_RECURSE files ${ROOT}/compiler/cli/*.h ${ROOT}/compiler/cli/*.cpp ${ROOT}/compiler/cli/*.in)
-set(draws "/(bake|render|check_scene|graph|sheet|snapshot|trace|diff/pictures)\\.cpp$|/picture_(options|sweep)\\.(h|cpp)$|/(watch|node_sheet)/[a-z_]+\\.(h|cpp)$")
+set(draws "/(bake|render|check_scene|graph|sheet|snapshot|trace|diff/pictures)\\.cpp$|/picture_(options|sweep)\\.(h|cpp)$|/watch/[a-z_]+\\.(h|cpp)$")
 foreach(file IN LISTS files)
   if(file MATCHES "/(render|model_file)\\.(h|cpp)$")  # a model is imported before it is drawn
     check_includes(${file} "^(compiler/cli|patina|runtime)/|${disk}|^compiler/importers/(importer|source_text)\\.h$")

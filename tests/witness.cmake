@@ -2,8 +2,8 @@
 add_library(patina_witness STATIC witness/bench.cpp witness/drawn.cpp witness/random_graph.cpp)
 target_include_directories(patina_witness PUBLIC ${CMAKE_CURRENT_SOURCE_DIR})
 target_link_libraries(patina_witness PUBLIC patina_runtime GTest::gtest PRIVATE patina_options)
-foreach(name cubes half kept_results library merl node_order pass_functions quads random_graphs shapes texture_nodes
-        transform values variants)
+foreach(name cubes half library merl node_order pass_functions quads random_graphs shapes texture_nodes transform
+        values variants)
   add_executable(witness_${name}_test witness/${name}_test.cpp)
   target_link_libraries(witness_${name}_test PRIVATE patina_options patina_witness GTest::gtest_main)
 endforeach()
@@ -14,9 +14,6 @@ target_link_libraries(witness_terms_test PRIVATE patina_options patina_witness p
 
 add_test(NAME witness_cubes COMMAND witness_cubes_test)
 add_test(NAME witness_half COMMAND witness_half_test)
-target_compile_definitions(witness_kept_results_test PRIVATE PATINA_EXAMPLES="${CMAKE_SOURCE_DIR}/examples/graphs")
-add_test(NAME kept_results COMMAND witness_kept_results_test --gtest_filter=-Many*)
-add_test(NAME many_kept_results COMMAND witness_kept_results_test --gtest_filter=Many*)
 add_test(NAME witness_library COMMAND witness_library_test)
 add_test(NAME witness_merl COMMAND witness_merl_test)
 add_test(NAME witness_node_order COMMAND witness_node_order_test WORKING_DIRECTORY ${CMAKE_SOURCE_DIR})
@@ -30,4 +27,4 @@ add_test(NAME witness_transform COMMAND witness_transform_test)
 add_test(NAME witness_values COMMAND witness_values_test)
 add_test(NAME witness_variants COMMAND witness_variants_test WORKING_DIRECTORY ${CMAKE_SOURCE_DIR})
 add_test(NAME witness_terms COMMAND witness_terms_test WORKING_DIRECTORY ${CMAKE_SOURCE_DIR})
-set_tests_properties(witness_random_graphs many_kept_results PROPERTIES LABELS slow)
+set_tests_properties(witness_random_graphs PROPERTIES LABELS slow)

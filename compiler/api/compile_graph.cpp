@@ -20,7 +20,6 @@ Result compile_for_engine(const CompilerImpl& compiler, const Source& source, co
     graph::Session session(*compiler.library, options, &files);
     std::string_view pass;
     const TrailGuard guard(trail, session.diagnostics, &pass);
-    session.kept = &compiler.kept;
     Result result;
     graph::until_stopped(session, [&] {
         const std::optional<std::uint32_t> base = add_source(session, source);
@@ -58,7 +57,7 @@ Result compile_source(const CompilerImpl& compiler, const Source& source, const 
 Result compile_file(const CompilerImpl& compiler, const std::string& path, const CompileOptions& options,
                     Trail& trail) {
     graph::Files files(options);
-    return compile_or_remember(compiler, {.path = path}, options, files, trail);
+    return compile_or_find(compiler, {.path = path}, options, files, trail);
 }
 
 Result compile_text(const CompilerImpl& compiler, const std::string& path, std::string text,
@@ -66,7 +65,7 @@ Result compile_text(const CompilerImpl& compiler, const std::string& path, std::
     graph::Files files(options);
     files.add_bytes(text.size());
     if (options.accept_parts) files.give_part(path, text);
-    return compile_or_remember(compiler, {.path = path, .text = std::move(text)}, options, files, trail);
+    return compile_or_find(compiler, {.path = path, .text = std::move(text)}, options, files, trail);
 }
 
 Result Compiler::compile_file(const std::string& path, const CompileOptions& options) const {

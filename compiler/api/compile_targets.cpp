@@ -31,11 +31,6 @@ void join(Result& into, Result from) {
     into.program = nullptr;
 }
 
-bool is_cancelled(const Result& result) {
-    return std::any_of(result.diagnostics.begin(), result.diagnostics.end(),
-                       [](const Diagnostic& each) { return each.code == info(Code::Cancelled).name; });
-}
-
 struct EngineTargets {
     const engines::Engine* engine = nullptr;
     std::vector<Target> targets;
@@ -115,6 +110,11 @@ Result refused(Diagnostic why) {
 }
 
 }  // namespace
+
+bool is_cancelled(const Result& result) {
+    return std::any_of(result.diagnostics.begin(), result.diagnostics.end(),
+                       [](const Diagnostic& each) { return each.code == info(Code::Cancelled).name; });
+}
 
 std::vector<std::string> joined(const std::vector<std::string>& a, const std::vector<std::string>& b) {
     std::vector<std::string> both;

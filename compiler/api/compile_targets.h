@@ -16,6 +16,9 @@ using CompileForEngine = std::function<Result(const CompileOptions&)>;
 // passes.
 Result compile_targets(const graph::Library& library, const CompileOptions& options, const CompileForEngine& compile);
 
+// True if the program has cancelled the compilation, which then says so.
+bool is_cancelled(const Result& result);
+
 // Two sorted lists as one, each path once.
 std::vector<std::string> joined(const std::vector<std::string>& a, const std::vector<std::string>& b);
 

@@ -1,10 +1,9 @@
 // The members of a Compiler: the library, and descriptions of it that are made when first requested.
 #pragma once
 
-#include "compiler/api/keys/kept_request.h"
+#include "compiler/api/keys/cached_result.h"
+#include "compiler/base/cache.h"
 #include "compiler/base/made_once.h"
-#include "compiler/base/remembered.h"
-#include "compiler/link/kept_results.h"
 #include "compiler/resolve/library.h"
 #include "patina/patina.h"
 
@@ -13,8 +12,7 @@ namespace patina {
 struct Compiler::Impl {
     std::unique_ptr<graph::Library> library;
     std::vector<Diagnostic> overlay_errors;  // then nothing is compiled
-    mutable link::KeptResults kept;          // of all compilations, by any thread
-    mutable Remembered<KeptRequest> requests{KeptRequest::kMostBytes};
+    mutable Cache<CachedResult> results{CachedResult::kMostBytes};
 
     MadeOnce<std::string> hash;  // of the library
 

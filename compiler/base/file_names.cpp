@@ -3,17 +3,14 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "compiler/base/letters.h"
 #include "compiler/base/text.h"
 
 namespace patina {
 namespace {
 
-bool is_letter(char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-}
-
 bool may_stand_in_scheme(char c) {
-    return is_letter(c) || (c >= '0' && c <= '9') || c == '+' || c == '-' || c == '.';
+    return is_letter(c) || is_digit(c) || c == '+' || c == '-' || c == '.';
 }
 
 // "wet/./a/../rust.png" -> "wet/rust.png"
@@ -37,13 +34,11 @@ std::string without_dots(std::string_view path) {
 
 // As Windows sees it: whatever follows the first dot, and in capitals or not.
 bool is_device(std::string_view stem) {
-    std::string word(stem);
+    std::string word = small_letters(std::string(stem));
     while (word.ends_with(' ')) word.pop_back();
-    for (char& c : word)
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
     for (const char* device : {"con", "prn", "aux", "nul"})
         if (word == device) return true;
-    return word.size() == 4 && (word.starts_with("com") || word.starts_with("lpt")) && word[3] >= '0' && word[3] <= '9';
+    return word.size() == 4 && (word.starts_with("com") || word.starts_with("lpt")) && is_digit(word[3]);
 }
 
 }  // namespace

@@ -1,23 +1,9 @@
 #include "compiler/base/spelling.h"
 
+#include "compiler/base/letters.h"
+
 namespace patina {
 namespace {
-
-bool is_upper(char c) {
-    return c >= 'A' && c <= 'Z';
-}
-bool is_lower(char c) {
-    return c >= 'a' && c <= 'z';
-}
-bool is_digit(char c) {
-    return c >= '0' && c <= '9';
-}
-char upper(char c) {
-    return is_lower(c) ? static_cast<char>(c - 'a' + 'A') : c;
-}
-char lower(char c) {
-    return is_upper(c) ? static_cast<char>(c - 'A' + 'a') : c;
-}
 
 // Of capitals in a row at the front the last one stays, if a small letter follows: "GGXTerm" -> "ggxTerm".
 std::string with_small_start(std::string_view word) {
@@ -35,7 +21,7 @@ std::string camel_case(std::string_view name) {
     std::string camel;
     while (!name.empty()) {
         std::size_t end = 0;
-        while (end < name.size() && (is_upper(name[end]) || is_lower(name[end]) || is_digit(name[end]))) ++end;
+        while (end < name.size() && (is_letter(name[end]) || is_digit(name[end]))) ++end;
         if (end > 0) {
             const std::string word = with_small_start(name.substr(0, end));
             camel = camel.empty() ? word : joined(camel, word);

@@ -17,18 +17,10 @@
 #include <charconv>
 #endif
 
+#include "compiler/base/letters.h"
+
 namespace patina {
 namespace {
-
-bool is_letter(char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
-}
-bool is_digit(char c) {
-    return c >= '0' && c <= '9';
-}
-char lower(char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-}
 
 // Optimal string alignment distance, case-insensitive.
 std::size_t distance_of_letters(std::string_view a, std::string_view b) {
@@ -131,8 +123,8 @@ std::string spelled_alike(std::string_view word) {
 }
 
 bool is_identifier(std::string_view text) {
-    if (text.empty() || !is_letter(text[0])) return false;
-    return std::all_of(text.begin(), text.end(), [](char c) { return is_letter(c) || is_digit(c); });
+    if (text.empty() || is_digit(text[0])) return false;
+    return std::all_of(text.begin(), text.end(), is_word_letter);
 }
 
 std::string_view nearest(std::string_view word, std::span<const std::string_view> candidates) {

@@ -28,9 +28,9 @@ public:
         options_.include_dirs = texts(json, "includeDirs");
         if (std::string root = read_text(reading_, json, "root"); !root.empty())
             options_.files = disk({.root = std::move(root)});
-        options_.keep_variants = flag(json, "keepVariants");
-        options_.accept_parts = flag(json, "acceptParts");
-        options_.hashes = flag(json, "hashes");
+        read_bool(reading_, json, "keepVariants", options_.keep_variants);
+        read_bool(reading_, json, "acceptParts", options_.accept_parts);
+        read_bool(reading_, json, "hashes", options_.hashes);
         if (const Json* limits = json.find("limits");
             limits && expect(reading_, *limits, Json::Kind::Object, "'limits'")) {
             check_keys(reading_, *limits, ObjectKind::OptionsLimits);
@@ -95,11 +95,6 @@ private:
             }
             options_.switches.emplace_back(member.key, std::move(value));
         }
-    }
-
-    bool flag(const Json& object, std::string_view key) {
-        const Json* json = object.find(key);
-        return json && read_bool(reading_, *json, fmt::format("'{}'", key)).value_or(false);
     }
 
     void count(const Json& object, std::string_view key, std::size_t& into) {

@@ -76,6 +76,12 @@ void complain(const Console& console, Complaint what, std::initializer_list<std:
     report(console, {&diagnostic, 1});
 }
 
+bool is_mixed(const Console& console, bool prints, std::string_view what) {
+    if (!console.json || !prints) return false;
+    complain(console, Complaint::MixedOutput, {what});
+    return true;
+}
+
 void say(const Console& console, std::string_view line) {
     if (console.quiet || console.json) return;
     end_progress(console);

@@ -46,6 +46,9 @@ Exit exit_of_reports();
 void ask_for_exit(Exit exit) noexcept;
 // Reports an error of the command itself, which has no place in a file.
 void complain(const Console& console, Complaint what, std::initializer_list<std::string_view> words);
+// True, after a complaint, if standard output would hold diagnostics as JSON and `what`: a command may print one of
+// them.
+bool is_mixed(const Console& console, bool prints, std::string_view what);
 
 // Prints to stdout which file was written or checked. Prints nothing if quiet or with --diagnostics=json.
 void say(const Console& console, std::string_view line);

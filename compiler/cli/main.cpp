@@ -22,17 +22,12 @@ bool asks_for_picture(std::string_view word) {
     return word.starts_with("--picture");
 }
 
-bool asks_for_sheet(std::string_view word) {
-    return word.starts_with("--sheet");
-}
-
 std::optional<Exit> set_up(Program& program, int argc, char** argv) {
     const std::string_view first = argc > 1 ? argv[1] : "";
     const CommandInfo* command = find_command(first);
     Home home = command ? command->home : Home::Patina;
     if (first == "check" && std::any_of(argv, argv + argc, may_name_scenes)) home = Home::Render;
     if (first == "diff" && std::any_of(argv, argv + argc, asks_for_picture)) home = Home::Render;
-    if (first == "nodes" && std::any_of(argv, argv + argc, asks_for_sheet)) home = Home::Render;
     if (home != Home::Patina) return turn_into(home, argv);
     add_licences_option(program);
     if (first == "--licences" || first == "--licenses") return {};  // 'fmt' is a library there, and no command

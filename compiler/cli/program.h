@@ -6,8 +6,8 @@
 //
 // This folder: the programs (main.cpp, render_main.cpp, import_main.cpp) and what all commands share (this file,
 // console.h, files.h, inputs.h, outputs.h). failures/ says what was thrown, commands/ holds a file for each command,
-// compile/ what `patina compile` needs beside, cost/ is `patina cost`, diff/ what `patina diff` finds, node_sheet/ is
-// `patina nodes --sheet`, watch/ is `patina watch`, licences/ is `patina --licences`, pages/ what `patina node` and
+// compile/ what `patina compile` needs beside, cost/ is `patina cost`, diff/ what `patina diff` finds, watch/ is
+// `patina watch`, licences/ is `patina --licences`, pages/ what `patina node` and
 // `patina docs` show, eval/ what `patina eval` computes, templates/ what `patina new` writes. Nothing here includes the
 // compiler's own headers: what a command needs of the library is public.
 //
@@ -22,7 +22,6 @@
 #include <initializer_list>
 #include <map>
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -65,9 +64,6 @@ using PictureComparison = std::optional<PictureChange> (*)(const Console&, const
 // The bytes of a picture's file; the ending of its name is the format.
 using PictureEncoder = runtime::Outcome<std::string> (*)(const std::string& name, const runtime::Image&);
 
-// How the page of `patina nodes --sheet` is written (node_sheet/node_sheet.h).
-using NodeSheetWriter = Exit (*)(const Console&, const Compiler&, std::span<const NodeInfo* const>, const std::string&);
-
 struct Program {
     Program();
 
@@ -78,7 +74,6 @@ struct Program {
     SceneCheck check_scene = nullptr;
     PictureComparison compare_pictures = nullptr;
     PictureEncoder encode_picture = nullptr;
-    NodeSheetWriter write_node_sheet = nullptr;
     struct Command {
         CLI::App* app;
         std::function<Exit(const Console&)> work;

@@ -1,8 +1,7 @@
-// patina-render: the commands that need Vulkan and OpenImageIO, the check of scenes,
-// pictures of `patina diff` and `patina nodes`, and imports that write pictures. `patina` turns into it.
+// patina-render: the commands that need Vulkan and OpenImageIO, the check of scenes, pictures of `patina diff`, and
+// imports that write pictures. `patina` turns into it.
 #include "compiler/cli/commands/commands.h"
 #include "compiler/cli/diff/report.h"
-#include "compiler/cli/node_sheet/node_sheet.h"
 #include "runtime/picture/image.h"
 #include "runtime/picture/picture_bounds.h"
 
@@ -14,12 +13,10 @@ std::optional<Exit> set_up(Program& program, int, char**) {
     program.check_scene = check_scene;
     program.compare_pictures = compare_pictures;
     program.encode_picture = patina::runtime::encode_image;
-    program.write_node_sheet = write_node_sheet;
     program.limit_pixels = patina::runtime::limit_pixels;
     add_check(program);
     add_diff(program);
     add_import(program);
-    add_nodes(program);
 #define COMMAND(name, home, summary) \
     if constexpr (Home::home == Home::Render) add_##name(program);
 #include "compiler/cli/commands/commands.def"

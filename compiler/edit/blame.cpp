@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <map>
 
+#include "compiler/base/letters.h"
+
 namespace patina::graph {
 namespace {
 
@@ -12,7 +14,7 @@ using Names = std::set<std::string, std::less<>>;
 constexpr std::size_t kMostDistances = 64;
 
 bool is_word(char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
+    return is_word_letter(c) || c == '-';
 }
 
 void add_words(std::string_view text, Names& words) {

@@ -47,8 +47,7 @@ public:
         word(json, "matrices", "an order of matrices", engine_.matrices);
         word(json, "uvOrigin", "an origin of texture coordinates", engine_.uv_origin);
         engine_.storage = map(json, "storage");
-        if (const Json* shared = json.find("sharedSamplers"))
-            engine_.shares_samplers = graph::read_bool(reading_, *shared, "'sharedSamplers'").value_or(true);
+        graph::read_bool(reading_, json, "sharedSamplers", engine_.shares_samplers);
         engine_.texture_sizes = text(json, "textureSizes");
         if (const Json* limits = object(json, "limits", EngineLimits)) {
             number(*limits, "varyings", engine_.most_varyings);
@@ -66,7 +65,7 @@ private:
 
     template <class E>
     void word(const Json& json, std::string_view key, std::string_view what, E& into) {
-        if (const Json* value = json.find(key)) into = graph::read_word<E>(reading_, *value, key, what).value_or(into);
+        graph::read_word(reading_, json, key, what, into);
     }
 
     template <class Number>

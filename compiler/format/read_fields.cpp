@@ -93,6 +93,21 @@ std::optional<int> read_int(Reading& reading, const Json& json, std::string_view
     return std::nullopt;
 }
 
+std::optional<int> read_int(Reading& reading, const Json& json, std::string_view what, const Form& form) {
+    return read_int(reading, json, what, static_cast<int>(form.low), static_cast<int>(form.high));
+}
+
+void read_int(Reading& reading, const Json& object, ObjectKind kind, std::string_view key, int& target) {
+    if (const Json* json = object.find(key))
+        target =
+            read_int(reading, *json, fmt::format("'{}'", key), form_of(kind, key, Form::Of::Integer)).value_or(target);
+}
+
+void read_bool(Reading& reading, const Json& object, std::string_view key, bool& target) {
+    if (const Json* json = object.find(key))
+        target = read_bool(reading, *json, fmt::format("'{}'", key)).value_or(target);
+}
+
 std::string read_text(Reading& reading, const Json& object, std::string_view key) {
     const Json* json = object.find(key);
     if (!json) return {};
@@ -202,7 +217,7 @@ void read_limits(Reading& reading, const Json& json, std::optional<std::array<do
     if (const Json* limits = json.find("range")) range = read_range(reading, *limits);
     const JsonMember* member = find_member(json, "hard");
     if (!member) return;
-    hard = read_bool(reading, member->value, "'hard'").value_or(false);
+    read_bool(reading, json, "hard", hard);
     if (!json.find("range")) reading.diagnostics.report(Code::MissingKey, member->key_span, "'hard'", "range");
 }
 

@@ -1,9 +1,8 @@
 // Functions that the readers of a graph's parts share: each reads one JSON value and reports what is wrong with it.
 // Private to compiler/format/read_*.cpp.
 //
-//   if (const Json* json = object.find("wrap")) {
-//       sampler.wrap = read_word<Wrap>(reading, *json, "wrap", "a wrap mode").value_or(Wrap::Repeat);
-//   }
+//   read_word(reading, json, "wrap", "a wrap mode", sampler.wrap);
+//   read_int(reading, json, ObjectKind::Sampler, "anisotropy", sampler.anisotropy);
 #pragma once
 
 #include <optional>
@@ -55,6 +54,11 @@ std::optional<bool> read_bool(Reading& reading, const Json& json, std::string_vi
 std::optional<double> read_float(Reading& reading, const Json& json, std::string_view what);
 // A whole number from `low` to `high`.
 std::optional<int> read_int(Reading& reading, const Json& json, std::string_view what, int low, int high);
+std::optional<int> read_int(Reading& reading, const Json& json, std::string_view what, const Form& form);
+// These read the value of a key of an object. `target` stays as it is if the key is absent or its value is wrong. The
+// limits of a number are those of the table of keys.
+void read_int(Reading& reading, const Json& object, ObjectKind kind, std::string_view key, int& target);
+void read_bool(Reading& reading, const Json& object, std::string_view key, bool& target);
 // The text at a key; empty if the key is absent.
 std::string read_text(Reading& reading, const Json& object, std::string_view key);
 // Reports a text that is not an identifier. Empty if the value is not a string.
@@ -106,6 +110,14 @@ std::optional<E> read_word(Reading& reading, const Json& json, std::string_view 
     suggest(reading, reading.diagnostics.report(Code::UnknownWord, inside(json.span), shown(*text), what),
             meant_by(*text, kTexts), kTexts);
     return std::nullopt;
+}
+
+// The same for a key of an object, as read_int(). Returns the value; null if the key is absent.
+template <HasWords E>
+const Json* read_word(Reading& reading, const Json& object, std::string_view key, std::string_view what, E& target) {
+    const Json* json = object.find(key);
+    if (json) target = read_word<E>(reading, *json, key, what).value_or(target);
+    return json;
 }
 
 // --- the readers of the parts

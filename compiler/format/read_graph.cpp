@@ -24,10 +24,7 @@ void read_common(Reading& reading, const Json& json, Graph& graph, UniqueNames& 
     }
     graph.help = read_text(reading, json, "help");
     if (const Json* schema = json.find("$schema")) (void)read_string(reading, *schema, "'$schema'");
-    if (const Json* precision = json.find("precision")) {
-        graph.precision =
-            read_word<Precision>(reading, *precision, "precision", "a precision").value_or(Precision::Float);
-    }
+    read_word(reading, json, "precision", "a precision", graph.precision);
     if (const Json* properties = json.find("properties")) {
         graph.properties = read_properties(reading, *properties, names);
     }
@@ -97,8 +94,6 @@ void read_variants(Reading& reading, const Json& array, std::vector<ListedVarian
     }
 }
 
-constexpr int kMostCost = 1'000'000'000;
-
 Budget read_budget(Reading& reading, const Json& json) {
     Budget budget;
     if (!expect(reading, json, Json::Kind::Object, "'budget'")) return budget;
@@ -106,7 +101,8 @@ Budget read_budget(Reading& reading, const Json& json) {
     const auto read = [&](std::string_view key, std::optional<Budget::Limit>& limit) {
         const Json* found = json.find(key);
         if (!found) return;
-        if (const auto most = read_int(reading, *found, fmt::format("'budget.{}'", key), 0, kMostCost))
+        const Form& form = form_of(ObjectKind::Budget, key, Form::Of::Integer);
+        if (const auto most = read_int(reading, *found, fmt::format("'budget.{}'", key), form))
             limit = {.most = *most, .span = found->span};
     };
     read("maxInstructions", budget.instructions);

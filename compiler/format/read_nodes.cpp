@@ -59,14 +59,8 @@ Node read_node(Reading& reading, const Json& json, UniqueNames& ids) {
             .note("or the key 'expr', with an expression");
     }
 
-    if (const Json* stage = json.find("stage")) {
-        node.stage = read_word<NodeStage>(reading, *stage, "stage", "a stage").value_or(NodeStage::OfReaders);
-        node.stage_span = stage->span;
-    }
-    if (const Json* precision = json.find("precision")) {
-        node.precision =
-            read_word<Precision>(reading, *precision, "precision", "a precision").value_or(Precision::Inherit);
-    }
+    if (const Json* stage = read_word(reading, json, "stage", "a stage", node.stage)) node.stage_span = stage->span;
+    read_word(reading, json, "precision", "a precision", node.precision);
     node.note = read_text(reading, json, "note");
     return node;
 }

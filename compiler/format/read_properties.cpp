@@ -210,10 +210,8 @@ Property read_property(Reading& reading, const Json& json, UniqueNames& names) {
     property.span = json.span;
     check_keys(reading, json, ObjectKind::Property);
     read_name(reading, json, "property", property.name, property.name_span, names);
-    if (const Json* binding = json.find("as")) {
-        property.binding = read_word<Binding>(reading, *binding, "as", "a binding time").value_or(Binding::Uniform);
+    if (const Json* binding = read_word(reading, json, "as", "a binding time", property.binding))
         property.binding_span = binding->span;
-    }
     property.label = read_text(reading, json, "label");
     if (const Json* label = json.find("label")) property.label_span = label->span;
     property.group = read_text(reading, json, "group");

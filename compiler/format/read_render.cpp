@@ -7,9 +7,6 @@
 namespace patina::graph {
 namespace {
 
-constexpr int kLastQueue = 5000;
-constexpr int kMostStencil = 255;
-constexpr double kFarthest = 1e6;  // metres, as in scenes
 // The factor counts the change of depth from pixel to pixel, and no render target is wider than this number of pixels.
 // The units count steps of depth, and a buffer of 24 bits has this many. Vulkan and ShaderLab take any floats here,
 // Direct3D 11 a float and an int.
@@ -41,20 +38,17 @@ StencilState read_stencil(Reading& reading, const Json& json) {
     check_keys(reading, json, ObjectKind::Stencil);
     const auto number = [&](std::string_view key, int& value) {
         if (const Json* found = json.find(key))
-            value = read_int(reading, *found, fmt::format("'stencil.{}'", key), 0, kMostStencil).value_or(value);
+            value = read_int(reading, *found, fmt::format("'stencil.{}'", key),
+                             form_of(ObjectKind::Stencil, key, Form::Of::Integer))
+                        .value_or(value);
     };
     number("reference", stencil.reference);
     number("readMask", stencil.read_mask);
     number("writeMask", stencil.write_mask);
-    if (const Json* test = json.find("test"))
-        stencil.test = read_word<Compare>(reading, *test, "test", "a stencil test").value_or(Compare::Always);
-    const auto operation = [&](std::string_view key, StencilOp& value) {
-        if (const Json* found = json.find(key))
-            value = read_word<StencilOp>(reading, *found, key, "a stencil operation").value_or(value);
-    };
-    operation("pass", stencil.pass);
-    operation("fail", stencil.fail);
-    operation("depthFail", stencil.depth_fail);
+    read_word(reading, json, "test", "a stencil test", stencil.test);
+    read_word(reading, json, "pass", "a stencil operation", stencil.pass);
+    read_word(reading, json, "fail", "a stencil operation", stencil.fail);
+    read_word(reading, json, "depthFail", "a stencil operation", stencil.depth_fail);
     return stencil;
 }
 
@@ -117,14 +111,9 @@ RenderState read_render(Reading& reading, const Json& json) {
     render.span = json.span;
     if (!expect(reading, json, Json::Kind::Object, "'render'")) return render;
     check_keys(reading, json, ObjectKind::Render);
-    if (const Json* surface = json.find("surface")) {
+    if (const Json* surface = read_word(reading, json, "surface", "a surface kind", render.surface))
         render.surface_span = surface->span;
-        render.surface =
-            read_word<SurfaceKind>(reading, *surface, "surface", "a surface kind").value_or(SurfaceKind::Opaque);
-    }
-    if (const Json* cull = json.find("cull")) {
-        render.cull = read_word<Cull>(reading, *cull, "cull", "a cull mode").value_or(Cull::Back);
-    }
+    read_word(reading, json, "cull", "a cull mode", render.cull);
     if (const Json* write = json.find("depthWrite")) render.depth_write = read_bool(reading, *write, "'depthWrite'");
     if (const Json* test = json.find("depthTest")) {
         render.depth_test = read_word<Compare>(reading, *test, "depthTest", "a depth test");
@@ -133,11 +122,10 @@ RenderState read_render(Reading& reading, const Json& json) {
         render.depth_offset = read_depth_offset(reading, *offset);
     }
     if (const Json* stencil = json.find("stencil")) render.stencil = read_stencil(reading, *stencil);
-    if (const Json* queue = json.find("queue")) render.queue = read_int(reading, *queue, "'queue'", 0, kLastQueue);
+    if (const Json* queue = json.find("queue"))
+        render.queue = read_int(reading, *queue, "'queue'", form_of(ObjectKind::Render, "queue", Form::Of::Integer));
     if (const Json* bounds = json.find("bounds")) render.bounds = read_bounds(reading, *bounds);
-    if (const Json* chosen = json.find("materialOverride")) {
-        render.allows_override = read_bool(reading, *chosen, "'materialOverride'").value_or(false);
-    }
+    read_bool(reading, json, "materialOverride", render.allows_override);
     return render;
 }
 

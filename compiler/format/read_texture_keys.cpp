@@ -14,15 +14,9 @@ void read_sampler(Reading& reading, const Json& json, Property& property) {
     }
     Sampler& sampler = property.sampler;
     check_keys(reading, json, ObjectKind::Sampler);
-    if (const Json* wrap = json.find("wrap")) {
-        sampler.wrap = read_word<Wrap>(reading, *wrap, "wrap", "a wrap mode").value_or(Wrap::Repeat);
-    }
-    if (const Json* filter = json.find("filter")) {
-        sampler.filter = read_word<Filter>(reading, *filter, "filter", "a filter").value_or(Filter::Linear);
-    }
-    if (const Json* anisotropy = json.find("anisotropy")) {
-        sampler.anisotropy = read_int(reading, *anisotropy, "'anisotropy'", 1, 16).value_or(1);
-    }
+    read_word(reading, json, "wrap", "a wrap mode", sampler.wrap);
+    read_word(reading, json, "filter", "a filter", sampler.filter);
+    read_int(reading, json, ObjectKind::Sampler, "anisotropy", sampler.anisotropy);
 }
 
 // "grid": [4, 2]: the picture holds 2 rows of 4 layers.
@@ -64,8 +58,7 @@ void read_swizzle(Reading& reading, const Json& json, Property& property) {
 
 void report_no_sampler(Diagnostics& diagnostics, Span span, std::string_view word) {
     DiagnosticRecord& record = diagnostics.report(Code::UnknownWord, span, shown(word), "a sampler");
-    constexpr auto kNames = sampler_names();
-    record.note(Diagnostics::suggestion(meant_by(word, kNames), kNames));
+    record.note(Diagnostics::suggestion(meant_by(word, kSamplerNames), kSamplerNames));
 }
 
 void read_named_sampler(Reading& reading, const Json& json, Property& property) {
@@ -81,14 +74,9 @@ void read_named_sampler(Reading& reading, const Json& json, Property& property) 
 }
 
 void read_texture_keys(Reading& reading, const Json& json, Property& property) {
-    if (const Json* usage = json.find("usage")) {
+    if (const Json* usage = read_word(reading, json, "usage", "a texture's usage", property.usage))
         property.usage_span = usage->span;
-        property.usage =
-            read_word<TextureUsage>(reading, *usage, "usage", "a texture's usage").value_or(TextureUsage::Color);
-    }
-    if (const Json* tiling = json.find("tiling")) {
-        property.tiling = read_bool(reading, *tiling, "'tiling'").value_or(false);
-    }
+    read_bool(reading, json, "tiling", property.tiling);
     if (property.usage == TextureUsage::Normal && property.type != PropertyType::Texture2D) {
         reading.diagnostics.report(Code::ImpossibleValue, property.usage_span.value_or(json.span), "usage",
                                    fmt::format("color or data: a {} holds no normal map", to_string(property.type)));

@@ -65,8 +65,7 @@ bool is_sampler(const Json& json) {
 const Expr* read_array(Reading& reading, const Json& json) {
     const std::optional<PropertyType> type = array_type(json);
     if (is_sampler(json)) {
-        constexpr auto kNames = sampler_names();
-        report_type(reading, json, "a sampler that is a value", "one of the names " + enumerate(kNames));
+        report_type(reading, json, "a sampler that is a value", "one of the names " + enumerate(kSamplerNames));
         return nullptr;
     }
     if (!type) {

@@ -75,11 +75,11 @@ constexpr std::array<std::string_view, kWords<E>.size()> texts() {
 inline constexpr std::array<std::string_view, 4> kDefaultTextures = {"white", "black", "gray", "bump"};
 
 // The names of samplers, as messages list them.
-constexpr std::array<std::string_view, kNamedSamplers.size()> sampler_names() {
+inline constexpr auto kSamplerNames = [] {
     std::array<std::string_view, kNamedSamplers.size()> names{};
     for (std::size_t i = 0; i < names.size(); ++i) names[i] = kNamedSamplers[i].name;
     return names;
-}
+}();
 
 // Reports a word that is the name of no sampler (read_texture_keys.cpp).
 void report_no_sampler(Diagnostics& diagnostics, Span span, std::string_view word);

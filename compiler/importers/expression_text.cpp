@@ -4,28 +4,11 @@
 #include <optional>
 #include <set>
 
+#include "compiler/base/letters.h"
 #include "compiler/base/text.h"
 
 namespace patina::importers::terms {
 namespace {
-
-bool is_letter(char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-}
-bool is_digit(char c) {
-    return c >= '0' && c <= '9';
-}
-char upper(char c) {
-    return c >= 'a' && c <= 'z' ? static_cast<char>(c - 32) : c;
-}
-char lower(char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
-}
-std::string_view trimmed(std::string_view text) {
-    while (text.starts_with(' ')) text.remove_prefix(1);
-    while (text.ends_with(' ')) text.remove_suffix(1);
-    return text;
-}
 
 // Words of the node language, which no name may be.
 constexpr std::string_view kReserved[] = {"true",  "false", "if",  "else",  "for",    "return",
@@ -51,7 +34,7 @@ std::optional<double> value_of_pair(std::string_view text) {
 bool folds_group(std::string& text, std::size_t open, std::size_t close) {
     const std::string inner = text.substr(open + 1, close - open - 1);
     const char before = open > 0 ? text[open - 1] : ' ';
-    const bool is_call = is_letter(before) || is_digit(before) || before == '_';
+    const bool is_call = is_word_letter(before);
     if (const auto value = value_of_pair(inner)) {
         const std::string made = digits(*value);
         text.replace(open + 1, inner.size(), made);
@@ -68,7 +51,7 @@ bool folds_group(std::string& text, std::size_t open, std::size_t close) {
         return true;
     }
     const bool is_name = !inner.empty() && !is_digit(inner[0]) && std::ranges::all_of(inner, [](char c) {
-        return is_letter(c) || is_digit(c) || c == '_' || c == '$' || c == '@' || c == '.';
+        return is_word_letter(c) || c == '$' || c == '@' || c == '.';
     });
     if (!is_number && !is_name) return false;
     const char after = close + 1 < text.size() ? text[close + 1] : ' ';
@@ -185,7 +168,7 @@ std::string camel_case(std::string_view name) {
     }
     // The first word in small letters: "UV" -> "uv", "HSVShift" -> "hsvShift", "MainTex" -> "mainTex".
     std::size_t capitals = 0;
-    while (capitals < made.size() && made[capitals] >= 'A' && made[capitals] <= 'Z') ++capitals;
+    while (capitals < made.size() && is_upper(made[capitals])) ++capitals;
     if (capitals > 1 && capitals < made.size() && is_letter(made[capitals])) --capitals;
     for (std::size_t i = 0; i < std::max<std::size_t>(capitals, 1) && i < made.size(); ++i) made[i] = lower(made[i]);
     if (!made.empty() && is_digit(made[0])) made = "n" + made;
@@ -204,7 +187,7 @@ std::string pascal_case(std::string_view name) {
 
 std::string identifier(std::string_view name) {
     std::string made;
-    for (const char c : name) made += is_letter(c) || is_digit(c) || c == '_' ? c : '_';
+    for (const char c : name) made += is_word_letter(c) ? c : '_';
     if (made.find_first_not_of('_') == made.npos) return {};
     if (is_digit(made[0])) made = "_" + made;
     return made;

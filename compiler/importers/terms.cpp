@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "compiler/base/letters.h"
 #include "compiler/base/text.h"
 
 namespace patina::importers::terms {
@@ -88,14 +89,8 @@ Term corner(const Term& term, Type type) {
     return rewritten(term, type, fmt::format("{}({})", word(type), list));
 }
 
-bool is_letter(char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-}
-bool is_digit(char c) {
-    return c >= '0' && c <= '9';
-}
 bool is_of_link(char c) {
-    return is_letter(c) || is_digit(c) || c == '_' || c == '$' || c == '@' || c == '.';
+    return is_word_letter(c) || c == '$' || c == '@' || c == '.';
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "compiler/base/disk/disk.h"
+#include "compiler/base/letters.h"
 #include "compiler/base/text.h"
 
 namespace patina::importers {
@@ -14,14 +15,8 @@ namespace fs = std::filesystem;
 constexpr std::size_t kMostFiles = 200'000;  // that are looked at, in all folders
 constexpr int kDeepest = 32;
 
-std::string lower(std::string text) {
-    std::transform(text.begin(), text.end(), text.begin(),
-                   [](unsigned char c) { return static_cast<char>(c >= 'A' && c <= 'Z' ? c + 32 : c); });
-    return text;
-}
-
 bool is_hex(std::string_view text) {
-    return std::ranges::all_of(text, [](char c) { return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f'); });
+    return std::ranges::all_of(text, [](char c) { return is_digit(c) || (c >= 'a' && c <= 'f'); });
 }
 
 // The digits behind the word "guid".
@@ -64,13 +59,13 @@ const Assets::Index& Assets::index(std::span<const std::string_view> endings) {
         for (; !wrong && each != end && count < kMostFiles; each.increment(wrong), ++count) {
             if (each.depth() >= kDeepest) each.disable_recursion_pending();
             const fs::path& path = each->path();
-            const std::string name = lower(path.filename().string());
+            const std::string name = small_letters(path.filename().string());
             const bool is_meta = name.ends_with(".meta");
             const std::string_view asset = std::string_view(name).substr(0, name.size() - (is_meta ? 5 : 0));
             if (std::ranges::none_of(endings, [&](std::string_view ending) { return asset.ends_with(ending); }))
                 continue;
             if (!is_meta) {
-                made.by_name[lower(path.stem().string())].push_back(path.string());
+                made.by_name[small_letters(path.stem().string())].push_back(path.string());
             } else if (const std::string guid = guid_of(path); !guid.empty()) {
                 std::string file = path.string();
                 file.resize(file.size() - 5);
@@ -90,14 +85,14 @@ std::optional<Assets::Found> Assets::find(std::string_view guid, std::string_vie
                                           std::span<const std::string_view> endings) {
     if (guid.empty() && name.empty()) return {};
     const Index& all = index(endings);
-    if (const auto found = all.by_guid.find(lower(std::string(guid))); found != all.by_guid.end()) {
+    if (const auto found = all.by_guid.find(small_letters(std::string(guid))); found != all.by_guid.end()) {
         std::vector<std::string> there;
         for (const std::string& path : found->second)
             if (is_on_disk(path)) there.push_back(path);
         if (!there.empty()) return Found{.path = there.front(), .other = there.size() > 1 ? there[1] : std::string()};
     }
     if (name.empty()) return {};
-    const auto found = all.by_name.find(lower(std::string(name)));
+    const auto found = all.by_name.find(small_letters(std::string(name)));
     if (found == all.by_name.end()) return {};
     return Found{.path = found->second.front(),
                  .is_by_name = true,

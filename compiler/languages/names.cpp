@@ -2,18 +2,15 @@
 
 #include <algorithm>
 
+#include "compiler/base/letters.h"
 #include "compiler/base/spelling.h"
 
 namespace patina::languages {
 namespace {
 
-bool is_letter_or_digit(char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
-}
-
 // Keeps only letters, digits and single underscores, with no digit first.
 std::string plain_identifier(std::string_view word) {
-    const auto is_letter = [](char c) { return is_letter_or_digit(c) && !(c >= '0' && c <= '9'); };
+    const auto is_letter_or_digit = [](char c) { return is_letter(c) || is_digit(c); };
     // Most names are valid already, so check before copying letter by letter.
     if (!word.empty() && is_letter(word[0]) && std::all_of(word.begin(), word.end(), is_letter_or_digit)) {
         return std::string(word);
@@ -26,7 +23,7 @@ std::string plain_identifier(std::string_view word) {
         plain += next;
     }
     if (plain.empty() || plain == "_") return "value";
-    if (plain[0] >= '0' && plain[0] <= '9') plain.insert(plain.begin(), '_');
+    if (is_digit(plain[0])) plain.insert(plain.begin(), '_');
     return plain;
 }
 
@@ -41,15 +38,7 @@ std::string safe_identifier(std::string_view word) {
 
 bool Names::is_free(std::string_view name) const {
     const std::string text(name);
-    const bool is_free = !next_.contains(text) && !is_taken(text);
-    note(text, !is_free);
-    return is_free;
-}
-
-bool Names::would_answer(const Asked& asked) const {
-    return std::all_of(asked.begin(), asked.end(), [&](const auto& each) {
-        return (next_.contains(each.first) || is_taken(each.first)) == each.second;
-    });
+    return !next_.contains(text) && !is_taken(text);
 }
 
 std::string Names::declare(std::string_view wanted) {
@@ -60,13 +49,10 @@ std::string Names::declare(std::string_view wanted) {
     const std::string& base = entry->first;
     unsigned& number = entry->second;
     const std::string* name = &base;
-    note(base, !is_new || is_taken(base));
-    for (unsigned passed = 2; asked_ && passed < number; ++passed) note(numbered(base, passed), true);
     for (bool is_free = is_new && !is_taken(base); !is_free;) {
         const auto made = next_.try_emplace(numbered(base, number++), 2);
         name = &made.first->first;
         is_free = made.second && !is_taken(*name);
-        note(*name, !is_free);
     }
     scopes_.back().push_back({name, &number});
     return *name;

@@ -7,7 +7,6 @@
 //   names.declare("texture"); // texture_
 #pragma once
 
-#include <map>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -33,12 +32,6 @@ public:
     // Frees the names of the innermost scope.
     void close();
 
-    // Names, and whether each was taken when it was first asked for. The same answers give the same names.
-    using Asked = std::map<std::string, bool, std::less<>>;
-    // What is asked from now on is noted. Null: no more. While it is noted, the outermost scope gets no names.
-    void note_into(Asked* asked) { asked_ = asked; }
-    bool would_answer(const Asked& asked) const;
-
 private:
     struct Taken {
         const std::string* name;  // in next_
@@ -48,15 +41,10 @@ private:
         return taken_ && (of_ == Of::Members ? taken_->macros : taken_->names).contains(name);
     }
 
-    void note(const std::string& name, bool is_taken) const {
-        if (asked_) asked_->try_emplace(name, is_taken);
-    }
-
     const TakenNames* taken_;
     Of of_;
     std::unordered_map<std::string, unsigned> next_;  // taken names, and the number for the next clash
     std::vector<std::vector<Taken>> scopes_;
-    Asked* asked_ = nullptr;
 };
 
 }  // namespace patina::languages

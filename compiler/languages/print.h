@@ -10,7 +10,6 @@
 #include <unordered_set>
 #include <vector>
 
-#include "compiler/base/remembered.h"
 #include "compiler/ir/ir.h"
 
 namespace patina::languages {
@@ -55,9 +54,6 @@ struct TakenNames {
     std::vector<std::string> prefixes;
 };
 
-// Kept texts of functions (kept/kept_text.h).
-struct KeptText;
-
 struct PrintOptions {
     std::string header;                        // lines for a comment at the top, without comment marks
     Plans* plans = nullptr;                    // those of this module; null: made for this printing
@@ -65,7 +61,6 @@ struct PrintOptions {
     const TakenNames* taken = nullptr;         // null: there is no surrounding text
     std::vector<std::string> also_taken = {};  // more names of the surrounding text
     std::size_t width = 120;                   // columns; longer lines are broken
-    Remembered<KeptText>* kept = nullptr;      // null: every function is printed
 };
 
 struct LanguageInfo {

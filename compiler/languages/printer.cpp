@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "compiler/languages/body.h"
-#include "compiler/languages/kept/kept_text.h"
 
 namespace patina::languages {
 
@@ -175,21 +174,15 @@ std::string_view function_name(std::string_view signature) {
 }
 
 void print_function(Writer& w, FunctionId id, const EntryPoint* entry) {
-    const auto print = [&] {
-        const Function& function = w.module[id];
-        print_comment(w, function.comment, function.origin);
-        if (function.linkage == Linkage::Verbatim)
-            Body(w, id, nullptr).print_verbatim();
-        else
-            Body(w, id, entry).print();
-    };
     w.gap();
     print_piece(w, entry ? Piece::Kind::Entry : Piece::Kind::Function,
                 entry ? std::string(function_name(entry->signature)) : w.functions[id.index], [&] {
-                    if (w.options.kept)
-                        print_kept(w, id, entry, print);
+                    const Function& function = w.module[id];
+                    print_comment(w, function.comment, function.origin);
+                    if (function.linkage == Linkage::Verbatim)
+                        Body(w, id, nullptr).print_verbatim();
                     else
-                        print();
+                        Body(w, id, entry).print();
                 });
 }
 

@@ -2,9 +2,6 @@
 // their names. Function bodies are printed by body.h.
 #pragma once
 
-#include <optional>
-
-#include "compiler/ir/content/content.h"
 #include "compiler/languages/language.h"
 #include "compiler/languages/names.h"
 #include "compiler/languages/print.h"
@@ -39,7 +36,6 @@ struct Writer {
     std::vector<PrintedLine> lines;
     std::vector<Piece> pieces;
     std::vector<int> light_loops;
-    std::optional<ir::Content> content;  // of the function that print_kept() prints
     int paddings = 0;
 
     // Prints one statement or declaration; breaks it after commas if it is too wide.

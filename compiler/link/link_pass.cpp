@@ -6,7 +6,6 @@
 #include "compiler/ir/verify.h"
 #include "compiler/link/check_reads.h"
 #include "compiler/link/dumps.h"
-#include "compiler/link/kept_stages.h"
 #include "compiler/link/pinned_inputs.h"
 #include "compiler/link/target_reads.h"
 
@@ -50,26 +49,21 @@ LinkedPass link_tidied(const graph::Material& material, const Linked& linked, co
     const CompileOptions& options = session.options;
     const ir::BuildOptions build{.fold = true};
     LinkedPass made{.pass = &pass, .material = &material, .lowered = &linked.lowered, .left_out = left_out};
-    // A fragment stage with fewer targets is not one that an earlier compilation kept of the same functions.
-    KeptResults* const kept = options.dump.empty() && left_out == 0 ? session.kept : nullptr;
-    made.fragment = kept_stage(kept, linked, pass, nullptr, [&] {
-        ir::Module stage = link_fragment(linked, pass, build, left_out);
-        ir::check_if_verifying(stage, "linked fragment");
-        dump_stage(result, options, "linked", pass.name + ".fragment.linked", stage);
-        stage = ir::tidy(std::move(stage));
-        // Shared functions may compute members for other passes from values that this pass lacks.
-        if (!linked.lowered.keeps_functions || !missing_in(stage)) return stage;
-        const ir::FunctionId entry = stage.stage.entry;
-        return ir::tidy(ir::drop_members(std::move(stage), std::span(&entry, 1), {}));
-    });
+    made.fragment = link_fragment(linked, pass, build, left_out);
+    ir::check_if_verifying(made.fragment, "linked fragment");
+    dump_stage(result, options, "linked", pass.name + ".fragment.linked", made.fragment);
+    made.fragment = ir::tidy(std::move(made.fragment));
+    // Shared functions may compute members for other passes from values that this pass lacks.
+    if (linked.lowered.keeps_functions && missing_in(made.fragment)) {
+        const ir::FunctionId entry = made.fragment.stage.entry;
+        made.fragment = ir::tidy(ir::drop_members(std::move(made.fragment), std::span(&entry, 1), {}));
+    }
     number_varyings(made.fragment);
     const auto link_again = [&](const char* dumped) {
-        made.vertex = kept_stage(kept, linked, pass, &made.fragment, [&] {
-            ir::Module stage = link_vertex(linked, pass, made.fragment, build);
-            ir::check_if_verifying(stage, "linked vertex");
-            if (dumped) dump_stage(result, options, "linked", pass.name + dumped, stage);
-            return ir::tidy(std::move(stage));
-        });
+        made.vertex = link_vertex(linked, pass, made.fragment, build);
+        ir::check_if_verifying(made.vertex, "linked vertex");
+        if (dumped) dump_stage(result, options, "linked", pass.name + dumped, made.vertex);
+        made.vertex = ir::tidy(std::move(made.vertex));
     };
     link_again(".vertex.linked");
     const bool takes = take_constants(made.fragment, made.vertex);

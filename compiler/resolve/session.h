@@ -17,10 +17,6 @@
 #include "compiler/resolve/library.h"
 #include "patina/patina.h"
 
-namespace patina::link {
-struct KeptResults;  // link/kept_results.h
-}
-
 namespace patina::graph {
 
 struct CheckedGraph;
@@ -78,7 +74,6 @@ struct Session {
     std::map<std::string, const CheckedGraph*> graphs;  // by path
     std::map<std::string, std::unique_ptr<NodeFile>> node_files;
     std::deque<Property> file_properties;  // textures that are files named at a port
-    link::KeptResults* kept = nullptr;     // what the compiler keeps; null: everything is made anew
     std::vector<std::string> active;       // paths of the sub-graphs that are being loaded, to find recursion
     std::set<std::string> missing;         // files that were looked for and are not there
 };

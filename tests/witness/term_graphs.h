@@ -1,11 +1,11 @@
-// The mapping from lighting terms to nodes (compiler/cli/eval/terms.json) as graphs: what `patina eval --term` computes
+// The mapping from lighting terms to nodes (tests/terms/terms.json) as graphs: what tests/terms/terms.h computes
 // with numbers, said once more with links, so that a GPU can compute it too. Used by terms_test.cpp.
 //
 //   TermGraph graph = term_graph(compiler, row, {1, 3});
 //   bench.compile(graph.text);   // texel (x, y) of its data: input y of row x; pixel (x, y): part y of what comes out
 #pragma once
 
-#include "tests/support/reference_values.h"
+#include "tests/terms/reference_values.h"
 #include "witness/bench.h"
 
 namespace patina::witness {

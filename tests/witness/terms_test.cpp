@@ -17,7 +17,7 @@ using namespace reference;
 constexpr std::size_t kModelRows = 26;  // of kRows
 
 const Json& term_of(const Json& row) {
-    return read_json("compiler/cli/eval/terms.json")[row["term"].GetString()];
+    return read_json("tests/terms/terms.json")[row["term"].GetString()];
 }
 
 // Rows that one graph computes.
@@ -40,7 +40,7 @@ std::vector<Batch> batches_of(const Compiler& compiler) {
         const auto [place, is_new] = found.emplace(key, batches.size());
         if (is_new) {
             // Of the CPU only the shape of the result is asked for.
-            const auto result = cli::evaluate_term(compiler, row["term"].GetString(), inputs_of(row), true);
+            const auto result = evaluate_term(compiler, row["term"].GetString(), inputs_of(row), true);
             EXPECT_TRUE(result.ok) << shown(row);
             batches.push_back({.text = term_graph(compiler, term, inputs, result.widths),
                                .term = &term,

@@ -40,11 +40,6 @@ void forget_choice(Reflection& reflection, const std::vector<VariantAxis>& axes)
     }
 }
 
-bool is_cancelled(const Result& result) {
-    return std::any_of(result.diagnostics.begin(), result.diagnostics.end(),
-                       [](const Diagnostic& each) { return each.code == info(Code::Cancelled).name; });
-}
-
 // Compiles, and collects the diagnostics and dependencies that the results share.
 class Gathering {
 public:

@@ -220,10 +220,7 @@ void add_compile(Program& program) {
     set_check(command, [arguments] { require_inputs(arguments->inputs); });
 
     set_work(program, command, [arguments](const Console& console) {
-        if (console.json && !arguments->dump.empty()) {
-            complain(console, Complaint::MixedOutput, {"--dump"});
-            return Exit::Usage;
-        }
+        if (is_mixed(console, !arguments->dump.empty(), "--dump")) return Exit::Usage;
         if (!arguments->functions.empty() && arguments->wants("spirv")) {
             complain(console, Complaint::FunctionsAsSpirv, {});
             return Exit::Usage;

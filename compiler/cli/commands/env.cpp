@@ -204,10 +204,7 @@ void add_env(Program& program) {
             throw CLI::ValidationError("--rotation", "the studio has no settings: only a picture has");
     });
     set_work(program, command, [arguments](const Console& console) {
-        if (console.json && arguments->json) {
-            complain(console, Complaint::MixedOutput, {"--json"});
-            return Exit::Usage;
-        }
+        if (is_mixed(console, arguments->json, "--json")) return Exit::Usage;
         return show(console, *arguments);
     });
 }

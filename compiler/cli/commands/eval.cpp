@@ -1,4 +1,4 @@
-// patina eval: computes one node, one lighting term or one lighting model with the CPU interpreter.
+// patina eval: computes one node, one expression or one lighting model with the CPU interpreter.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -10,7 +10,6 @@
 #include "compiler/cli/commands/commands.h"
 #include "compiler/cli/eval/json_numbers.h"
 #include "compiler/cli/eval/sweep.h"
-#include "compiler/cli/eval/terms.h"
 #include "patina/name_value.h"
 #include "runtime/lighting/model.h"
 
@@ -18,18 +17,17 @@ namespace patina::cli {
 namespace {
 
 struct Arguments {
-    std::vector<std::string> words;  // the node, unless there is a term or a model; then NAME=VALUE
-    std::string term, model, workflow = "metallic-roughness";
+    std::vector<std::string> words;  // the node, unless there is a model; then NAME=VALUE
+    std::string model, workflow = "metallic-roughness";
     bool single = false;
     bool json = false;
 };
 
-// `all_digits`: enough that the text reads back as the same double.
-std::string as_text(const EvalOutput& output, bool all_digits) {
+std::string as_text(const EvalOutput& output) {
     std::string text;
     for (double value : output.values) {
         if (std::isnan(value)) value = std::abs(value);  // its sign says nothing
-        text += (text.empty() ? "" : ", ") + (all_digits ? fmt::format("{}", value) : fmt::format("{:.9g}", value));
+        text += (text.empty() ? "" : ", ") + fmt::format("{:.9g}", value);
     }
     return text;
 }
@@ -97,15 +95,6 @@ Outputs evaluate_expression(const Console& console, const Arguments& arguments, 
     return std::move(result.outputs);
 }
 
-Outputs evaluate_term(const Console& console, const Arguments& arguments, const Compiler& compiler,
-                      const Values& values) {
-    TermResult result = cli::evaluate_term(compiler, arguments.term, values, arguments.single);
-    if (!result.error.empty()) complain(console, Complaint::BadTerm, {result.error});
-    if (result.error.empty()) report(console, result.diagnostics);
-    if (!result.ok) return {};
-    return std::move(result.outputs);
-}
-
 // "0,0,1", "#ff8800", or one number for all three; nothing if the text is none of them.
 std::optional<runtime::Triple> read_triple(const Compiler& compiler, const std::string& text) {
     const std::optional<std::vector<double>> numbers = read_values(compiler, text);
@@ -149,18 +138,17 @@ Outputs evaluate_model(const Console& console, const Arguments& arguments, const
 // --- the command
 
 void print_outputs(const Arguments& arguments, const std::vector<EvalOutput>& outputs) {
-    const bool all_digits = !arguments.term.empty();
     if (arguments.json) {
         print(as_json(outputs));
     } else if (outputs.size() == 1) {
-        print(as_text(outputs.front(), all_digits) + "\n");
+        print(as_text(outputs.front()) + "\n");
     } else {
-        for (const EvalOutput& output : outputs) print(output.name + " = " + as_text(output, all_digits) + "\n");
+        for (const EvalOutput& output : outputs) print(output.name + " = " + as_text(output) + "\n");
     }
 }
 
 Exit evaluate(const Console& console, const Arguments& arguments) {
-    const bool is_node = arguments.term.empty() && arguments.model.empty();
+    const bool is_node = arguments.model.empty();
     std::string node;
     Values values;
     for (const std::string& word : arguments.words) {
@@ -187,7 +175,6 @@ Exit evaluate(const Console& console, const Arguments& arguments) {
     }
     const Compiler compiler;
     const auto evaluate_at = [&](const Values& at) {
-        if (!arguments.term.empty()) return evaluate_term(console, arguments, compiler, at);
         if (!arguments.model.empty()) return evaluate_model(console, arguments, compiler, at);
         if (node.starts_with('=')) return evaluate_expression(console, arguments, compiler, node.substr(1), at);
         return evaluate_node(console, arguments, compiler, node, at);
@@ -217,8 +204,7 @@ void add_eval(Program& program) {
          "patina eval --model unity-brdf1 n=0,0,1 l=0,0.6,0.8 v=0,0,1 baseColor=1,0.8,0.2 metallic=1",
          "patina eval --model phong --workflow specular-glossiness l=1,0,1 v=-1,0,1 _Normalization=Classic",
          "patina eval --model upload/cel.lighting.json --root upload l=1,0,1", "patina eval '= pow(0.5, 2.2)'",
-         "patina eval '= smoothstep(0, 1, x)' x=0..1:11", "patina eval '= mul(m, v)' 'm=[[1,2],[3,4]]' v=1,0",
-         "patina eval --term D_GGX a2=0.1 NoH=0.9"});
+         "patina eval '= smoothstep(0, 1, x)' x=0..1:11", "patina eval '= mul(m, v)' 'm=[[1,2],[3,4]]' v=1,0"});
     auto arguments = std::make_shared<Arguments>();
     command
         .add_option(
@@ -237,11 +223,6 @@ void add_eval(Program& program) {
         .add_option("--workflow", arguments->workflow,
                     "The workflow that describes the surface of --model; default: metallic-roughness")
         ->needs(model);
-    command
-        .add_option(
-            "--term", arguments->term,
-            "Compute a reference term of compiler/cli/eval/terms.json; a name that is like none lists the terms")
-        ->excludes(model);
     command.add_flag("--float", arguments->single, "Compute in 32-bit float, as a GPU does; default: double");
     command.add_flag("--json", arguments->json, "Print every output with its name and all digits");
     add_root_option(command);

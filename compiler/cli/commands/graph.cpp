@@ -17,10 +17,7 @@ struct Arguments {
 };
 
 Exit draw_graph(const Console& console, const Arguments& arguments) {
-    if (console.json && is_standard_output(arguments.output)) {
-        complain(console, Complaint::MixedOutput, {"-o " + arguments.output});
-        return Exit::Usage;
-    }
+    if (is_mixed(console, is_standard_output(arguments.output), "-o " + arguments.output)) return Exit::Usage;
     const Compiler compiler;
     const GraphView view = view_graph(compiler, arguments.graph, arguments.options);
     report(console, view.diagnostics);

@@ -238,10 +238,7 @@ void add_import(Program& program) {
     command.add_flag("--json", arguments->json, "Print the same as JSON, one object a file, instead of warnings");
     add_root_option(command);
     set_work(program, command, [arguments, &program](const Console& console) {
-        if (console.json && arguments->json) {
-            complain(console, Complaint::MixedOutput, {"--json"});
-            return Exit::Usage;
-        }
+        if (is_mixed(console, arguments->json, "--json")) return Exit::Usage;
         if (!program.encode_picture && std::ranges::any_of(arguments->files, makes_pictures))
             return turn_into(Home::Render, program.argv);
         Exit exit = Exit::Ok;

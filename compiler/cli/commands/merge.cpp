@@ -41,10 +41,7 @@ std::string advice(const Arguments& arguments) {
 }
 
 Exit merge(const Console& console, const Arguments& arguments) {
-    if (console.json && is_standard_output(arguments.output)) {
-        complain(console, Complaint::MixedOutput, {"the merged graph"});
-        return kTrouble;
-    }
+    if (is_mixed(console, is_standard_output(arguments.output), "the merged graph")) return kTrouble;
     // git's files have names that say nothing.
     const auto name_of = [&](const std::string& path, const char* side) {
         return arguments.name.empty() ? path : arguments.name + " (" + side + ")";

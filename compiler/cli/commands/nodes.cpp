@@ -5,7 +5,6 @@
 #include <memory>
 
 #include "compiler/cli/commands/commands.h"
-#include "compiler/cli/outputs.h"
 #include "compiler/cli/pages/library_json.h"
 #include "compiler/cli/pages/node_search.h"
 #include "compiler/cli/pages/page.h"
@@ -14,7 +13,7 @@ namespace patina::cli {
 namespace {
 
 struct Arguments {
-    std::string category, words, sheet;
+    std::string category, words;
     bool json = false;
 };
 
@@ -59,19 +58,17 @@ void print_table(const Console& console, std::span<const NodeInfo* const> nodes)
     }
 }
 
-Exit print_found(const Console& console, const Compiler& compiler, const Arguments& arguments,
-                 NodeSheetWriter write_sheet) {
+Exit print_found(const Console& console, const Compiler& compiler, const Arguments& arguments) {
     std::vector<const NodeInfo*> found = search_nodes(compiler.nodes(), arguments.words);
     std::erase_if(found, [&](const NodeInfo* node) { return !is_within(node->category, arguments.category); });
     std::vector<Hint> hints;
-    if (arguments.sheet.empty() && !arguments.json) hints = search_hints(arguments.words, found.empty());
+    if (!arguments.json) hints = search_hints(arguments.words, found.empty());
     if (found.empty() && hints.empty()) {
         const std::string advice = compiler.node_advice(arguments.words);
         complain(console, Complaint::UnknownNode,
                  {arguments.words, "; " + (advice.empty() ? "none has these words: try others" : advice)});
         return Exit::Wrong;
     }
-    if (!arguments.sheet.empty()) return write_sheet(console, compiler, found, arguments.sheet);
     if (arguments.json) {
         print(to_json(found));
         return Exit::Ok;
@@ -83,15 +80,14 @@ Exit print_found(const Console& console, const Compiler& compiler, const Argumen
     return Exit::Ok;
 }
 
-Exit list_nodes(const Console& console, const Arguments& arguments, NodeSheetWriter write_sheet) {
+Exit list_nodes(const Console& console, const Arguments& arguments) {
     const Compiler compiler;
-    if (!arguments.words.empty()) return print_found(console, compiler, arguments, write_sheet);
+    if (!arguments.words.empty()) return print_found(console, compiler, arguments);
     std::vector<const NodeInfo*> nodes;
     for (const NodeInfo& node : compiler.nodes()) {
         if (is_within(node.category, arguments.category)) nodes.push_back(&node);
     }
     if (nodes.empty()) return unknown_category(console, compiler, arguments.category);
-    if (!arguments.sheet.empty()) return write_sheet(console, compiler, nodes, arguments.sheet);
     if (arguments.json) {
         print(to_json(nodes));
     } else {
@@ -103,10 +99,9 @@ Exit list_nodes(const Console& console, const Arguments& arguments, NodeSheetWri
 }  // namespace
 
 void add_nodes(Program& program) {
-    CLI::App& command =
-        add_command(program, "nodes",
-                    {"patina nodes", "patina nodes --search \"round corners\"", "patina nodes --category lighting",
-                     "patina nodes --sheet nodes.html", "patina nodes --json"});
+    CLI::App& command = add_command(program, "nodes",
+                                    {"patina nodes", "patina nodes --search \"round corners\"",
+                                     "patina nodes --category lighting", "patina nodes --json"});
     auto arguments = std::make_shared<Arguments>();
     command.add_option("-c,--category", arguments->category, "List only this category and those inside it")
         ->type_name("CATEGORY");
@@ -114,22 +109,8 @@ void add_nodes(Program& program) {
         .add_option("-s,--search", arguments->words,
                     "List the nodes whose names and texts have these words, the best first; not all must be there")
         ->type_name("WORDS");
-    CLI::Option* sheet = command.add_option(
-        "--sheet", arguments->sheet, "Write them as a page with a picture of each: one file that needs no other");
-    sheet->type_name("FILE.html");
-    command.add_flag("--json", arguments->json, "Print everything about each node as JSON")->excludes(sheet);
-    set_check(command, [arguments] {
-        const std::string& page = arguments->sheet;
-        if (!page.empty() && !is_standard_output(page) && !is_stream(page) && !page.ends_with(".html"))
-            throw CLI::ValidationError("--sheet", "'" + page + "' is not an .html file");
-    });
-    set_work(program, command, [arguments, write_sheet = program.write_node_sheet](const Console& console) {
-        if (console.json && is_standard_output(arguments->sheet)) {
-            complain(console, Complaint::MixedOutput, {"--sheet " + arguments->sheet});
-            return Exit::Usage;
-        }
-        return list_nodes(console, *arguments, write_sheet);
-    });
+    command.add_flag("--json", arguments->json, "Print everything about each node as JSON");
+    set_work(program, command, [arguments](const Console& console) { return list_nodes(console, *arguments); });
 }
 
 }  // namespace patina::cli

@@ -420,10 +420,7 @@ void add_render(Program& program) {
     set_check(command, [arguments, mesh = command.get_option("--mesh")] { complete(*arguments, mesh->count() > 0); });
 
     set_work(program, command, [arguments](const Console& console) {
-        if (console.json && is_standard_output(arguments->output)) {
-            complain(console, Complaint::MixedOutput, {"-o " + arguments->output});
-            return Exit::Usage;
-        }
+        if (is_mixed(console, is_standard_output(arguments->output), "-o " + arguments->output)) return Exit::Usage;
         const Compiler compiler;
         runtime::RenderMachine machine;
         Outputs outputs(console);

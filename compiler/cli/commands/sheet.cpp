@@ -85,10 +85,7 @@ void add_sheet(Program& program) {
             throw CLI::ValidationError("--output", "'" + output + "' is not an .html file");
     });
     set_work(program, command, [arguments](const Console& console) {
-        if (console.json && is_standard_output(arguments->output)) {
-            complain(console, Complaint::MixedOutput, {"-o " + arguments->output});
-            return Exit::Usage;
-        }
+        if (is_mixed(console, is_standard_output(arguments->output), "-o " + arguments->output)) return Exit::Usage;
         return write_sheet(console, *arguments);
     });
 }

@@ -240,10 +240,8 @@ void add_snapshot(Program& program) {
     });
 
     set_work(program, command, [arguments](const Console& console) {
-        if (const std::vector<std::string> printed = arguments->printed(); console.json && !printed.empty()) {
-            complain(console, Complaint::MixedOutput, {printed.front()});
-            return Exit::Usage;
-        }
+        const std::vector<std::string> printed = arguments->printed();
+        if (is_mixed(console, !printed.empty(), printed.empty() ? "" : printed.front())) return Exit::Usage;
         return compare(console, *arguments);
     });
 }

@@ -54,10 +54,7 @@ void add_cost(Program& program) {
     set_check(command, [arguments] { require_inputs(arguments->inputs); });
 
     set_work(program, command, [arguments](const Console& console) {
-        if (console.json && arguments->json) {
-            complain(console, Complaint::MixedOutput, {"--json"});
-            return Exit::Usage;
-        }
+        if (is_mixed(console, arguments->json, "--json")) return Exit::Usage;
         const Inputs inputs = find_inputs(console, arguments->inputs, {".graph.json"});
         const Compiler compiler;
         std::vector<CostReport> reports;

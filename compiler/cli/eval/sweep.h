@@ -1,7 +1,8 @@
+// The room `cli/eval` makes the tables of numbers that `patina eval` shows. It prints nothing.
+//
 // Ranges of numbers on the command line of `patina eval` and of `patina render --time`: "0..1:101" is 101 numbers from
 // 0 to 1, both included. Every combination of the ranges' numbers is a row of a table. If other values read a range by
-// its name
-// ("theta=0..90:91 ndoth=cos(radians($theta))"), it is a variable and not an input.
+// its name ("theta=0..90:91 ndoth=cos(radians($theta))"), it is a variable and not an input.
 //
 //   const std::vector<Axis> axes = axes_of(values, error);
 //   for (SweepRow& row : rows_of(values, axes)) row.outputs = outputs_of(row.values);

@@ -89,7 +89,7 @@ std::string_view shader_model(const LinkedPass& linked, std::span<const PassText
 class Writing {
 public:
     explicit Writing(const ShaderFile& file) : in_(file) {
-        passes_ = pass_texts(file.passes, file.engine, file.kept);
+        passes_ = pass_texts(file.passes, file.engine);
         shared_ = shared_declarations(passes_);
     }
 

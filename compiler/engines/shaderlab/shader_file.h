@@ -22,9 +22,8 @@ struct ShaderFile {
     std::span<const LinkedPass> passes;
     const Reflection& reflection;
     const engines::Engine& engine;
-    Remembered<languages::KeptText>* kept;  // texts of functions; null: all are printed
-    std::string listed_as;                  // the name under which Unity lists it
-    std::string header;                     // text of the comment at the top
+    std::string listed_as;  // the name under which Unity lists it
+    std::string header;     // text of the comment at the top
 };
 
 languages::Printed shader_file(const ShaderFile& file);
@@ -119,8 +118,7 @@ struct PassText {
 };
 // `samplers`: of all passes (share_samplers.h). `taken`: names that have another meaning outside the pass.
 PassText pass_text(const LinkedPass& pass, const engines::Engine& engine, const languages::TakenNames& engine_names,
-                   const SamplerUse& samplers, const std::vector<std::string>& taken,
-                   Remembered<languages::KeptText>* kept);
+                   const SamplerUse& samplers, const std::vector<std::string>& taken);
 // The names that no declaration of the file may have.
 languages::TakenNames taken_names(const engines::Names& names);
 
@@ -132,8 +130,7 @@ bool mentions(std::string_view text, std::string_view name);
 
 // --- shader_shared.cpp
 // The texts of the passes. A name means the same in all of them, unless it belongs to one pass.
-std::vector<PassText> pass_texts(std::span<const LinkedPass> linked, const engines::Engine& engine,
-                                 Remembered<languages::KeptText>* kept);
+std::vector<PassText> pass_texts(std::span<const LinkedPass> linked, const engines::Engine& engine);
 // The declarations that do not belong to one pass, each once and after those that it reads; a shared vertex function
 // and its struct come last.
 std::vector<const PassText::Declaration*> shared_declarations(const std::vector<PassText>& passes);

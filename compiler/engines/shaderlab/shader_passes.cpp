@@ -82,13 +82,13 @@ void note_modern(const ir::Module& stage, PassText& pass) {
 }
 
 std::vector<Declaration> printed(ir::Module stage, PassText& pass, const languages::TakenNames& engine_names,
-                                 const std::vector<std::string>& taken, Remembered<languages::KeptText>* kept) {
+                                 const std::vector<std::string>& taken) {
     stage.stage.texts = pass.texts;
     stage = legalize(std::move(stage));
     ir::check_if_verifying(stage, "legalized");
     note_modern(stage, pass);
-    return declarations(print(
-        stage, {.header = {}, .taken = &engine_names, .also_taken = taken, .width = 120 - kIndent, .kept = kept}));
+    return declarations(
+        print(stage, {.header = {}, .taken = &engine_names, .also_taken = taken, .width = 120 - kIndent}));
 }
 
 const Declaration* find(const std::vector<Declaration>& list, const std::string& name) {
@@ -133,8 +133,7 @@ languages::TakenNames taken_names(const engines::Names& names) {
 }
 
 PassText pass_text(const LinkedPass& pass, const engines::Engine& engine, const languages::TakenNames& engine_names,
-                   const SamplerUse& samplers, const std::vector<std::string>& taken_around,
-                   Remembered<languages::KeptText>* kept) {
+                   const SamplerUse& samplers, const std::vector<std::string>& taken_around) {
     PassText made;
     made.texts = texts_of(pass);
     const auto named = [&](ir::Module stage) {
@@ -145,12 +144,12 @@ PassText pass_text(const LinkedPass& pass, const engines::Engine& engine, const 
         share_samplers(stage, samplers);
         return stage;
     };
-    const std::vector<Declaration> fragment = printed(named(pass.fragment), made, engine_names, taken_around, kept);
+    const std::vector<Declaration> fragment = printed(named(pass.fragment), made, engine_names, taken_around);
     std::vector<Declaration> vertex;
     std::vector<std::string> taken = taken_around;
     for (bool differ = true; differ;) {
         differ = false;
-        vertex = printed(named(pass.vertex), made, engine_names, taken, kept);
+        vertex = printed(named(pass.vertex), made, engine_names, taken);
         for (const Declaration& each : vertex) {
             const Declaration* other = find(fragment, each.name);
             if (!other || other->text == each.text) continue;

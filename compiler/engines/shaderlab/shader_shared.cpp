@@ -135,13 +135,12 @@ std::vector<ir::Origin> origins_of(std::span<const LinkedPass> passes) {
     return all;
 }
 
-std::vector<PassText> pass_texts(std::span<const LinkedPass> linked, const engines::Engine& engine,
-                                 Remembered<languages::KeptText>* kept) {
+std::vector<PassText> pass_texts(std::span<const LinkedPass> linked, const engines::Engine& engine) {
     std::vector<PassText> passes;
     std::vector<std::vector<std::string>> taken(linked.size());
     const languages::TakenNames engine_names = taken_names(engine.names);
     const SamplerUse samplers = sampler_use(linked, engine.most_samplers);
-    for (const LinkedPass& pass : linked) passes.push_back(pass_text(pass, engine, engine_names, samplers, {}, kept));
+    for (const LinkedPass& pass : linked) passes.push_back(pass_text(pass, engine, engine_names, samplers, {}));
     for (bool differ = true; differ;) {
         differ = false;
         const auto common = most_common(passes);
@@ -154,7 +153,7 @@ std::vector<PassText> pass_texts(std::span<const LinkedPass> linked, const engin
             differ = differ || taken[i].size() > before;
         }
         for (std::size_t i = 0; differ && i < linked.size(); ++i)
-            passes[i] = pass_text(linked[i], engine, engine_names, samplers, taken[i], kept);
+            passes[i] = pass_text(linked[i], engine, engine_names, samplers, taken[i]);
     }
     mark_own(passes);
     std::uint32_t first = 0;

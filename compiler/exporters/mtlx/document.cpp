@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "compiler/base/letters.h"
+
 namespace patina::exporters::mtlx {
 namespace {
 
@@ -34,13 +36,6 @@ void write(const Element& element, std::size_t depth, std::string& out) {
     out += fmt::format("</{}>\n", element.category);
 }
 
-bool is_letter(char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
-}
-bool is_digit(char c) {
-    return c >= '0' && c <= '9';
-}
-
 }  // namespace
 
 std::string write_document(const Element& root) {
@@ -57,7 +52,7 @@ std::string numbers_text(const std::vector<double>& numbers) {
 
 std::string Names::unique(std::string_view wanted) {
     std::string name;
-    for (const char c : wanted) name += is_letter(c) || is_digit(c) ? c : '_';
+    for (const char c : wanted) name += is_word_letter(c) ? c : '_';
     if (name.empty() || is_digit(name[0])) name = "_" + name;
     std::string made = name;
     for (int i = 2; !taken_.insert(made).second; ++i)

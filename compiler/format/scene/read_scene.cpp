@@ -6,7 +6,6 @@
 
 #include "compiler/base/file_names.h"
 #include "compiler/format/scene/read_scene_fields.h"
-#include "patina/segments.h"
 
 namespace patina::graph {
 namespace {
@@ -33,18 +32,18 @@ SceneCamera read_camera(Reading& reading, const Json& json) {
     if (!expect(reading, json, Json::Kind::Object, "'camera'")) return camera;
     check_keys(reading, json, ObjectKind::Camera);
     const std::size_t errors_before = reading.diagnostics.error_count();
-    read_vector(reading, json, "position", -kFarthest, kFarthest, camera.position);
-    read_vector(reading, json, "target", -kFarthest, kFarthest, camera.target);
-    read_vector(reading, json, "up", -kFarthest, kFarthest, camera.up);
-    read_number(reading, json, "fov", 1, 170, camera.fov);
+    read_vector(reading, json, ObjectKind::Camera, "position", camera.position);
+    read_vector(reading, json, ObjectKind::Camera, "target", camera.target);
+    read_vector(reading, json, ObjectKind::Camera, "up", camera.up);
+    read_number(reading, json, ObjectKind::Camera, "fov", camera.fov);
     double height = 0;
-    if (read_number(reading, json, "orthographic", 1e-3, kFarthest, height)) camera.orthographic = height;
+    if (read_number(reading, json, ObjectKind::Camera, "orthographic", height)) camera.orthographic = height;
     if (const JsonMember* fov = find_member(json, "fov"); fov && json.find("orthographic")) {
         reading.diagnostics.report(Code::ConflictingInputs, fov->key_span, "fov", "orthographic")
             .note(find_member(json, "orthographic")->key_span, "the other one is here");
     }
-    read_number(reading, json, "near", 1e-4, kFarthest, camera.near_plane);
-    read_number(reading, json, "far", 1e-3, 10 * kFarthest, camera.far_plane);
+    read_number(reading, json, ObjectKind::Camera, "near", camera.near_plane);
+    read_number(reading, json, ObjectKind::Camera, "far", camera.far_plane);
     if (reading.diagnostics.error_count() > errors_before) return camera;
     if (is_same_point(camera.position, camera.target)) {
         report_impossible(reading, json, json.find("target") ? "target" : "position",
@@ -154,16 +153,15 @@ std::vector<SceneMaterial> read_materials(SceneReading& reading, const Json& arr
 
 // --- objects
 
-void read_scale(Reading& reading, const Json& json, SceneVector& scale) {
-    constexpr double kLowest = 1e-3, kLargest = 1e3;
+void read_scale(Reading& reading, const Json& json, ObjectKind kind, SceneVector& scale) {
     double uniform = 1;
     if (const Json* value = json.find("scale"); value && value->kind != Json::Kind::Number) {
         if (value->kind == Json::Kind::Array) {
-            read_vector(reading, json, "scale", kLowest, kLargest, scale);
+            read_vector(reading, json, kind, "scale", scale);
         } else {
             report_type(reading, *value, "'scale'", "a number or an array of 3 numbers");
         }
-    } else if (read_number(reading, json, "scale", kLowest, kLargest, uniform)) {
+    } else if (read_number(reading, json, kind, "scale", uniform)) {
         scale = {uniform, uniform, uniform};
     }
 }
@@ -199,9 +197,9 @@ std::vector<SceneInstance> read_instances(SceneReading& reading, const Json& arr
         if (!expect(reading, element, Json::Kind::Object, "an instance")) continue;
         check_keys(reading, element, ObjectKind::SceneInstance);
         SceneInstance& instance = instances.emplace_back();
-        read_vector(reading, element, "position", -kFarthest, kFarthest, instance.position);
-        read_vector(reading, element, "rotation", -kFarthest, kFarthest, instance.rotation);
-        read_scale(reading, element, instance.scale);
+        read_vector(reading, element, ObjectKind::SceneInstance, "position", instance.position);
+        read_vector(reading, element, ObjectKind::SceneInstance, "rotation", instance.rotation);
+        read_scale(reading, element, ObjectKind::SceneInstance, instance.scale);
         instance.set = read_set(reading, element);
     }
     return instances;
@@ -219,12 +217,13 @@ SceneObject read_object(SceneReading& reading, const Json& json, const Materials
         object.mesh_place = place_of(reading, inside(mesh->span));
     }
     if (const Json* segments = json.find("segments")) {
-        object.segments = read_int(reading, *segments, "'segments'", kLeastSegments, kMostSegments);
+        const Form& form = form_of(ObjectKind::SceneObject, "segments", Form::Of::Integer);
+        object.segments = read_int(reading, *segments, "'segments'", form);
     }
     if (const Json* material = json.find("material")) object.material = find_material(reading, *material, materials);
-    read_vector(reading, json, "position", -kFarthest, kFarthest, object.position);
-    read_vector(reading, json, "rotation", -kFarthest, kFarthest, object.rotation);
-    read_scale(reading, json, object.scale);
+    read_vector(reading, json, ObjectKind::SceneObject, "position", object.position);
+    read_vector(reading, json, ObjectKind::SceneObject, "rotation", object.rotation);
+    read_scale(reading, json, ObjectKind::SceneObject, object.scale);
     if (const Json* map = json.find("lightmap")) object.lightmap = read_file_name(reading, *map, "'lightmap'");
     if (const Json* encoding = json.find("lightmapEncoding")) {
         if (json.find("lightmap")) {
@@ -267,11 +266,8 @@ SceneFile read_scene(const Reading& given, const Json& json, const std::string& 
     if (std::string said = read_text(reading, json, "name"); !said.empty()) scene.name = std::move(said);
     if (const Json* camera = json.find("camera")) scene.camera = read_camera(reading, *camera);
     read_surroundings(reading, json, scene);
-    read_number(reading, json, "time", -FLT_MAX, FLT_MAX, scene.time);
-    if (const Json* count = json.find("pixelLightCount")) {
-        scene.pixel_light_count =
-            read_int(reading, *count, "'pixelLightCount'", 0, static_cast<int>(kMostSceneLights)).value_or(0);
-    }
+    read_number(reading, json, ObjectKind::Scene, "time", scene.time);
+    read_int(reading, json, ObjectKind::Scene, "pixelLightCount", scene.pixel_light_count);
     if (const Json* lights = json.find("lights")) scene.lights = read_lights(reading, *lights);
     if (const Json* materials = json.find("materials")) scene.materials = read_materials(reading, *materials);
     if (const Json* objects = json.find("objects")) read_objects(reading, *objects, scene);

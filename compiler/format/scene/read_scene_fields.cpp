@@ -16,18 +16,19 @@ std::optional<double> read_within(Reading& reading, const Json& json, std::strin
 
 }  // namespace
 
-bool read_number(Reading& reading, const Json& object, std::string_view key, double low, double high, double& target) {
+bool read_number(Reading& reading, const Json& object, ObjectKind kind, std::string_view key, double& target) {
     const Json* json = object.find(key);
     if (!json) return false;
-    const std::optional<double> value = read_within(reading, *json, key, fmt::format("'{}'", key), low, high);
+    const Form& form = form_of(kind, key, Form::Of::Number);
+    const std::optional<double> value = read_within(reading, *json, key, fmt::format("'{}'", key), form.low, form.high);
     if (value) target = *value;
     return value.has_value();
 }
 
-bool read_vector(Reading& reading, const Json& object, std::string_view key, double low, double high,
-                 SceneVector& target) {
+bool read_vector(Reading& reading, const Json& object, ObjectKind kind, std::string_view key, SceneVector& target) {
     const Json* json = object.find(key);
     if (!json) return false;
+    const Form& form = form_of(kind, key, Form::Of::Numbers);
     if (json->kind != Json::Kind::Array || json->elements.size() != 3) {
         report_type(reading, *json, fmt::format("'{}'", key), "an array of 3 numbers");
         return false;
@@ -35,7 +36,7 @@ bool read_vector(Reading& reading, const Json& object, std::string_view key, dou
     SceneVector vector{};
     for (std::size_t i = 0; i < 3; ++i) {
         const std::optional<double> value =
-            read_within(reading, json->elements[i], key, fmt::format("a component of '{}'", key), low, high);
+            read_within(reading, json->elements[i], key, fmt::format("a component of '{}'", key), form.low, form.high);
         if (!value) return false;
         vector[i] = *value;
     }

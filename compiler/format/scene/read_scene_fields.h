@@ -1,7 +1,7 @@
 // Functions that the readers of a scene's parts share: numbers within limits, vectors, colours and files. Private to
 // compiler/format/scene/read_scene*.cpp.
 //
-//   read_number(reading, json, "fov", 1, 170, camera.fov);   // keeps what is there if the key is not
+//   read_number(reading, json, ObjectKind::Camera, "fov", camera.fov);   // keeps what is there if the key is not
 #pragma once
 
 #include "compiler/format/color.h"
@@ -14,17 +14,13 @@ struct SceneReading : Reading {
     const SceneFiles& files;
 };
 
-// The limit of positions and sizes. A float is still exact to a tenth of a metre there.
-inline constexpr double kFarthest = 1e6;
-
 inline FilePlace place_of(const Reading& reading, Span span) {
     return place_of(reading.sources, span);
 }
 
-// True if the key is present and valid; `target` changes only then.
-bool read_number(Reading& reading, const Json& object, std::string_view key, double low, double high, double& target);
-bool read_vector(Reading& reading, const Json& object, std::string_view key, double low, double high,
-                 SceneVector& target);
+// True if the key is present and valid; `target` changes only then. The limits are those of the table of keys.
+bool read_number(Reading& reading, const Json& object, ObjectKind kind, std::string_view key, double& target);
+bool read_vector(Reading& reading, const Json& object, ObjectKind kind, std::string_view key, SceneVector& target);
 // Reads "#rrggbb", a grey, or three linear numbers; a fourth number where alpha has a meaning.
 std::optional<std::array<double, 4>> read_scene_color(Reading& reading, const Json& json, std::string_view key,
                                                       bool with_alpha = false);

@@ -3,9 +3,6 @@
 namespace patina::graph {
 namespace {
 
-constexpr double kBrightest = 1e6;
-constexpr double kLargestBias = 100;
-
 // The keys that only some kinds of light have.
 struct OwnedKey {
     std::string_view key;
@@ -54,16 +51,16 @@ std::optional<SceneShadow> read_shadow(Reading& reading, const Json& json) {
         return std::nullopt;
     }
     check_keys(reading, json, ObjectKind::Shadow);
-    read_number(reading, json, "strength", 0, 1, shadow.strength);
-    read_number(reading, json, "bias", 0, kLargestBias, shadow.bias);
-    read_number(reading, json, "normalBias", 0, kLargestBias, shadow.normal_bias);
+    read_number(reading, json, ObjectKind::Shadow, "strength", shadow.strength);
+    read_number(reading, json, ObjectKind::Shadow, "bias", shadow.bias);
+    read_number(reading, json, ObjectKind::Shadow, "normalBias", shadow.normal_bias);
     return shadow;
 }
 
 void read_cone(Reading& reading, const Json& json, SceneLight& light) {
     double angle = 0;
-    if (read_number(reading, json, "inner", 0, 89, angle)) light.inner = angle;
-    if (read_number(reading, json, "outer", 0.1, 90, angle)) light.outer = angle;
+    if (read_number(reading, json, ObjectKind::Light, "inner", angle)) light.inner = angle;
+    if (read_number(reading, json, ObjectKind::Light, "outer", angle)) light.outer = angle;
     if (!light.inner || !light.outer || *light.inner <= *light.outer) return;
     report_impossible(reading, json, "inner", "at most 'outer'");
 }
@@ -78,22 +75,19 @@ SceneLight read_light(SceneReading& reading, const Json& json) {
     light.type = *known;
     check_owned_keys(reading, json, light.type);
 
-    read_vector(reading, json, "position", -kFarthest, kFarthest, light.position);
-    if (read_vector(reading, json, "direction", -kFarthest, kFarthest, light.direction) &&
+    read_vector(reading, json, ObjectKind::Light, "position", light.position);
+    if (read_vector(reading, json, ObjectKind::Light, "direction", light.direction) &&
         light.direction == SceneVector{}) {
         report_impossible(reading, json, "direction", "longer than 0");
     }
     read_color(reading, json, "color", light.color);
-    read_number(reading, json, "intensity", 0, kBrightest, light.intensity);
-    read_number(reading, json, "range", 1e-3, kFarthest, light.range);
+    read_number(reading, json, ObjectKind::Light, "intensity", light.intensity);
+    read_number(reading, json, ObjectKind::Light, "range", light.range);
     read_cone(reading, json, light);
-    if (const Json* mode = json.find("renderMode")) {
-        light.render_mode =
-            read_word<LightImportance>(reading, *mode, "renderMode", "a render mode").value_or(LightImportance::Auto);
-    }
+    read_word(reading, json, "renderMode", "a render mode", light.render_mode);
     if (const Json* shadow = json.find("shadow")) light.shadow = read_shadow(reading, *shadow);
     if (const Json* cookie = json.find("cookie")) light.cookie = read_file_name(reading, *cookie, "'cookie'");
-    read_number(reading, json, "cookieSize", 1e-3, kFarthest, light.cookie_size);
+    read_number(reading, json, ObjectKind::Light, "cookieSize", light.cookie_size);
     return light;
 }
 

@@ -43,8 +43,8 @@ ScenePicture read_picture(SceneReading& reading, const Json& json) {
     if (!expect(reading, json, Json::Kind::Object, "'environment'")) return picture;
     check_keys(reading, json, ObjectKind::Environment);
     if (const Json* file = json.find("file")) picture.file = read_file_name(reading, *file, "'file'");
-    read_number(reading, json, "rotation", -1e5, 1e5, picture.rotation);
-    read_number(reading, json, "intensity", 0, kFarthest, picture.intensity);
+    read_number(reading, json, ObjectKind::Environment, "rotation", picture.rotation);
+    read_number(reading, json, ObjectKind::Environment, "intensity", picture.intensity);
     return picture;
 }
 
@@ -84,9 +84,9 @@ std::optional<SceneFog> read_fog(Reading& reading, const Json& json) {
         for (const std::string_view key : {"start", "end"}) refuse_key(reading, json, key, what, "the mode linear");
     }
     read_color(reading, json, "color", fog.color);
-    read_number(reading, json, "density", 0, kFarthest, fog.density);
-    read_number(reading, json, "start", -kFarthest, kFarthest, fog.start);
-    read_number(reading, json, "end", -kFarthest, kFarthest, fog.end);
+    read_number(reading, json, ObjectKind::Fog, "density", fog.density);
+    read_number(reading, json, ObjectKind::Fog, "start", fog.start);
+    read_number(reading, json, ObjectKind::Fog, "end", fog.end);
     if (static_cast<float>(fog.start) >= static_cast<float>(fog.end)) {
         report_impossible(
             reading, json, json.find("end") ? "end" : "start",
@@ -110,8 +110,9 @@ SceneMixedLighting read_mixed_lighting(Reading& reading, const Json& json) {
     }
     read_color(reading, json, "shadowColor", mixed.shadow_color);
     double distance = 0, fade = 0;
-    if (read_number(reading, json, "shadowDistance", 1e-3, kFarthest, distance)) mixed.shadow_distance = distance;
-    if (read_number(reading, json, "shadowFade", 1e-3, kFarthest, fade)) mixed.shadow_fade = fade;
+    if (read_number(reading, json, ObjectKind::MixedLighting, "shadowDistance", distance))
+        mixed.shadow_distance = distance;
+    if (read_number(reading, json, ObjectKind::MixedLighting, "shadowFade", fade)) mixed.shadow_fade = fade;
     if (!mixed.shadow_fade) return mixed;
     if (!json.find("shadowDistance")) {
         report_impossible(reading, json, "shadowFade", "set together with 'shadowDistance'");
@@ -126,8 +127,8 @@ SceneMixedLighting read_mixed_lighting(Reading& reading, const Json& json) {
 void read_box(Reading& reading, const Json& json, SceneProbe& probe) {
     if (!expect(reading, json, Json::Kind::Object, "'box'")) return;
     check_keys(reading, json, ObjectKind::ProbeBox);
-    const bool has_min = read_vector(reading, json, "min", -kFarthest, kFarthest, probe.box_min);
-    const bool has_max = read_vector(reading, json, "max", -kFarthest, kFarthest, probe.box_max);
+    const bool has_min = read_vector(reading, json, ObjectKind::ProbeBox, "min", probe.box_min);
+    const bool has_max = read_vector(reading, json, ObjectKind::ProbeBox, "max", probe.box_max);
     if (!has_min || !has_max) return;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         if (static_cast<float>(probe.box_min[axis]) < static_cast<float>(probe.box_max[axis])) continue;
@@ -142,17 +143,15 @@ SceneProbe read_probe(SceneReading& reading, const Json& json) {
     if (const Json* environment = json.find("environment")) probe.picture = read_picture(reading, *environment);
     if (const Json* box = json.find("box")) read_box(reading, *box, probe);
     for (std::size_t axis = 0; axis < 3; ++axis) probe.position[axis] = (probe.box_min[axis] + probe.box_max[axis]) / 2;
-    const bool has_position = read_vector(reading, json, "position", -kFarthest, kFarthest, probe.position);
+    const bool has_position = read_vector(reading, json, ObjectKind::Probe, "position", probe.position);
     for (std::size_t axis = 0; has_position && axis < 3; ++axis) {
         if (probe.position[axis] >= probe.box_min[axis] && probe.position[axis] <= probe.box_max[axis]) continue;
         report_impossible(reading, json, "position", "inside the box");
         break;
     }
-    read_number(reading, json, "blend", 0, kFarthest, probe.blend);
-    if (const Json* corrects = json.find("boxProjection"))
-        probe.box_projection = read_bool(reading, *corrects, "'boxProjection'").value_or(true);
-    if (const Json* importance = json.find("importance"))
-        probe.importance = read_int(reading, *importance, "'importance'", 0, 1000).value_or(1);
+    read_number(reading, json, ObjectKind::Probe, "blend", probe.blend);
+    read_bool(reading, json, "boxProjection", probe.box_projection);
+    read_int(reading, json, ObjectKind::Probe, "importance", probe.importance);
     return probe;
 }
 

@@ -1,9 +1,9 @@
 #include "compiler/format/schema/schema.h"
 
-#include <fmt/format.h>
-
 #include <cassert>
+#include <cmath>
 
+#include "compiler/base/text.h"
 #include "compiler/format/canonical_form.h"
 #include "compiler/format/keys.h"
 #include "compiler/format/schema/schema_parts.h"
@@ -11,158 +11,85 @@
 namespace patina::graph {
 namespace {
 
-constexpr std::string_view kAnything = "{}";
-constexpr std::string_view kText = R"({"type":"string"})";
-constexpr std::string_view kBoolean = R"({"type":"boolean"})";
 constexpr std::string_view kIdentifier = R"({"type":"string","pattern":"^[A-Za-z_][A-Za-z0-9_]*$"})";
-constexpr std::string_view kIdentifiers =
-    R"({"type":"array","minItems":1,"uniqueItems":true,"items":{"$ref":"#/$defs/identifier"}})";
-constexpr std::string_view kValues = R"({"type":"object","additionalProperties":{"$ref":"#/$defs/value"}})";
-constexpr std::string_view kNamedValues = R"({"type":"object","propertyNames":{"$ref":"#/$defs/identifier"},)"
-                                          R"("additionalProperties":{"$ref":"#/$defs/value"}})";
-constexpr std::string_view kRange = R"({"type":"array","items":{"type":"number"},"minItems":2,"maxItems":2})";
-constexpr std::string_view kByte = R"({"type":"integer","minimum":0,"maximum":255})";
-constexpr std::string_view kBox =
-    R"({"type":"array","items":{"type":"array","items":{"type":"number"},"minItems":3,"maxItems":3},)"
-    R"("minItems":2,"maxItems":2})";
+constexpr std::string_view kColor =
+    R"({"anyOf":[{"type":"string","pattern":"^#([0-9a-fA-F]{3}|[0-9a-fA-F]{6})$"},{"type":"number","minimum":0},)"
+    R"({"type":"array","items":{"type":"number","minimum":0},"minItems":3,"maxItems":3}]})";
+constexpr std::string_view kColorWithAlpha =
+    R"({"anyOf":[{"type":"string","pattern":"^#([0-9a-fA-F]{3}|[0-9a-fA-F]{6}|[0-9a-fA-F]{8})$"},)"
+    R"({"type":"number","minimum":0},)"
+    R"({"type":"array","items":{"type":"number","minimum":0},"minItems":3,"maxItems":4}]})";
 
-constexpr std::string_view kColor = R"({"type":"string","pattern":"^#([0-9a-fA-F]{3}|[0-9a-fA-F]{6})$"})";
-constexpr std::string_view kLinearColor = R"({"type":"array","items":{"type":"number"},"minItems":3,"maxItems":3})";
-
-// Keys [time, value].
-std::string key_list_schema(int most, std::string_view value) {
-    constexpr std::string_view kTime = R"({"type":"number","minimum":0,"maximum":1})";
-    const std::string key = object({{"type", quoted("array")},
-                                    {"prefixItems", fmt::format("[{},{}]", kTime, value)},
-                                    {"minItems", "2"},
-                                    {"maxItems", "2"}});
-    return object({{"type", quoted("array")}, {"items", key}, {"minItems", "1"}, {"maxItems", std::to_string(most)}});
+std::string any_of(const std::vector<std::string>& schemas) {
+    return object({{"anyOf", list(schemas)}});
 }
 
-template <std::size_t N>
-std::string texts_schema(const std::array<std::string_view, N>& words) {
-    std::vector<std::string> texts;
-    for (const std::string_view word : words) texts.push_back(quoted(word));
-    return object({{"enum", list(texts)}});
+std::string number_schema(std::string_view type, const Form& form) {
+    Members members = {{"type", quoted(type)}};
+    if (std::isfinite(form.low)) members.emplace_back("minimum", shortest(form.low));
+    if (std::isfinite(form.high)) members.emplace_back("maximum", shortest(form.high));
+    return object(members);
 }
 
-std::vector<SchemaRow> make_rows(const SchemaInput& input) {
-    using enum ObjectKind;
-    const std::string model =
-        any_of({model_name_schema(input.lighting_models), R"({"type":"string","pattern":"^(\\.\\.?)?/"})"});
-    const auto text = [](std::string_view schema) { return std::string(schema); };
-    std::vector<SchemaRow> rows = scene_rows();
-    const std::vector<SchemaRow> graph_rows = {
-        {Free, "$schema", text(kText)},
-        {Free, "patina", R"({"const":1})"},
-        {Free, "kind", words_schema<ObjectKind>()},
-        {Property, "name", text(kIdentifier)},
-        {Input, "name", text(kIdentifier)},
-        {Free, "name", text(kText)},
-        {Free, "help", text(kText)},
-        {Free, "label", text(kText)},
-        {Free, "group", text(kText)},
-        {Free, "note", text(kText)},
-        {Free, "precision", words_schema<Precision>()},
-        {Free, "properties", list_of("property")},
-        {Free, "nodes", list_of("node")},
-        {Free, "inputs", list_of("input")},
-        {Free, "meta", text(kAnything)},
-        {Free, "ui", text(kAnything)},
-        {Free, "workflow", model_name_schema(input.workflows)},
-        {Free, "lighting", any_of({model, reference("lightingUse"), reference("lighting")})},
-        {Free, "vertex", text(kValues)},
-        {Lighting, "surface", list_of("input")},
-        {Render, "surface", words_schema<SurfaceKind>()},
-        {Free, "surface", text(kValues)},
-        {Free, "render", reference("render")},
-        {Free, "passes", list_of("pass")},
-        {ExtraPass, "name", text(kIdentifier)},
-        {Free, "variants",
-         R"({"type":"array","items":{"type":"object","additionalProperties":{"anyOf":[{"type":"boolean"},{"type":"string"}]}}})"},
-        {Free, "budget", reference("budget")},
-        {Free, "maxInstructions", R"({"type":"integer","minimum":0})"},
-        {Free, "maxTextures", R"({"type":"integer","minimum":0})"},
-        {Free, "outputs", text(kNamedValues)},
-        {Free, "direct", reference("value")},
-        {Free, "indirect", reference("value")},
-        {Free, "final", reference("value")},
-        {Free, "preview", text(kIdentifier)},
-        {Input, "type", texts_schema(kInputTypes)},
-        {Property, "type", words_schema<PropertyType>()},
-        {Free, "usage", words_schema<TextureUsage>()},
-        {Free, "handedness", words_schema<Handedness>()},
-        {Free, "swizzle", R"({"type":"string","pattern":"^[rgba01]{1,4}$"})"},
-        {Free, "values", text(kIdentifiers)},
-        {Property, "default",
-         any_of({texts_schema(kDefaultTextures), texts_schema(sampler_names()), reference("value")})},
-        {Free, "default", reference("value")},
-        {Free, "range", text(kRange)},
-        {Free, "hard", text(kBoolean)},
-        {Input, "as", R"({"type":"string","pattern":"^="})"},
-        {Free, "as", words_schema<Binding>()},
-        {Free, "gives", text(kIdentifier)},
-        {Free, "tiling", text(kBoolean)},
-        {Free, "grid",
-         R"json({"type": "array", "items": {"type": "integer", "minimum": 1, "maximum": 256}, "minItems": 2, "maxItems": 2})json"},
-        {Free, "sampler", any_of({texts_schema(sampler_names()), reference("sampler")})},
-        {Free, "colors", key_list_schema(8, any_of({text(kColor), text(kLinearColor)}))},
-        {Free, "alphas", key_list_schema(8, R"({"type":"number","minimum":0,"maximum":1})")},
-        {Free, "blend", words_schema<GradientBlend>()},
-        {Free, "keys",
-         R"({"type":"array","minItems":1,"maxItems":16,"items":{"type":"array","items":{"type":"number"},"minItems":2,"maxItems":4}})"},
-        {Free, "id", text(kIdentifier)},
-        {Free, "node", node_name_schema(input.nodes)},
-        {Free, "in", text(kValues)},
-        {Free, "expr", R"({"type":"string","pattern":"^[^=]"})"},
-        {Free, "stage", words_schema<NodeStage>()},
-        {Free, "wrap", words_schema<Wrap>()},
-        {Free, "filter", words_schema<Filter>()},
-        {Free, "anisotropy", R"({"type":"integer","minimum":1,"maximum":16})"},
-        {Free, "cull", words_schema<Cull>()},
-        {Free, "depthWrite", text(kBoolean)},
-        {Free, "depthTest", words_schema<Compare>()},
-        {Free, "depthOffset", text(kRange)},
-        {Free, "stencil", reference("stencil")},
-        {Free, "reference", text(kByte)},
-        {Free, "readMask", text(kByte)},
-        {Free, "writeMask", text(kByte)},
-        {Free, "test", words_schema<Compare>()},
-        {Free, "pass", words_schema<StencilOp>()},
-        {Free, "fail", words_schema<StencilOp>()},
-        {Free, "depthFail", words_schema<StencilOp>()},
-        {Free, "queue", R"({"type":"integer","minimum":0,"maximum":5000})"},
-        {Free, "bounds", any_of({R"({"type":"number","minimum":0})", text(kBox)})},
-        {Free, "materialOverride", text(kBoolean)},
-        {Free, "use", model},
-    };
-    rows.insert(rows.end(), graph_rows.begin(), graph_rows.end());
-    return rows;
+std::string library_schema(std::string_view what, const SchemaInput& input) {
+    if (what == "node") return node_name_schema(input.nodes);
+    if (what == "workflow") return model_name_schema(input.workflows);
+    return any_of({model_name_schema(input.lighting_models), R"({"type":"string","pattern":"^(\\.\\.?)?/"})"});
 }
 
-const std::string& find_schema(const std::vector<SchemaRow>& rows, ObjectKind kind, std::string_view key) {
-    const SchemaRow* general = nullptr;
-    for (const SchemaRow& row : rows) {
-        if (row.key != key) continue;
-        if (row.kind == kind) return row.schema;
-        if (row.kind == ObjectKind::Free) general = &row;
+std::string form_schema(const Form& form, const SchemaInput& input) {
+    const std::string count = std::to_string(form.count);
+    switch (form.of) {
+        case Form::Of::Anything: return "{}";
+        case Form::Of::Text: return R"({"type":"string"})";
+        case Form::Of::Pattern: return object({{"type", quoted("string")}, {"pattern", quoted(form.text)}});
+        case Form::Of::Words: {
+            std::vector<std::string> texts;
+            for (const std::string_view word : form.words) texts.push_back(quoted(word));
+            return object({{"enum", list(texts)}});
+        }
+        case Form::Of::Identifier: return std::string(kIdentifier);
+        case Form::Of::Boolean: return R"({"type":"boolean"})";
+        case Form::Of::Integer: return number_schema("integer", form);
+        case Form::Of::Number: return number_schema("number", form);
+        case Form::Of::Numbers:
+            return object({{"type", quoted("array")},
+                           {"items", number_schema("number", form)},
+                           {"minItems", count},
+                           {"maxItems", count}});
+        case Form::Of::Color: return std::string(kColor);
+        case Form::Of::ColorWithAlpha: return std::string(kColorWithAlpha);
+        case Form::Of::Object: return reference(definition_of(form.kind));
+        case Form::Of::Objects: {
+            Members members = {{"type", quoted("array")}};
+            if (form.count > 0) members.emplace_back("maxItems", count);
+            members.emplace_back("items", reference(definition_of(form.kind)));
+            return object(members);
+        }
+        case Form::Of::Definition: return reference(form.text);
+        case Form::Of::Library: return library_schema(form.text, input);
+        case Form::Of::Schema: return std::string(form.text);
     }
-    assert(general && "a key of the format without a schema");
-    return general->schema;
+    return {};
+}
+
+std::string forms_schema(const Forms& forms, const SchemaInput& input) {
+    std::vector<std::string> schemas;
+    for (const Form& form : std::span(forms.all).first(forms.count)) schemas.push_back(form_schema(form, input));
+    return schemas.empty() ? "{}" : schemas.size() == 1 ? schemas.front() : any_of(schemas);
 }
 
 // Adds the key's help to its schema, for editors to show.
 std::string with_description(const std::string& schema, std::string_view help) {
     const std::string description = "\"description\":" + quoted(help);
-    return schema == kAnything ? "{" + description + "}"
-                               : schema.substr(0, schema.size() - 1) + "," + description + "}";
+    return schema == "{}" ? "{" + description + "}" : schema.substr(0, schema.size() - 1) + "," + description + "}";
 }
 
-Members object_schema(const std::vector<SchemaRow>& rows, ObjectKind kind) {
+Members object_schema(ObjectKind kind, const SchemaInput& input) {
     Members properties;
     std::vector<std::string> required;
     for (const KeyInfo& key : keys_of(kind)) {
-        properties.emplace_back(key.name, with_description(find_schema(rows, kind, key.name), key.help));
+        properties.emplace_back(key.name, with_description(forms_schema(key.value, input), key.help));
         if (key.required) required.push_back(quoted(key.name));
     }
     Members schema = {
@@ -176,7 +103,7 @@ std::string choose_by_kind() {
     std::string choice = reference("material");
     using enum ObjectKind;
     for (const ObjectKind kind : {Scene, Workflow, Lighting, Subgraph}) {
-        const std::string word(to_string(kind));
+        const std::string word(definition_of(kind));
         const std::string condition = object(
             {{"properties", object({{"kind", object({{"const", quoted(word)}})}})}, {"required", R"(["kind"])"}});
         choice = object({{"if", condition}, {"then", reference(word)}, {"else", choice}});
@@ -185,41 +112,18 @@ std::string choose_by_kind() {
 }
 
 Members make_definitions(const SchemaInput& input) {
-    const std::vector<SchemaRow> rows = make_rows(input);
-    Members material = object_schema(rows, ObjectKind::Material);
-    if (!input.workflows.empty())
-        material.emplace_back("allOf", surface_schema(input.workflows, input.lighting_models));
-    Members node = object_schema(rows, ObjectKind::Node);
-    node.emplace_back("oneOf", R"([{"required":["node"]},{"required":["expr"],"not":{"required":["in"]}}])");
-    if (!input.nodes.empty()) node.emplace_back("allOf", node_ports_schema(input.nodes));
-
-    Members definitions = {
-        {"identifier", std::string(kIdentifier)},
-        {"value", value_schema(input.semantics)},
-        {"material", object(material)},
-        {"subgraph", object(object_schema(rows, ObjectKind::Subgraph))},
-        {"lighting", object(object_schema(rows, ObjectKind::Lighting))},
-        {"workflow", object(object_schema(rows, ObjectKind::Workflow))},
-        {"property", object(object_schema(rows, ObjectKind::Property))},
-        {"node", object(node)},
-        {"input", object(object_schema(rows, ObjectKind::Input))},
-        {"sampler", object(object_schema(rows, ObjectKind::Sampler))},
-        {"gradient", object(object_schema(rows, ObjectKind::Gradient))},
-        {"curve", object(object_schema(rows, ObjectKind::Curve))},
-        {"render", object(object_schema(rows, ObjectKind::Render))},
-        {"stencil", object(object_schema(rows, ObjectKind::Stencil))},
-        {"pass", object(object_schema(rows, ObjectKind::ExtraPass))},
-        {"lightingUse", object(object_schema(rows, ObjectKind::LightingUse))},
-        {"budget", object(object_schema(rows, ObjectKind::Budget))},
-    };
-    using enum ObjectKind;
-    for (const auto& [name, kind] :
-         {std::pair("scene", Scene), std::pair("camera", Camera), std::pair("ambient", Ambient),
-          std::pair("environment", Environment), std::pair("probe", Probe), std::pair("probeBox", ProbeBox),
-          std::pair("fog", Fog), std::pair("mixedLighting", MixedLighting), std::pair("light", Light),
-          std::pair("shadow", Shadow), std::pair("sceneMaterial", SceneMaterial), std::pair("sceneObject", SceneObject),
-          std::pair("sceneInstance", SceneInstance)}) {
-        definitions.emplace_back(name, object(object_schema(rows, kind)));
+    Members definitions = {{"identifier", std::string(kIdentifier)}, {"value", value_schema(input.semantics)}};
+    for (int i = 0; i <= static_cast<int>(ObjectKind::OptionsLimits); ++i) {
+        const auto kind = static_cast<ObjectKind>(i);
+        if (definition_of(kind).empty()) continue;
+        Members schema = object_schema(kind, input);
+        if (kind == ObjectKind::Material && !input.workflows.empty())
+            schema.emplace_back("allOf", surface_schema(input.workflows, input.lighting_models));
+        if (kind == ObjectKind::Node) {
+            schema.emplace_back("oneOf", R"([{"required":["node"]},{"required":["expr"],"not":{"required":["in"]}}])");
+            if (!input.nodes.empty()) schema.emplace_back("allOf", node_ports_schema(input.nodes));
+        }
+        definitions.emplace_back(definition_of(kind), object(schema));
     }
     add_port_definitions(definitions, input.nodes);
     return definitions;

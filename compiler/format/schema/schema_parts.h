@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "compiler/format/schema/schema.h"
-#include "compiler/format/words.h"
 #include "compiler/json/json_text.h"
 
 namespace patina::graph {
@@ -47,32 +46,6 @@ inline std::string described_word(std::string_view word, std::string_view descri
     if (!description.empty()) members.emplace_back("description", quoted(description));
     return object(members);
 }
-
-// The words of a table that this version compiles.
-template <HasWords E>
-std::string words_schema() {
-    std::vector<std::string> texts;
-    for (const Word<E>& word : kWords<E>) texts.push_back(quoted(word.text));
-    return object({{"enum", list(texts)}});
-}
-
-// The schema of a key's value. A row of the kind Free applies to every kind of object that has the key.
-struct SchemaRow {
-    ObjectKind kind;
-    std::string_view key;
-    std::string schema;
-};
-
-inline std::string any_of(const std::vector<std::string>& schemas) {
-    return object({{"anyOf", list(schemas)}});
-}
-
-inline std::string list_of(std::string_view definition) {
-    return object({{"type", quoted("array")}, {"items", reference(definition)}});
-}
-
-// --- schema_scene.cpp: the keys of scenes
-std::vector<SchemaRow> scene_rows();
 
 // --- schema_library.cpp: the parts that depend on the library
 std::string value_schema(std::span<const SemanticInfo> semantics);

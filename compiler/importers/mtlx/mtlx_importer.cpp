@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "compiler/base/letters.h"
 #include "compiler/importers/mtlx/graph_maker.h"
 
 namespace patina::importers {
@@ -13,9 +14,7 @@ namespace {
 using namespace mtlx;
 
 bool recognises(const importers::Source& source) {
-    std::string ending = std::filesystem::path(source.path).extension().string();
-    for (char& c : ending)
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c + 32);
+    const std::string ending = small_letters(std::filesystem::path(source.path).extension().string());
     return ending == ".mtlx";
 }
 
@@ -168,10 +167,7 @@ Imported read(const importers::Source& source, const Options& options) {
     std::vector<TextFile> graphs;
     for (const Material& each : materials) {
         std::string wanted(each.element->name());
-        std::erase_if(wanted, [](char c) {
-            return !((c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
-                     c == '-');
-        });
+        std::erase_if(wanted, [](char c) { return !is_word_letter(c) && c != '-'; });
         if (materials.size() == 1 && !options.name.empty()) wanted = options.name;
         const std::string name = import.file_names.unique(wanted, std::filesystem::path(source.path).stem().string());
         GraphMaker maker(import, name);

@@ -6,6 +6,7 @@
 #include <iterator>
 #include <map>
 
+#include "compiler/base/letters.h"
 #include "compiler/base/text.h"
 
 namespace patina::importers::mtlx {
@@ -37,12 +38,6 @@ constexpr IgnoredRow kIgnored[] = {
 #undef IGNORED
 };
 #undef SURFACE
-
-std::string_view trimmed(std::string_view text) {
-    while (text.starts_with(' ')) text.remove_prefix(1);
-    while (text.ends_with(' ')) text.remove_suffix(1);
-    return text;
-}
 
 std::vector<Port> ports_of(std::string_view inputs) {
     std::vector<Port> made;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compiler/base/letters.h"
 #include "compiler/importers/shadergraph/graph_maker.h"
 
 namespace patina::importers::shadergraph {
@@ -38,7 +39,7 @@ struct Declaration {
 std::string plain(std::string_view name) {
     std::string made;
     for (const char c : identifier(name))
-        if (c != '_') made += c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
+        if (c != '_') made += lower(c);
     return made;
 }
 

@@ -5,21 +5,18 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compiler/base/letters.h"
 #include "compiler/importers/shadergraph/graph_maker.h"
 
 namespace patina::importers::shadergraph {
 namespace {
-
-bool is_word(char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
-}
 
 // The words of a text that can be ids of nodes: not "@uv", "$_Tint", "a.uv", "uv(" or a key.
 std::set<std::string_view> words_of(std::string_view text) {
     std::set<std::string_view> made;
     for (std::size_t at = 0; at < text.size();) {
         std::size_t end = at;
-        while (end < text.size() && is_word(text[end])) ++end;
+        while (end < text.size() && is_word_letter(text[end])) ++end;
         const char before = at > 0 ? text[at - 1] : ' ', after = end < text.size() ? text[end] : ' ';
         const bool is_key = text.substr(end).starts_with("\":");
         if (end > at && !is_key && before != '@' && before != '$' && before != '.' && after != '(')

@@ -6,6 +6,7 @@
 #include <charconv>
 #include <map>
 
+#include "compiler/base/letters.h"
 #include "compiler/base/text.h"
 #include "compiler/importers/shadergraph/values/term.h"
 
@@ -29,12 +30,6 @@ constexpr InputsRow kInputs[] = {
 #include "compiler/importers/shadergraph/inputs.def"
 #undef INPUTS
 };
-
-std::string_view trimmed(std::string_view text) {
-    while (text.starts_with(' ')) text.remove_prefix(1);
-    while (text.ends_with(' ')) text.remove_suffix(1);
-    return text;
-}
 
 int number_in(std::string_view text) {
     int made = 0;
@@ -154,13 +149,6 @@ int newest_version(std::string_view kind) {
 
 bool is_in_table(std::string_view kind) {
     return table().contains(kind);
-}
-
-std::vector<std::string_view> classes_in_table() {
-    std::vector<std::string_view> made;
-    for (const Row& row : kRows)
-        if (made.empty() || made.back() != row.kind) made.push_back(row.kind);
-    return made;
 }
 
 std::string fill_settings(std::string& text, const Node& node, const NodeFacts& facts) {

@@ -3,15 +3,14 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "compiler/base/letters.h"
 #include "compiler/importers/shadergraph/project.h"
 
 namespace patina::importers {
 namespace {
 
 bool recognises(const Source& source) {
-    std::string ending = std::filesystem::path(source.path).extension().string();
-    for (char& c : ending)
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c + 32);
+    const std::string ending = small_letters(std::filesystem::path(source.path).extension().string());
     return ending == ".shadergraph" || ending == ".shadersubgraph";
 }
 

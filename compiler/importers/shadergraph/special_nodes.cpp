@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "compiler/base/letters.h"
 #include "compiler/importers/shadergraph/graph_maker.h"
 
 namespace patina::importers::shadergraph {
@@ -143,8 +144,7 @@ void swizzle(GraphMaker& maker, std::size_t node) {
     std::string mask(text_of(at.json, "_maskInput"));
     static constexpr std::string_view kLetters = "xyzwrgba";
     for (char& c : mask) {
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c + 32);
-        const std::size_t found = kLetters.find(c);
+        const std::size_t found = kLetters.find(lower(c));
         c = found == kLetters.npos ? '?' : kLetters[found % 4];
     }
     if (mask.empty() && member(at.json, "m_RedChannel")) {  // the first version: always four

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "compiler/base/disk/disk.h"
+#include "compiler/base/letters.h"
 #include "compiler/importers/unitymaterial/chosen_state.h"
 #include "compiler/json/json.h"
 
@@ -98,14 +99,9 @@ private:
         if (!values || values->elements.empty()) return;
         std::string chosen = values->elements.front().string;
         for (const Json& each : values->elements) {
-            std::string keyword = name + "_" + each.string;
-            for (char& c : keyword)
-                if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 32);
+            const std::string keyword = small_letters(name + "_" + each.string);
             for (const SavedKeyword& on : maker_.source().keywords) {
-                std::string other = on.name;
-                for (char& c : other)
-                    if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 32);
-                if (other != keyword) continue;
+                if (small_letters(on.name) != keyword) continue;
                 chosen = each.string;
                 maker_.note_keyword(on.name, Remark::Kind::Taken, fmt::format("the value of '{}'", name));
             }

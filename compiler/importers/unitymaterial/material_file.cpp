@@ -9,6 +9,7 @@
 #include <set>
 #include <utility>
 
+#include "compiler/base/letters.h"
 #include "compiler/importers/source_text.h"
 
 namespace patina::importers::unitymaterial {
@@ -52,19 +53,12 @@ std::vector<Entry> entries_of(const Yaml* list) {
     return made;
 }
 
-std::string lower(std::string_view text) {
-    std::string made(text);
-    for (char& c : made)
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c + 32);
-    return made;
-}
-
 AssetId asset_of(const Yaml* value) {
     AssetId made;
     if (!value || value->kind != Yaml::Kind::Map) return made;
     const std::string_view file = value->word("fileID");
     std::from_chars(file.data(), file.data() + file.size(), made.file);
-    made.guid = lower(value->word("guid"));
+    made.guid = small_letters(std::string(value->word("guid")));
     if (made.guid.find_first_not_of('0') == made.guid.npos) made.guid.clear();
     return made;
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compiler/base/letters.h"
 #include "compiler/base/text.h"
 
 namespace patina::importers::unitymaterial {
@@ -309,10 +310,7 @@ void MaterialMaker::report_settings(std::vector<Remark>& remarks) {
         } else if (each.key == "disabledShaderPasses") {
             if (each.words.empty()) add(Remark::Kind::Taken, "no pass is off");
             for (const std::string& pass : each.words) {
-                std::string word = pass;
-                for (char& c : word)
-                    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c + 32);
-                if (word == "shadowcaster")
+                if (small_letters(pass) == "shadowcaster")
                     add(Remark::Kind::Changed, "the pass 'ShadowCaster' is off: it casts shadows");
                 else
                     add(Remark::Kind::Taken, fmt::format("the pass '{}' is off: graphs do not have it", pass));

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "compiler/base/letters.h"
 #include "compiler/importers/refusals.h"
 #include "compiler/importers/unitymaterial/graph_instance.h"
 #include "compiler/importers/unitymaterial/material_maker.h"
@@ -17,9 +18,7 @@ namespace fs = std::filesystem;
 using namespace unitymaterial;
 
 bool recognises(const Source& source) {
-    std::string ending = fs::path(source.path).extension().string();
-    for (char& c : ending)
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c + 32);
+    const std::string ending = small_letters(fs::path(source.path).extension().string());
     return ending == ".mat";
 }
 

@@ -1,19 +1,17 @@
 // Every value of the lighting reference (tests/data/brdf-values.json) through the node or model that
-// compiler/cli/eval/terms.json names: in double, where closed forms hold to 1e-9 and integrals to 1e-3, and in float to
+// tests/terms/terms.json names: in double, where closed forms hold to 1e-9 and integrals to 1e-3, and in float to
 // the row's own tolerance.
-#include "compiler/cli/eval/terms.h"
+#include "tests/terms/terms.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <set>
 
-#include "tests/support/reference_values.h"
+#include "tests/terms/reference_values.h"
 
-namespace patina::cli {
+namespace patina::reference {
 namespace {
-
-using namespace reference;
 
 // The largest error of a row relative to its tolerance.
 double worst(const Json& row, const TermResult& result, double relative, double absolute) {
@@ -104,4 +102,4 @@ TEST(Terms, BadWordsAreToldApart) {
 }
 
 }  // namespace
-}  // namespace patina::cli
+}  // namespace patina::reference

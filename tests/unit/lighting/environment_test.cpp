@@ -11,7 +11,7 @@
 #include "runtime/lighting/prefilter.h"
 #include "runtime/lighting/split_sum.h"
 #include "runtime/lighting/studio.h"
-#include "tests/support/reference_values.h"
+#include "tests/terms/reference_values.h"
 
 namespace patina::runtime {
 namespace {

@@ -1,10 +1,10 @@
 // Results that are kept because a later request may have the same key. Any thread may use the object. If a key gets a
 // second result, that one is kept from then on.
 //
-//   Remembered<Printed> texts(16 << 20);
-//   const auto [kept, is_asked_again] = texts.ask(key);
-//   if (kept) return *kept;
-//   if (is_asked_again) texts.keep(key, made, made.text.size());
+//   Cache<Result> results(16 << 20);
+//   const auto [cached, is_asked_again] = results.ask(key);
+//   if (cached) return *cached;
+//   if (is_asked_again) results.keep(key, made, size_of(made));
 #pragma once
 
 #include <cstddef>
@@ -21,13 +21,10 @@
 namespace patina {
 
 template <class Value>
-class Remembered {
+class Cache {
 public:
     // `most`: about how many bytes of keys, values and entries are kept.
-    explicit Remembered(std::size_t most) : most_(most), asked_(kMostAsked) {}
-
-    // Null if there is none.
-    std::shared_ptr<const Value> find(std::string_view key) { return ask(key).value; }
+    explicit Cache(std::size_t most) : most_(most), asked_(kMostAsked) {}
 
     struct Answer {
         std::shared_ptr<const Value> value;  // null if there is none
@@ -59,7 +56,7 @@ private:
     static constexpr std::size_t kMostAsked = 8192;
     using Entries = std::unordered_map<std::uint64_t, std::shared_ptr<const Entry>>;  // by the hash of the key
 
-    // Keys are long, so it reads eight letters at a time. It need not be strong, because find() compares the keys.
+    // Keys are long, so it reads eight letters at a time. It need not be strong, because ask() compares the keys.
     static std::uint64_t hash_of(std::string_view key) {
         std::uint64_t hash = key.size();
         const auto add = [&](std::uint64_t letters) {

@@ -23,9 +23,9 @@ std::string half(const std::string& number) {
 }
 
 // A compiler, and files that may change between its compilations.
-class KeptRequest : public testing::Test {
+class CachedResult : public testing::Test {
 protected:
-    KeptRequest() {
+    CachedResult() {
         options.files.read = [this](const std::string& path) {
             ++reads;
             const auto found = files.find(path);
@@ -58,7 +58,7 @@ protected:
     int reads = 0, questions = 0;
 };
 
-TEST_F(KeptRequest, HasTheSameResult) {
+TEST_F(CachedResult, HasTheSameResult) {
     const Result first = compile();
     EXPECT_FALSE(was_answered());
     const Result second = compile();
@@ -74,7 +74,7 @@ TEST_F(KeptRequest, HasTheSameResult) {
     EXPECT_EQ(third.nodes, first.nodes);
 }
 
-TEST_F(KeptRequest, IsMadeAnewIfAFileChanges) {
+TEST_F(CachedResult, IsMadeAnewIfAFileChanges) {
     const Result before = compile_thrice();
     files["half.subgraph.json"] = half("0.75");
     const Result after = compile();
@@ -90,7 +90,7 @@ TEST_F(KeptRequest, IsMadeAnewIfAFileChanges) {
     EXPECT_EQ(compile().shaders[1].text, before.shaders[1].text);
 }
 
-TEST_F(KeptRequest, IsMadeAnewIfATextureGoes) {
+TEST_F(CachedResult, IsMadeAnewIfATextureGoes) {
     compile_thrice();
     files.erase("rust.png");
     EXPECT_FALSE(compile().ok);
@@ -99,7 +99,7 @@ TEST_F(KeptRequest, IsMadeAnewIfATextureGoes) {
     EXPECT_TRUE(compile().ok);
 }
 
-TEST_F(KeptRequest, IsMadeAnewIfANameMeansAnotherFile) {
+TEST_F(CachedResult, IsMadeAnewIfANameMeansAnotherFile) {
     std::string folder;
     options.files.resolve = [&](const std::string&, const std::string& name) { return folder + name.substr(2); };
     files["new/half.subgraph.json"] = half("0.125");
@@ -113,7 +113,7 @@ TEST_F(KeptRequest, IsMadeAnewIfANameMeansAnotherFile) {
     EXPECT_NE(moved.shaders[1].text.find("0.125"), std::string::npos);
 }
 
-TEST_F(KeptRequest, IsMadeAnewIfTheProgramBeginsToResolveNames) {
+TEST_F(CachedResult, IsMadeAnewIfTheProgramBeginsToResolveNames) {
     files["new/half.subgraph.json"] = half("0.125");
     files["new/rust.png"] = "";
     compile_thrice();
@@ -133,7 +133,7 @@ TEST_F(KeptRequest, IsMadeAnewIfTheProgramBeginsToResolveNames) {
     EXPECT_NE(compile().shaders[1].text.find("0.5"), std::string::npos);
 }
 
-TEST_F(KeptRequest, IsAnotherOneWithOtherOptions) {
+TEST_F(CachedResult, IsAnotherOneWithOtherOptions) {
     compile_thrice();
     options.targets = {Target::Hlsl};
     EXPECT_EQ(compile().shaders.size(), 2u);
@@ -146,7 +146,7 @@ TEST_F(KeptRequest, IsAnotherOneWithOtherOptions) {
     EXPECT_FALSE(was_answered());
 }
 
-TEST_F(KeptRequest, ErrorsAreFoundAgain) {
+TEST_F(CachedResult, ErrorsAreFoundAgain) {
     graph.replace(graph.find("rust.rgb"), 8, "rust.xyq");
     for (int round = 0; round < 4; ++round) {
         const Result result = compile();
@@ -156,7 +156,7 @@ TEST_F(KeptRequest, ErrorsAreFoundAgain) {
     }
 }
 
-TEST_F(KeptRequest, CanBeCancelled) {
+TEST_F(CachedResult, CanBeCancelled) {
     compile_thrice();
     options.limits.cancelled = [] { return true; };
     const Result cancelled = compile();

@@ -1,4 +1,4 @@
-#include "compiler/cli/eval/terms.h"
+#include "tests/terms/terms.h"
 
 #include <fmt/format.h>
 
@@ -8,11 +8,11 @@
 #include <map>
 #include <optional>
 
-#include "compiler/cli/eval/term_data.h"
 #include "compiler/json/json_document.h"
 #include "runtime/lighting/model.h"
+#include "tests/terms/term_data.h"
 
-namespace patina::cli {
+namespace patina::reference {
 namespace {
 
 using Json = JsonValue;
@@ -314,4 +314,4 @@ std::vector<std::string> term_names() {
     return names;
 }
 
-}  // namespace patina::cli
+}  // namespace patina::reference

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "compiler/cli/eval/terms.h"
+#include "tests/terms/terms.h"
 
 namespace patina::reference {
 
@@ -52,8 +52,8 @@ inline void append_word(const Json& value, std::string& word) {
     }
 }
 
-inline cli::TermInputs inputs_of(const Json& row) {
-    cli::TermInputs inputs;
+inline TermInputs inputs_of(const Json& row) {
+    TermInputs inputs;
     for (const auto& member : row["inputs"].GetObject()) {
         std::string word;
         append_word(member.value, word);

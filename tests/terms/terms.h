@@ -1,9 +1,6 @@
-// The room `cli/eval` computes what `patina eval` shows. It prints nothing.
-//
-// `patina eval --term`: the lighting terms of the reference values (tests/data/brdf-values.json), with the names and
-// inputs that they have there, computed by nodes and lighting models. terms.json in this folder says which node and
-// port computes which term, so a new term is a row there. This folder holds what `patina eval` computes: terms, and
-// tables of values (sweep.h).
+// The lighting terms of the reference values (tests/data/brdf-values.json), with the names and inputs that they have
+// there, computed by nodes and lighting models. terms.json in this folder says which node and port computes which term,
+// so a new term is a row there.
 //
 //   "D_GGX": { "node": "DistributionGGX", "in": { "ndoth": "NoH", "alpha": "sqrt(a2)" } }
 //
@@ -20,7 +17,7 @@
 
 #include "patina/patina.h"
 
-namespace patina::cli {
+namespace patina::reference {
 
 struct TermResult {
     bool ok = false;
@@ -36,4 +33,4 @@ TermResult evaluate_term(const Compiler& compiler, const std::string& term, cons
 
 std::vector<std::string> term_names();
 
-}  // namespace patina::cli
+}  // namespace patina::reference

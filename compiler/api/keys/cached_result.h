@@ -11,7 +11,7 @@
 namespace patina {
 
 // A result, and all that the file system was asked for it.
-struct KeptRequest {
+struct CachedResult {
     static constexpr std::size_t kMostBytes = std::size_t{32} << 20;  // of all that a compiler keeps
 
     Result result;

@@ -1,4 +1,4 @@
-#include "compiler/api/keys/kept_request.h"
+#include "compiler/api/keys/cached_result.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -23,7 +23,7 @@ std::string key_of(const Source& source, const CompileOptions& options) {
 }
 
 // Programs hold the stages, and dumps are for people who look at one compilation.
-bool may_be_kept(const CompilerImpl& compiler, const CompileOptions& options) {
+bool may_be_cached(const CompilerImpl& compiler, const CompileOptions& options) {
     return compiler.overlay_errors.empty() && options.dump.empty() && !options.keep_programs;
 }
 
@@ -32,12 +32,12 @@ bool is_same(const graph::Files::Answer& now, const graph::Files::Answer& then) 
 }
 
 // Asks the same questions. Whatever the answers are, a compilation after it does not ask them again.
-bool is_as_before(const KeptRequest& kept, graph::Files& files) {
-    for (const auto& [from, name, path] : kept.resolved) {
+bool is_as_before(const CachedResult& cached, graph::Files& files) {
+    for (const auto& [from, name, path] : cached.resolved) {
         const graph::Files::Path now = files.resolve(from, name);
         if (now.path != path.path || now.why != path.why) return false;
     }
-    return std::all_of(kept.answers.begin(), kept.answers.end(), [&](const auto& each) {
+    return std::all_of(cached.answers.begin(), cached.answers.end(), [&](const auto& each) {
         const auto& [path, then] = each;
         if (then.is_read && !is_same(files.read(path), then)) return false;
         return !then.exists || files.find(path).exists == then.exists;
@@ -54,32 +54,32 @@ bool is_cancelled(const CompileOptions& options) {
 }
 
 // About how many bytes it has. A reflection is a few kilobytes.
-std::size_t size_of(const KeptRequest& kept) {
+std::size_t size_of(const CachedResult& cached) {
     constexpr std::size_t kReflection = std::size_t{16} << 10;
-    std::size_t bytes = sizeof kept + kReflection;
-    for (const Shader& shader : kept.result.shaders) {
+    std::size_t bytes = sizeof cached + kReflection;
+    for (const Shader& shader : cached.result.shaders) {
         bytes += sizeof shader + shader.text.size();
         for (const LineOrigin& line : shader.line_map)
             bytes += sizeof line + line.file.size() + line.source_text.size();
     }
-    for (const auto& [path, answer] : kept.answers)
+    for (const auto& [path, answer] : cached.answers)
         bytes += sizeof answer + path.size() + (answer.text ? answer.text->size() : 0);
     return bytes;
 }
 
 }  // namespace
 
-Result compile_or_remember(const CompilerImpl& compiler, const Source& source, const CompileOptions& options,
-                           graph::Files& files, Trail& trail) {
-    if (!may_be_kept(compiler, options)) return compile_source(compiler, source, options, files, trail);
+Result compile_or_find(const CompilerImpl& compiler, const Source& source, const CompileOptions& options,
+                       graph::Files& files, Trail& trail) {
+    if (!may_be_cached(compiler, options)) return compile_source(compiler, source, options, files, trail);
     std::string key = key_of(source, options);
-    const auto [known, is_asked_again] = compiler.requests.ask(key);
+    const auto [known, is_asked_again] = compiler.results.ask(key);
     if (known && is_as_before(*known, files) && !is_cancelled(options)) return known->result;
     Result made = compile_source(compiler, source, options, files, trail);
     if (made.ok && (known || is_asked_again)) {
-        KeptRequest now{.result = made, .answers = files.answers(), .resolved = files.resolved()};
+        CachedResult now{.result = made, .answers = files.answers(), .resolved = files.resolved()};
         const std::size_t bytes = size_of(now);
-        compiler.requests.keep(std::move(key), std::move(now), bytes);
+        compiler.results.keep(std::move(key), std::move(now), bytes);
     }
     return made;
 }
