@@ -80,7 +80,7 @@ def remarks(model):
         yield "When to use it: " + plain(one_line(model["use"]))
     if "source" in model:
         yield "Source: " + plain(one_line(model["source"]))
-    yield "File: " + link(model["file"], "../../" + model["file"])
+    yield "File: " + link(plain(model["file"]), "../../" + model["file"])
 
 
 def chapter(root, model, semantics, places):
@@ -95,7 +95,7 @@ def chapter(root, model, semantics, places):
 
 
 def page(root, about, models, semantics, places):
-    text = f"{WRITTEN}# {about['title']}\n\n[All lighting models](README.md)\n\n{about['text']}\n\n"
+    text = f"{WRITTEN}# {about['title']}\n\n[All lighting models, their units and what the cost means](README.md)\n\n{about['text']}\n\n"
     rows = [[link(name, anchor(name)), cell(first_sentence(models[name]["doc"]))] for name in about["models"]]
     text += table(["model", "what it is"], rows)
     return end(text + "".join(chapter(root, models[name], semantics, places) for name in about["models"]))

@@ -5,6 +5,7 @@
   from   which nodes it has: files of nodes/ ("lighting/fresnel"), and nodes ("FresnelF82") that stand elsewhere
   plots  what scripts/pictures draws of several nodes on the same axes
 """
+import functools
 import json
 import re
 
@@ -12,6 +13,7 @@ from reference_text import (WRITTEN, Wrong, anchor, block, cell, code, end, firs
                             table)
 
 FOLDER = "docs/nodes"
+COMPARED = "Compared"
 INTRODUCTION = """# Nodes
 
 A page for each family of nodes. A node says what it computes, from which paper, and what must hold; `patina node NAME` shows
@@ -21,9 +23,11 @@ the same. `patina nodes --search "round corners"` finds a node by what it does.
 
 `n` is the normal, `l` the direction to the light, `v` that to the viewer, `h` the half vector between them, `r` a mirrored
 direction, `t` and `b` tangent and bitangent: all are unit vectors. `n.l` is the cosine of two of them; the input `ndotl` is
-this number. Of other vectors, the dot product is `dot(a, b)`, and `cross(a, b)` the other one. `v.xy` are components. A space
-multiplies: `2 pi` is two times pi. `a^2` is a power, `|v|` the length of a vector, `lerp(a, b, t)` goes from a to b, and
+this number. For other vectors, `dot(a, b)` and `cross(a, b)` are written out. `v.xy` are components. A space multiplies: `2 pi` is two
+times pi. `a^2` is a power, `exp` and `log` have the base e, `|v|` is the length of a vector, `lerp(a, b, t)` goes from a to b, and
 `saturate` limits to 0 to 1. `alpha` is the roughness of microfacet models, the square of the roughness that an artist sets.
+
+Each chapter ends with the node as a graph has it, with every input at its default, and with examples, which the tests check.
 
 """
 
@@ -41,12 +45,15 @@ def family_of(node, families):
     return found[0]
 
 
-def position(root, node, texts={}):
-    """Where in its file a node stands: a page has the order of the files."""
-    file = node["file"]
-    if file not in texts:
-        texts[file] = (root / file).read_text(encoding="utf-8")
-    return re.search(rf"^\w+ {node['name']}\(", texts[file], re.MULTILINE).start()
+@functools.cache
+def text_of(path):
+    return path.read_text(encoding="utf-8")
+
+
+def place(root, node, order):
+    """Where a node stands on its page: as families.json names it or its file, then as in the file."""
+    named = order.index(node["name"] if node["name"] in order else stem(node))
+    return named, re.search(rf"^\w+ {node['name']}\(", text_of(root / node["file"]), re.MULTILINE).start()
 
 
 def read_families(root, nodes):
@@ -61,9 +68,7 @@ def read_families(root, nodes):
         unknown = [name for name in order if name not in [*map(stem, family["nodes"]), *(n["name"] for n in family["nodes"])]]
         if unknown:
             raise Wrong(f"{FOLDER}/families.json: {family['page']}: there is no file or node {unknown[0]}")
-        files = [name for name in order if "/" in name]
-        last = len(files)
-        family["nodes"].sort(key=lambda n: (files.index(stem(n)) if stem(n) in files else last, stem(n), position(root, n)))
+        family["nodes"].sort(key=lambda node: place(root, node, order))
     return families
 
 
@@ -103,7 +108,7 @@ def ports(node, key):
 
 
 def engine_forms(node, library, places):
-    """The nodes that compute this one as an engine does, by what they are called."""
+    """The nodes that compute this one as an engine does."""
     names = [*node["also"], node["name"]]
     for engine in library["engines"]:
         found = [other["name"] for other in library["nodes"] if other["name"] in [name + engine["title"] for name in names]]
@@ -111,15 +116,23 @@ def engine_forms(node, library, places):
             yield f"{engine['title']}'s formula: {link(found[0], places[found[0]])}"
 
 
-def remarks(node, library, places, is_alone):
-    """The lines below the formula: other names, related nodes, source and file."""
+def is_compared(node, family):
+    """True if a plot shows the node together with others."""
+    plots = family.get("plots", [])
+    return node["name"] in [each if isinstance(each, str) else each["node"] for plot in plots for each in plot["nodes"]]
+
+
+def remarks(node, family, library, places):
+    """The lines below the formula: other names, related nodes, source, plot and file."""
     if node["also"]:
         yield "Also known as: " + plain(", ".join(node["also"]))
     yield from engine_forms(node, library, places)
     if "source" in node:
         yield "Source: " + plain(one_line(node["source"]))
-    if is_alone:
-        yield "File: " + link(node["file"], "../../" + node["file"])
+    if is_compared(node, family):
+        yield f"Plot: {link('compared with others', anchor(COMPARED))}"
+    if node["file"] != main_file(family):
+        yield "File: " + link(plain(node["file"]), "../../" + node["file"])
 
 
 def drawn(root, node):
@@ -130,8 +143,8 @@ def drawn(root, node):
             yield f"![{node['name']}: {what}]({path})\n\n"
 
 
-def chapter(root, node, library, places, is_alone):
-    below = [line + "." if not line.endswith((".", ")")) else line for line in remarks(node, library, places, is_alone)]
+def chapter(root, node, family, library, places):
+    below = [line + "." if not line.endswith((".", ")")) else line for line in remarks(node, family, library, places)]
     text = f"### {node['name']}\n\n{plain(node['doc'])}\n\n" + block(node.get("formula", ""))
     text += "  \n".join(below) + "\n\n" if below else ""
     text += ports(node, "inputs") + ports(node, "outputs") + "".join(drawn(root, node))
@@ -140,8 +153,10 @@ def chapter(root, node, library, places, is_alone):
 
 # --- a family
 
-def files_of(family):
-    return list(dict.fromkeys(node["file"] for node in family["nodes"]))
+def main_file(family):
+    """The file that has most nodes of a family."""
+    files = [node["file"] for node in family["nodes"]]
+    return max(files, key=files.count)
 
 
 def family_drawings(root, family):
@@ -153,14 +168,17 @@ def family_drawings(root, family):
 
 
 def family_page(root, family, library, places):
-    files = files_of(family)
-    text = f"{WRITTEN}# {family['title']}\n\n[All nodes](README.md)\n\n{family['text']}\n\n"
-    if len(files) == 1:
-        text += f"All are in {link(files[0], '../../' + files[0])}.\n\n"
+    file = main_file(family)
+    is_all = all(node["file"] == file for node in family["nodes"])
+    text = (f"{WRITTEN}# {family['title']}\n\n[All nodes, and how formulas are written](README.md)\n\n{family['text']}\n\n"
+            f"The nodes are in {link(plain(file), '../../' + file)}{'' if is_all else ', unless the chapter says otherwise'}.\n\n")
     text += table(["node", "what it does"], [[link(node["name"], anchor(node["name"])), cell(first_sentence(node["doc"]))]
                                              for node in family["nodes"]])
-    text += "".join(family_drawings(root, family))
-    return end(text + "".join(chapter(root, node, library, places, len(files) > 1) for node in family["nodes"]))
+    drawings = "".join(family_drawings(root, family))
+    text += f"## {COMPARED}\n\n{drawings}" if drawings else ""
+    # Links to this page are links to its headings.
+    places = {name: address.removeprefix(family["page"] + ".md") for name, address in places.items()}
+    return end(text + "## Nodes\n\n" + "".join(chapter(root, node, family, library, places) for node in family["nodes"]))
 
 
 def index(families, places):
