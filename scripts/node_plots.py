@@ -174,7 +174,8 @@ def draw_shared(shared, lines):
     figure.suptitle(shared["title"], x=grid[0, 0].get_position().x0, y=0.88 + (0.45 if panel else 0.15) / height,
                     verticalalignment="bottom", horizontalalignment="left", fontsize=10)
     figure.supxlabel(shared.get("label", axis_of(shared)), fontsize=9, y=0.11 - 0.55 / height)
-    figure.legend(*grid[0, 0].get_legend_handles_labels(), loc="center left", bbox_to_anchor=(0.91, 0.5))
+    figure.legend(*grid[0, 0].get_legend_handles_labels(), loc="center left", bbox_to_anchor=(0.91, 0.5),
+                  handlelength=3.5)
     save_svg(figure, f"{FOLDER}/{shared['plot']}.svg")
 
 

@@ -9,8 +9,8 @@ import functools
 import json
 import re
 
-from reference_text import (WRITTEN, Wrong, anchor, block, cell, code, end, first_sentence, link, number, one_line, plain,
-                            table)
+from reference_text import (WRITTEN, Wrong, anchor, block, cell, code, end, first_sentence, link, number, one_line,
+                            plain, table)
 
 FOLDER = "docs/nodes"
 COMPARED = "Compared"
