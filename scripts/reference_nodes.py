@@ -9,8 +9,8 @@ import functools
 import json
 import re
 
-from reference_text import (WRITTEN, Wrong, anchor, block, cell, code, end, first_sentence, link, number, one_line,
-                            plain, table)
+from reference_text import (WRITTEN, Wrong, anchor, block, cell, code, end, enumerate_words, first_sentence, link,
+                            number, one_line, plain, table)
 
 FOLDER = "docs/nodes"
 COMPARED = "Compared"
@@ -159,12 +159,24 @@ def main_file(family):
     return max(files, key=files.count)
 
 
+def notes(plot):
+    """What a reader must know of a plot of several nodes."""
+    for each in plot["nodes"]:
+        if not isinstance(each, str) and "set" in each:
+            given = [code(f"{name} = {re.sub(r'[{}$]', '', text)}") for name, text in each["set"].items()]
+            yield f"{each['node']} has {enumerate_words(given)}."
+    if len(plot["nodes"]) > 2:
+        yield "Where curves coincide, wide lines show below narrow ones."
+
+
 def family_drawings(root, family):
     """What is drawn of several nodes: pictures in rows, and curves on the same axes."""
     if (root / FOLDER / f"pictures/{family['page']}.png").exists():
         yield f"![{family['title']}, drawn](pictures/{family['page']}.png)\n\n"
     for plot in family.get("plots", []):
         yield f"![{plot['title']}](plots/{plot['plot']}.svg)\n\n"
+        about = " ".join(notes(plot))
+        yield about + "\n\n" if about else ""
 
 
 def family_page(root, family, library, places):
