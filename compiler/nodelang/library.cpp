@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "compiler/nodelang/constants.h"
+
 namespace patina::nodelang {
 namespace {
 
@@ -71,12 +73,13 @@ std::vector<std::string_view> Declarations::function_names() const {
     return names;
 }
 
-void index_declarations(const Ast& ast, Declarations& into, Diagnostics& diagnostics) {
+void index_declarations(Ast& ast, Declarations& into, Diagnostics& diagnostics) {
     for (const FunctionDecl& f : ast.functions)
         add(into.functions, f, &FunctionDecl::name_span, into.unread, diagnostics);
     for (const StructDecl& s : ast.structs) add(into.structs, s, &StructDecl::span, into.unread, diagnostics);
     for (const EnumDecl& e : ast.enums) add(into.enums, e, &EnumDecl::span, into.unread, diagnostics);
     for (const VariableDecl& v : ast.variables) add(into.variables, v, &VariableDecl::span, into.unread, diagnostics);
+    check_constants(ast, into, diagnostics);
 }
 
 std::string_view attribute_text(const Attribute& attribute, std::size_t index) {

@@ -31,8 +31,9 @@ struct Declarations {
     std::vector<std::string_view> function_names() const;
 };
 
-// Adds every declaration of `ast` to `into`, in addition to those that are unread.
-void index_declarations(const Ast& ast, Declarations& into, Diagnostics& diagnostics);
+// Adds every declaration of `ast` to `into`, in addition to those that are unread. A constant that leads back to itself
+// is reported, and loses its value.
+void index_declarations(Ast& ast, Declarations& into, Diagnostics& diagnostics);
 
 // The text of attribute argument `index` (a string or a bare word), or empty.
 std::string_view attribute_text(const Attribute& attribute, std::size_t index = 0);
