@@ -41,7 +41,11 @@ add_python_test(graph_drawing ${CMAKE_CURRENT_SOURCE_DIR}/report/graph_test.py $
 add_python_test(guard ${CMAKE_CURRENT_SOURCE_DIR}/guard/guard_test.py $<TARGET_FILE:patina_cli> ${CMAKE_SOURCE_DIR})
 
 add_python_test(brdf_values ${CMAKE_CURRENT_SOURCE_DIR}/data/derive_brdf_values.py)
-add_python_test(sources ${CMAKE_CURRENT_SOURCE_DIR}/docs/sources.py ${CMAKE_SOURCE_DIR} $<TARGET_FILE:patina_cli>)
+add_python_test(sources ${CMAKE_CURRENT_SOURCE_DIR}/docs/sources.py ${CMAKE_SOURCE_DIR})
+
+# The pages of nodes, models and values, which `scripts/reference` makes.
+add_python_test(reference_pages ${CMAKE_SOURCE_DIR}/scripts/reference --check $<TARGET_FILE:patina_cli>)
+add_python_test(reference_script ${CMAKE_CURRENT_SOURCE_DIR}/docs/reference_test.py ${CMAKE_SOURCE_DIR} $<TARGET_FILE:patina_cli>)
 
 # The links of all pages, and how near each page is.
 add_python_test(links ${CMAKE_CURRENT_SOURCE_DIR}/docs/links.py ${CMAKE_SOURCE_DIR})

@@ -428,7 +428,7 @@ Typed GraphScope::semantic(std::string_view name, Span span, emit::Scope& scope)
         if (!near.empty())
             record.note(fmt::format("did you mean '@{}'?", near));
         else
-            record.note("docs/conventions.md lists them");
+            record.note("'patina values' lists them");
         return {};
     }
     const SemanticDecl& semantic = paths.semantics[found->second];

@@ -2,7 +2,7 @@
 
 /// Mixes the channels of a colour: each channel of the result is a sum of the three, with weights of its own.
 ///
-/// formula: (color . red, color . green, color . blue)
+/// formula: (dot(color, red), dot(color, green), dot(color, blue))
 /// test: ChannelMixer(float3(0.2, 0.4, 0.8)) == float3(0.2, 0.4, 0.8)
 /// test: ChannelMixer(float3(0.2, 0.4, 0.8), float3(0, 0, 1), float3(0.5, 0.5, 0), float3(1, -1, 0)) == float3(0.8, 0.3, -0.2)
 [node("Color/Channel Mixer")]

@@ -20,7 +20,7 @@ float GradientShare(float time, float before, float at, bool isFixed) {
 /// Before the first key and after the last one, they are constant. Colours and alphas have keys of their own. With the blend
 /// "fixed", each key's value begins at the key before it. With "perceptual", colours are blended in OkLab.
 ///
-/// formula: c = c0, then for each further key lerp(c, ci, saturate((time - t(i-1)) / (ti - t(i-1))))
+/// formula: c = c_0, then for each further key i: lerp(c, c_i, saturate((time - t_(i-1)) / (t_i - t_(i-1))))
 /// source: perceptual: Ottosson, "A perceptual color space for image processing", 2020
 [node("Color/Gradient/Sample Gradient")] [inline] [inFloat] [also("Gradient")]
 float4 SampleGradient(

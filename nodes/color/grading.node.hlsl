@@ -30,7 +30,7 @@ float3 Contrast(
 
 /// Rotates a colour around the grey axis: a third of a turn makes red green and green blue.
 ///
-/// formula: c cos + (k x c) sin + k (k.c) (1 - cos), k = (1, 1, 1) / sqrt(3)
+/// formula: c cos + cross(k, c) sin + k dot(k, c) (1 - cos), k = (1, 1, 1) / sqrt(3)
 /// source: Rodrigues, 1840: rotation about an axis
 /// test: HueRotate(float3(1, 0, 0), 2.0943951023931953) == float3(0, 1, 0)
 /// test: HueRotate(float3(0.2, 0.5, 0.9), 0) == float3(0.2, 0.5, 0.9)

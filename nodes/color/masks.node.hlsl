@@ -55,7 +55,7 @@ float FadeTransition(
 
 /// Blends two layers where their heights meet: sand fills the joints of stones before it covers them.
 ///
-/// formula: (c1 w1 + c2 w2) / (w1 + w2), wi = max(hi + ai - (max(h1 + a1, h2 + a2) - depth), 0), a = (1 - mask, mask)
+/// formula: (c_1 w_1 + c_2 w_2) / (w_1 + w_2), w_i = max(h_i + a_i - (max(h_1 + a_1, h_2 + a_2) - depth), 0), a = (1 - mask, mask)
 /// source: Mishkinis, "Advanced Terrain Texture Splatting", 2013
 /// test: HeightBlend(float3(1, 0, 0), float3(0, 0, 1), 0.5, 0.5, 0.5) == float3(0.5, 0, 0.5)
 /// test: HeightBlend(float3(1, 0, 0), float3(0, 0, 1), 0.9, 0.2, 0.5, 0.2) == float3(1, 0, 0)

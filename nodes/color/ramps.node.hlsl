@@ -19,7 +19,7 @@ float RampShare(float position, float before, float at, float isSharp, float fir
 ///
 /// Before the first key and after the last one, the ramp is constant. The keys stand in the order of their places.
 ///
-/// formula: c = c0, then for each further key lerp(c, ci, saturate((position - a(i-1)) / (ai - a(i-1))))
+/// formula: c = c_0, then for each further key i: lerp(c, c_i, saturate((position - a_(i-1)) / (a_i - a_(i-1))))
 /// source: Perceptual: Ottosson, "A perceptual color space for image processing", 2020; FixedUnity: Unity Shader Graph,
 /// source: Sample Gradient
 /// test: ColorRamp(0.25, Blended, 2, float3(0, 0, 0), 0, float3(1, 0.5, 0), 1) == float3(0.25, 0.125, 0)
@@ -68,7 +68,7 @@ float3 ColorRamp(
 ///
 /// Before the first key and after the last one, the ramp is constant. The keys stand in the order of their places.
 ///
-/// formula: v = v0, then for each further key lerp(v, vi, saturate((position - a(i-1)) / (ai - a(i-1))))
+/// formula: v = v_0, then for each further key i: lerp(v, v_i, saturate((position - a_(i-1)) / (a_i - a_(i-1))))
 /// test: ValueRamp(0.25, Blended, 2, 1, 0, 3, 1) == 1.5
 /// test: ValueRamp(0.7, Blended, 3, 0, 0.2, 1, 0.4, 3, 0.8) == 2.5
 /// test: ValueRamp(0.1, Perceptual, 3, 5, 0.2, 1, 0.4, 3, 0.8) == 5

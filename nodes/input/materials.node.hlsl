@@ -112,7 +112,7 @@ float3 Blackbody(
 ///
 /// Its numbers are those of an encoded colour and are used as they are; Blackbody is linear.
 ///
-/// formula: red 56100000 T^-1.5 + 148; green 100.04 ln T - 623.6, from 6500 K on 35200000 T^-1.5 + 184; blue 194.18 ln T - 1448.6;
+/// formula: red 56100000 T^-1.5 + 148; green 100.04 log(T) - 623.6, from 6500 K on 35200000 T^-1.5 + 184; blue 194.18 log(T) - 1448.6;
 /// formula: each limited to 0..255 and divided by 255; below 1000 K times T / 1000
 /// source: Unity Shader Graph, node Blackbody; the table: Charity, "What color is a blackbody?", 2001
 /// test: BlackbodyUnity(800) == float3(0.8, 0.1415797874067432, 0) within 1e-3

@@ -158,7 +158,7 @@ void PackSH9(
 
 /// The constant and linear part of Unity's packed ambient light.
 ///
-/// formula: (ar, ag, ab) . (n, 1)
+/// formula: dot((ar, ag, ab), (n, 1))
 /// source: Unity built-in shaders, SHEvalLinearL0L1
 /// test: EvaluateSHLinear(float3(0, 0, 1), float4(1, 2, 3, 4), float4(0, 0, 0, 1), 0) == float3(7, 1, 0)
 /// test: EvaluateSHLinear(float3(0.6, 0.8, 0), float4(1, 2, 3, 4), 0, 0) == float3(6.2, 0, 0)
@@ -175,7 +175,7 @@ float3 EvaluateSHLinear(
 
 /// The quadratic part of Unity's packed ambient light.
 ///
-/// formula: (br, bg, bb) . (xy, yz, zz, zx) + c (x^2 - y^2)
+/// formula: dot((br, bg, bb), (x y, y z, z z, z x)) + c (x^2 - y^2), (x, y, z) = n
 /// source: Unity built-in shaders, SHEvalLinearL2
 /// test: EvaluateSHQuadratic(float3(0, 0, 1), float4(1, 2, 3, 4), float4(0, 0, 2, 0), 0, float3(1, 1, 1)) == float3(3, 2, 0)
 /// test: EvaluateSHQuadratic(float3(0.6, 0.8, 0), 1, 0, 0, float3(1, 0, 2)) == float3(0.2, 0, -0.56)

@@ -113,7 +113,7 @@ float NdotVShifted(
 
 /// An orthonormal frame from an interpolated normal and tangent.
 ///
-/// formula: n = normalize(normal), t = normalize(tangent - n (n.tangent)), b = cross(n, t) w
+/// formula: n = normalize(normal), t = normalize(tangent - n dot(n, tangent)), b = cross(n, t) w
 /// test: TangentFrame(float3(0, 0, 2), float4(3, 0, 3, 1)) == float3(1, 0, 0)
 /// test: TangentFrame(float3(0, 0, 2), float4(3, 0, 3, 1)).bitangent == float3(0, 1, 0)
 /// test: TangentFrame(float3(0, 0, 2), float4(3, 0, 3, -1)).bitangent == float3(0, -1, 0)

@@ -172,7 +172,7 @@ float MinimalistPeak(float ndoth, float alpha) {
 /// The result is limited to the largest number that half precision holds, which dims the peak of surfaces smoother
 /// than alpha 0.004.
 ///
-/// formula: D = p^2 / pi, p = alpha / (|n x h|^2 + (n.h)^2 alpha^2)
+/// formula: D = p^2 / pi, p = alpha / (|cross(n, h)|^2 + (n.h)^2 alpha^2)
 /// source: Guy and Agopian, "Physically Based Rendering in Filament", section 4.4.1 (Lagrange's identity)
 /// test: DistributionGGXMobile(float3(0, 0, 1), float3(0.6, 0, 0.8), 0.25) == 0.12433979929054328
 /// test: DistributionGGXMobile(float3(0, 0, 1), float3(0, 0, 1), 0.5) == 1.2732395447351628
@@ -209,7 +209,7 @@ float GTRScale(float x) {
 
 /// The constant that normalises GTR.
 ///
-/// formula: (gamma - 1) (alpha^2 - 1) / (pi (1 - alpha^(2 - 2 gamma))); gamma 1: (alpha^2 - 1) / (pi ln(alpha^2))
+/// formula: (gamma - 1) (alpha^2 - 1) / (pi (1 - alpha^(2 - 2 gamma))); gamma 1: (alpha^2 - 1) / (pi log(alpha^2))
 /// source: Burley, "Physically Based Shading at Disney", SIGGRAPH 2012, appendix B
 /// test: GTRConstant(0.3, 2) == 0.028647889756541162
 /// test: GTRConstant(0.3, 1) == 0.12029424393411509
@@ -249,7 +249,7 @@ float DistributionGTR(
 
 /// GTR with gamma 1, Berry's distribution: very long tails, as of a clear coat.
 ///
-/// formula: D = (alpha^2 - 1) / (pi ln(alpha^2) (1 + (alpha^2 - 1) (n.h)^2))
+/// formula: D = (alpha^2 - 1) / (pi log(alpha^2) (1 + (alpha^2 - 1) (n.h)^2))
 /// source: Burley, "Physically Based Shading at Disney", SIGGRAPH 2012, appendix B
 /// test: DistributionGTR1(1, 0.3) == 1.3366027103790554
 /// test: DistributionGTR1(0.5, 0.001) == 0.03072000950769579
@@ -266,7 +266,7 @@ float DistributionGTR1(
 
 /// Anisotropic GGX (GTR with gamma 2): rougher along one direction than along the other, like brushed metal.
 ///
-/// formula: D = 1 / (pi ax ay ((h.x / ax)^2 + (h.y / ay)^2 + (n.h)^2)^2)
+/// formula: D = 1 / (pi at ab ((t.h / at)^2 + (b.h / ab)^2 + (n.h)^2)^2)
 /// source: Burley, "Physically Based Shading at Disney", SIGGRAPH 2012, appendix B
 /// test: DistributionGGXAnisotropic(1, 0, 0, 0.2, 0.5) == 3.183098861837907
 /// test: DistributionGGXAnisotropic(0.8, 0.6, 0, 0.2, 0.5) == 0.034252798482269455

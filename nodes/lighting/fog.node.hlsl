@@ -22,7 +22,7 @@ float FogLinear(
 
 /// Exponential fog of constant density: each metre removes the same share of light.
 ///
-/// formula: e^(-density distance)
+/// formula: exp(-density distance)
 /// source: the law of Bouguer, Lambert and Beer; Unity built-in shaders, exponential fog
 /// test: FogExponential(10, 0.1) == 0.36787944117144233
 /// test: FogExponential(1, 0.6931471805599453) == 0.5
@@ -37,7 +37,7 @@ float FogExponential(
 
 /// Squared exponential fog: near objects stay clear, and visibility falls along a bell curve.
 ///
-/// formula: e^(-(density distance)^2)
+/// formula: exp(-(density distance)^2)
 /// source: Direct3D 9 and Unity built-in shaders, squared exponential fog
 /// test: FogExponentialSquared(10, 0.1) == 0.36787944117144233
 /// test: FogExponentialSquared(20, 0.1) == 0.01831563888873418

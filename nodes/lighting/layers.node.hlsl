@@ -56,7 +56,7 @@ float CharlieLambda(
 
 /// The visibility of Charlie's fibres.
 ///
-/// formula: V = 1 / ((1 + Lambda(v) + Lambda(l)) 4 (n.l) (n.v))
+/// formula: V = 1 / (4 (1 + lambda(n.l) + lambda(n.v)) (n.l) (n.v))
 /// source: Estevez and Kulla 2017; Khronos Group, KHR_materials_sheen, 2020
 /// test: VisibilityCharlie(0.5, 0.5, 1) == 0.4132136505678266
 [node("Lighting/Visibility/Charlie")]
@@ -127,7 +127,7 @@ float AnisotropicAlpha(
 /// The normal with which a stretched lobe reflects the environment: bent towards the view, around the direction in
 /// which the lobe is stretched.
 ///
-/// formula: n' = normalize(lerp(normalize((b x v) x b), n, (1 - strength (1 - roughness))^4))
+/// formula: n' = normalize(lerp(normalize(cross(cross(b, v), b)), n, (1 - strength (1 - roughness))^4))
 /// source: Revie, "Implementing Fur in Deferred Shading", GPU Pro 2, 2011; the blend as Khronos' glTF viewer's
 /// test: BentNormal(float3(0, 0, 1), float3(1, 0, 0), float3(0.6, 0, 0.8), 0, 0.5) == float3(0, 0, 1)
 /// test: BentNormal(float3(0, 0, 1), float3(0, 1, 0), float3(0.6, 0, 0.8), 1, 0) == float3(0.6, 0, 0.8)

@@ -78,7 +78,7 @@ float4 EncodeRGBM(
 
 /// The light of a directional lightmap, which also holds the dominant direction, on a surface with a normal map.
 ///
-/// formula: c (n . (t.xyz - 0.5) + 0.5) / max(t.w, 0.0001), t the texel
+/// formula: c (dot(n, t.xyz - 0.5) + 0.5) / max(t.w, 0.0001), t the texel
 /// source: Unity built-in shaders, DecodeDirectionalLightmap
 /// test: DirectionalLightmap(float3(1, 0.5, 0.25), float4(0.5, 0.5, 1, 0.5), float3(0, 0, 1)) == float3(2, 1, 0.5)
 /// test: DirectionalLightmap(float3(1, 0.5, 0.25), float4(0.5, 0.5, 1, 0.5), float3(0.6, 0, 0.8)) == float3(1.8, 0.9, 0.45)

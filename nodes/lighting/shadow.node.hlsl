@@ -114,7 +114,7 @@ float ShadowFade(
 
 /// The shadow of one light in a shadow mask: each channel holds the shadow of one light.
 ///
-/// formula: saturate(mask . selector)
+/// formula: saturate(dot(mask, selector))
 /// source: Unity built-in shaders, UnitySampleBakedOcclusion
 /// test: ShadowMaskChannel(float4(0.1, 0.4, 0.6, 0.9), float4(0, 0, 1, 0)) == 0.6
 /// test: ShadowMaskChannel(float4(0.1, 0.4, 0.6, 0.9), float4(1, 0, 0, 1)) == 1

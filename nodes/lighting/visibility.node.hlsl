@@ -190,7 +190,7 @@ float SmithVisibilityFactor(
 
 /// Smith's joint masking-shadowing for GGX: the share of facets that light and viewer both see.
 ///
-/// formula: G = 1 / (1 + lambda(n.v) + lambda(n.l))
+/// formula: G = 1 / (1 + lambda(n.l) + lambda(n.v))
 /// source: Heitz, JCGT 3(2), 2014, eq. 99
 /// test: SmithMaskingShadowing(0.9, 0.1, 0.6) == 0.2819099113151851
 /// test: SmithMaskingShadowing(1, 1, 1) == 1

@@ -113,7 +113,7 @@ floatN Step(
 
 /// A soft step: 0 up to the first edge, 1 from the second edge on, and a smooth curve between them.
 ///
-/// formula: t^2 (3 - 2t), t = saturate((value - edge0) / (edge1 - edge0))
+/// formula: t^2 (3 - 2 t), t = saturate((value - edge0) / (edge1 - edge0))
 /// test: Smoothstep(0, 1, 0.5) == 0.5
 /// test: Smoothstep(2, 6, 3) == 0.15625
 /// test: Smoothstep(0, 1, float2(-1, 2)) == float2(0, 1)

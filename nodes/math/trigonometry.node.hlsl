@@ -107,7 +107,7 @@ floatN RadiansToDegrees(
 
 /// The hyperbolic sine: odd like a sine, and grows like an exponential on both sides.
 ///
-/// formula: (e^x - e^-x) / 2
+/// formula: (exp(x) - exp(-x)) / 2
 /// test: HyperbolicSine(1) == 1.1752011936438014
 /// test: HyperbolicSine(float2(0, -2)) == float2(0, -3.626860407847019)
 [node("Math/Hyperbolic Sine")] [also("Sinh")]
@@ -119,7 +119,7 @@ floatN HyperbolicSine(
 
 /// The hyperbolic cosine: the curve of a hanging chain, 1 at its lowest point.
 ///
-/// formula: (e^x + e^-x) / 2
+/// formula: (exp(x) + exp(-x)) / 2
 /// test: HyperbolicCosine(1) == 1.5430806348152437
 /// test: HyperbolicCosine(float2(0, -2)) == float2(1, 3.7621956910836314)
 [node("Math/Hyperbolic Cosine")] [also("Cosh")]
@@ -131,7 +131,7 @@ floatN HyperbolicCosine(
 
 /// The hyperbolic tangent: a soft limit, straight around zero and level at -1 and 1.
 ///
-/// formula: (e^x - e^-x) / (e^x + e^-x)
+/// formula: (exp(x) - exp(-x)) / (exp(x) + exp(-x))
 /// test: HyperbolicTangent(1) == 0.7615941559557649
 /// test: HyperbolicTangent(float2(0, -0.5)) == float2(0, -0.46211715726000973)
 [node("Math/Hyperbolic Tangent")] [also("Tanh")] [range(-1, 1)]

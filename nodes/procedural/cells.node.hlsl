@@ -24,7 +24,7 @@ float2 CellPoint(int2 cell, int2 stepTo, float jitter) {
 /// 25 cells around the position, and, if `edge` is read, again the 25 around the nearest point: use Voronoi if its outputs are
 /// enough.
 ///
-/// formula: edge = min over the other points q of (a + b) / 2 . (b - a) / |b - a|, a and b: from here to the nearest point, to q
+/// formula: edge = min over the other points q of dot((a + b) / 2, b - a) / |b - a|, a and b: from here to the nearest point, to q
 /// source: Worley, "A Cellular Texture Basis Function", SIGGRAPH 1996; edge: Quilez, "Voronoi edges", 2012
 /// test: Worley(float2(0.3, 0.6), 4) == 0.3980660311555204
 /// test: Worley(float2(0.3, 0.6), 4).f2 == 0.46899629667704096

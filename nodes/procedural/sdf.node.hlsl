@@ -38,7 +38,7 @@ float SdfBox(
 
 /// The signed distance to a line between two points, with round ends.
 ///
-/// formula: |p - t d| - width / 2, p = uv - from, d = to - from, t = saturate(p . d / d . d)
+/// formula: |p - t d| - width / 2, p = uv - from, d = to - from, t = saturate(dot(p, d) / dot(d, d))
 /// source: the projection of a point on a line; Quilez, "2D distance functions" (segment)
 /// test: SdfLine(float2(0.5, 0.25), float2(0, 0), float2(1, 0), 0.1) == 0.2
 /// test: SdfLine(float2(1.3, 0.4), float2(0, 0), float2(1, 0), 0) == 0.5

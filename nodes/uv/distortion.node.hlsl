@@ -20,7 +20,7 @@ float2 Twirl(
 
 /// Bends texture coordinates around a centre, like a wave that runs around it.
 ///
-/// formula: uv + (d.y, -d.x) (d . d) strength + offset, d = uv - center
+/// formula: uv + (d.y, -d.x) dot(d, d) strength + offset, d = uv - center
 /// source: Unity Shader Graph, node Radial Shear
 /// test: RadialShear(float2(0.5, 0.5)) == float2(0.5, 0.5)
 /// test: RadialShear(float2(1, 0.5), 0.5, float2(10, 4), 0) == float2(1, 0)
@@ -38,7 +38,7 @@ float2 RadialShear(
 
 /// Magnifies texture coordinates around a centre, like a fisheye lens.
 ///
-/// formula: uv + d (d . d)^2 strength + offset, d = uv - center
+/// formula: uv + d dot(d, d)^2 strength + offset, d = uv - center
 /// source: Unity Shader Graph, node Spherize
 /// test: Spherize(float2(0.5, 0.5)) == float2(0.5, 0.5)
 /// test: Spherize(float2(1, 0.5), 0.5, float2(16, 1), 0) == float2(1.5, 0.5)

@@ -112,7 +112,7 @@ float2 ParallaxMapping(
 ///
 /// ParallaxOcclusion is the simpler node: it takes more steps where the view is flat. Both cut the relief into the surface.
 ///
-/// formula: h = amplitude / 100 * 2 / (|tiling.x| + |tiling.y|); the path is h v.xy / v.z tiling / primitiveSize
+/// formula: h = 2 amplitude / 100 / (|tiling.x| + |tiling.y|); the path is h v.xy / v.z tiling / primitiveSize
 /// source: Tatarchuk, SIGGRAPH 2006 course, chapter 5; Unity Shader Graph, node Parallax Occlusion Mapping
 [node("UV/Parallax Occlusion Mapping")] [also("Pom")]
 float2 ParallaxOcclusionMapping(

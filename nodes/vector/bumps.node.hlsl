@@ -19,7 +19,7 @@ float3 NormalStrengthUnity(
 ///
 /// The slope is measured from pixel to pixel, in squares of two by two; a normal map of the same heights is smoother.
 ///
-/// formula: normalize(|d| n - strength sign(d) g), d = px . (py x n), g = hx (py x n) + hy (n x px); px, py, hx, hy:
+/// formula: normalize(|d| n - strength sign(d) g), d = dot(px, cross(py, n)), g = hx cross(py, n) + hy cross(n, px); px, py, hx, hy:
 /// formula: derivatives of position and height on the screen
 /// source: Mikkelsen, "Bump Mapping Unparametrized Surfaces on the GPU", Journal of Graphics, GPU, and Game Tools, 2010
 [node("Vector/Normal/From Height")] [also("HeightToNormal", "Bump")] [inFloat]

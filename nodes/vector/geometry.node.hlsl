@@ -2,7 +2,7 @@
 
 /// The part of a vector that lies along another one: its shadow on that line.
 ///
-/// formula: onto (vector . onto) / (onto . onto)
+/// formula: onto dot(vector, onto) / dot(onto, onto)
 /// test: Projection(float3(3, 4, 5), float3(0, 2, 0)) == float3(0, 4, 0)
 /// test: Projection(float2(2, 0), float2(1, 1)) == float2(1, 1)
 /// test: Projection(float3(1, 2, 3), float3(1, 1, -1)) == float3(0, 0, 0)
@@ -16,7 +16,7 @@ floatN Projection(
 
 /// The part of a vector that is perpendicular to another one: what Projection leaves.
 ///
-/// formula: vector - from (vector . from) / (from . from)
+/// formula: vector - from dot(vector, from) / dot(from, from)
 /// test: Rejection(float3(3, 4, 5), float3(0, 2, 0)) == float3(3, 0, 5)
 /// test: Rejection(float2(2, 0), float2(1, 1)) == float2(1, -1)
 /// test: Rejection(float3(2, 4, 6), float3(1, 2, 3)) == float3(0, 0, 0)
@@ -32,7 +32,7 @@ floatN Rejection(
 ///
 /// Seen against the axis, a positive angle turns counter-clockwise: from x to y about z.
 ///
-/// formula: v cos + (k x v) sin + k (k . v) (1 - cos), k the axis
+/// formula: v cos + cross(k, v) sin + k dot(k, v) (1 - cos), k the axis
 /// source: Rodrigues, 1840: rotation about an axis
 /// test: RotateAboutAxis(float3(1, 0, 0), float3(0, 0, 2), 1.5707963267948966) == float3(0, 1, 0)
 /// test: RotateAboutAxis(float3(1, 2, 3), float3(1, 1, 1), 2.0943951023931953) == float3(3, 1, 2)
@@ -72,7 +72,7 @@ float SphereMask(
 /// A bright rim: strongest where the surface turns away from the viewer. It is an effect; FresnelSchlick is the
 /// reflectance of a surface.
 ///
-/// formula: (1 - saturate(normal . viewDir))^power
+/// formula: (1 - saturate(n.v))^power
 /// test: FresnelEffect(float3(0, 0, 1), float3(0, 0, 1), 2) == 0
 /// test: FresnelEffect(float3(0, 0, 3), float3(0.8, 0, 0.6), 2) == 0.16
 /// test: FresnelEffect(float3(0, 0, 1), float3(0.6, 0, -0.8), 5) == 1

@@ -74,7 +74,7 @@ float3 NormalStrength(
 
 /// Blends a detail normal over a base normal, both in tangent space.
 ///
-/// formula: reoriented: t (t . u) / t.z - u, t = base + (0, 0, 1), u = detail (-1, -1, 1)
+/// formula: reoriented: t dot(t, u) / t.z - u, t = base + (0, 0, 1), u = detail (-1, -1, 1)
 /// formula: whiteout: normalize(b.xy + d.xy, b.z d.z); linear: normalize(b + d); Unreal: normalize(b.xy + d.xy, b.z)
 /// formula: partial derivative: normalize(b.xy d.z + d.xy b.z, b.z d.z)
 /// source: Barré-Brisebois and Hill, "Blending in Detail", 2012, where all five stand side by side; whiteout: Oat,
@@ -150,7 +150,7 @@ float3 NormalTangentToWorld(
 
 /// Transforms a direction from world space to tangent space: its parts along the surface and away from it.
 ///
-/// formula: (tangent . d, bitangent . d, normal . d)
+/// formula: (dot(tangent, d), dot(bitangent, d), dot(normal, d))
 /// test: WorldToTangent(float3(0, 1, 0), float3(0, 1, 0), float3(1, 0, 0), float3(0, 0, -1)) == float3(0, 0, 1)
 /// test: WorldToTangent(float3(1, 2, 3), float3(-1, 2, 2), float3(2, -1, 2), float3(2, 2, -1)) == float3(6, 3, 9)
 [node("Vector/Normal/World to Tangent")] [is("directionTS")]
@@ -186,7 +186,7 @@ float2 EncodeNormalStereographic(
 
 /// Reads the view-space normal that EncodeNormalStereographic stored.
 ///
-/// formula: p = 1.7777 (2 e - 1), g = 2 / (p.p + 1), n = (g p, g - 1)
+/// formula: p = 1.7777 (2 e - 1), g = 2 / (dot(p, p) + 1), n = (g p, g - 1)
 /// source: Unity built-in shaders, DecodeViewNormalStereo
 /// test: DecodeNormalStereographic(float2(0.5, 0.5)) == float3(0, 0, 1)
 /// test: DecodeNormalStereographic(float2(0.5937541017419512, 0.5)) == float3(0.6, 0, 0.8)

@@ -79,7 +79,7 @@ float Distance(
 
 /// The direction of a ray after reflection at a mirror.
 ///
-/// formula: incident - 2 (normal . incident) normal
+/// formula: incident - 2 dot(normal, incident) normal
 /// test: Reflect(float3(0.6, 0, -0.8), float3(0, 0, 1)) == float3(0.6, 0, 0.8)
 /// test: Reflect(float3(1, 2, 3), float3(0, 1, 0)) == float3(1, -2, 3)
 [node("Vector/Reflect")] [also("Reflection")]

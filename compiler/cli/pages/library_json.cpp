@@ -1,5 +1,6 @@
 #include "compiler/cli/pages/library_json.h"
 
+#include "compiler/cli/pages/model_cost.h"
 #include "compiler/cli/pages/pages.h"
 #include "compiler/json/json_memory.h"
 
@@ -84,6 +85,7 @@ void write_node(JsonPages& writer, const NodeInfo& node) {
     write_text(writer, "file", node.file);
     write_ports(writer, "inputs", node, false);
     write_ports(writer, "outputs", node, true);
+    write_text(writer, "example", example_of(node, node.name));
     write_texts(writer, "tests", node.tests);
     writer.EndObject();
 }
@@ -109,7 +111,30 @@ void write_inputs(JsonPages& writer, const char* key, std::span<const ModelInput
     writer.EndArray();
 }
 
-void write_model(JsonPages& writer, const Compiler& compiler, const ModelInfo& model) {
+void write_counts(JsonPages& writer, const char* key, const CostCounts& counts) {
+    writer.Key(key);
+    writer.StartObject();
+    for (const CostFigure& figure : kCostFigures) {
+        writer.Key(std::string(figure.name).c_str());
+        writer.Uint(counts.*figure.count);
+    }
+    writer.EndObject();
+}
+
+void write_cost(JsonPages& writer, const ModelCost& cost) {
+    writer.Key("cost");
+    writer.StartObject();
+    write_text(writer, "workflow", cost.workflow);
+    write_text(writer, "pass", cost.pass);
+    write_counts(writer, "once", cost.fragment.once);
+    write_counts(writer, "perLight", cost.fragment.per_light);
+    writer.Key("registers");
+    writer.Uint(cost.fragment.registers);
+    writer.EndObject();
+}
+
+// `cost`: null if it is not measured.
+void write_model(JsonPages& writer, const Compiler& compiler, const ModelInfo& model, const ModelCost* cost) {
     writer.StartObject();
     write_text(writer, "name", model.name);
     write_text(writer, "title", model.title);
@@ -134,6 +159,7 @@ void write_model(JsonPages& writer, const Compiler& compiler, const ModelInfo& m
     }
     writer.EndArray();
     write_pairs(writer, "outputs", model.outputs);
+    if (cost) write_cost(writer, *cost);
     writer.EndObject();
 }
 
@@ -213,6 +239,38 @@ void write_engine(JsonPages& writer, const EngineInfo& engine) {
     writer.EndObject();
 }
 
+void write_semantic(JsonPages& writer, const SemanticInfo& semantic) {
+    writer.StartObject();
+    write_text(writer, "name", semantic.name);
+    write_text(writer, "type", semantic.type);
+    write_text(writer, "rate", semantic.rate);
+    write_text(writer, "doc", semantic.doc);
+    writer.EndObject();
+}
+
+void write_engine_value(JsonPages& writer, const EngineValueInfo& value) {
+    writer.StartObject();
+    write_text(writer, "name", value.name);
+    write_text(writer, "type", value.type);
+    write_text(writer, "doc", value.doc);
+    write_text(writer, "unit", value.unit);
+    write_text(writer, "space", value.space);
+    write_texts(writer, "with", value.with);
+    write_flag(writer, "ofObject", value.is_of_object);
+    writer.EndObject();
+}
+
+void write_block(JsonPages& writer, const EngineBlockInfo& block) {
+    writer.StartObject();
+    write_text(writer, "name", block.name);
+    write_text(writer, "doc", block.doc);
+    writer.Key("values");
+    writer.StartArray();
+    for (const EngineValueInfo& value : block.values) write_engine_value(writer, value);
+    writer.EndArray();
+    writer.EndObject();
+}
+
 template <class Write>
 std::string as_text(Write write) {
     JsonBuffer buffer;
@@ -237,13 +295,14 @@ std::string to_json(std::span<const NodeInfo* const> nodes) {
 }
 
 std::string to_json(const Compiler& compiler, const ModelInfo& model) {
-    return as_text([&](JsonPages& writer) { write_model(writer, compiler, model); });
+    const ModelCost cost = cost_of(compiler, model);
+    return as_text([&](JsonPages& writer) { write_model(writer, compiler, model, &cost); });
 }
 
 std::string to_json(const Compiler& compiler, std::span<const ModelInfo> models) {
     return as_text([&](JsonPages& writer) {
         writer.StartArray();
-        for (const ModelInfo& model : models) write_model(writer, compiler, model);
+        for (const ModelInfo& model : models) write_model(writer, compiler, model, nullptr);
         writer.EndArray();
     });
 }
@@ -253,6 +312,21 @@ std::string to_json(std::span<const EngineInfo> engines) {
         writer.StartArray();
         for (const EngineInfo& engine : engines) write_engine(writer, engine);
         writer.EndArray();
+    });
+}
+
+std::string to_json(std::span<const SemanticInfo> semantics, std::span<const EngineBlockInfo> blocks) {
+    return as_text([&](JsonPages& writer) {
+        writer.StartObject();
+        writer.Key("semantics");
+        writer.StartArray();
+        for (const SemanticInfo& semantic : semantics) write_semantic(writer, semantic);
+        writer.EndArray();
+        writer.Key("blocks");
+        writer.StartArray();
+        for (const EngineBlockInfo& block : blocks) write_block(writer, block);
+        writer.EndArray();
+        writer.EndObject();
     });
 }
 

@@ -22,8 +22,8 @@ Entry describe(const ModelInputInfo& input) {
         .name = input.name, .type = input.type, .facts = fmt::format("{}", fmt::join(facts, "; ")), .doc = input.doc};
 }
 
-Section inputs_section(std::string title, std::string_view first, const std::vector<ModelInputInfo>& inputs) {
-    Section section{.title = std::move(title), .columns = {std::string(first), "type", "range and default", "what"}};
+Section inputs_section(std::string title, const std::vector<ModelInputInfo>& inputs) {
+    Section section{.title = std::move(title)};
     for (const ModelInputInfo& input : inputs) section.entries.push_back(describe(input));
     return section;
 }
@@ -58,7 +58,7 @@ void collect_semantics(std::string_view text, std::span<const SemanticInfo> know
 
 Section reads_section(const Compiler& compiler, const ModelInfo& model) {
     const std::vector<SemanticInfo>& known = compiler.semantics();
-    Section section{.title = "What it reads", .columns = {"semantic", "type", "", "what"}};
+    Section section{.title = "What it reads"};
     for (const std::string& name : semantics_read(compiler, model)) {
         const auto found = std::ranges::find(known, name, &SemanticInfo::name);
         section.entries.push_back({.name = "@" + name, .type = found->type, .doc = first_sentence(found->doc)});
@@ -67,10 +67,9 @@ Section reads_section(const Compiler& compiler, const ModelInfo& model) {
 }
 
 Section nodes_section(const ModelInfo& model) {
-    Section section{.title = "Nodes", .columns = {"id", "node", "what it is given", "remark"}, .has_code_facts = true};
+    Section section{.title = "Nodes"};
     for (const ModelNodeInfo& node : model.nodes) {
         Entry entry{.name = node.id, .type = node.node, .doc = node.doc};
-        if (!node.node.empty()) entry.link = "../nodes/" + node.node + ".md";
         entry.facts = node.expr;
         for (const auto& [port, value] : node.inputs) {
             entry.facts += (entry.facts.empty() ? "" : "; ") + port + ": " + value;
@@ -145,13 +144,13 @@ Page model_page(const Compiler& compiler, const ModelInfo& model) {
         {.title = "Equation", .code = equation(model)},
         {.title = "Units", .text = std::string(kUnits)},
         {.title = "Source", .text = model.source},
-        inputs_section("Inputs of its own", "input", model.inputs),
-        inputs_section("Properties", "property", model.properties),
+        inputs_section("Inputs of its own", model.inputs),
+        inputs_section("Properties", model.properties),
         reads_section(compiler, model),
         nodes_section(model),
         {.title = "Cost", .text = cost_text(compiler, model)},
-        {.title = "In a graph", .code = "\"lighting\": \"" + model.name + "\"", .language = "json"},
-        {.title = "File", .text = model.file, .link = "../../" + model.file},
+        {.title = "In a graph", .code = "\"lighting\": \"" + model.name + "\""},
+        {.title = "File", .text = model.file},
     };
     return page;
 }

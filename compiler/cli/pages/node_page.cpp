@@ -20,8 +20,7 @@ std::string facts_of(const PortInfo& port) {
 }
 
 Section ports(const NodeInfo& node, bool outputs) {
-    Section section{.title = outputs ? "Outputs" : "Inputs",
-                    .columns = {outputs ? "output" : "input", "type", outputs ? "range" : "range and default", "what"}};
+    Section section{.title = outputs ? "Outputs" : "Inputs"};
     for (const PortInfo& port : node.ports) {
         if (port.is_output != outputs) continue;
         Entry& entry = section.entries.emplace_back(
@@ -43,8 +42,9 @@ std::string as_json(const std::string& value) {
     return is_vector ? "[" + list + "]" : '"' + value + '"';
 }
 
-// The node with every input at its default, ready to paste into "nodes".
-std::string example(const NodeInfo& node, const std::string& name) {
+}  // namespace
+
+std::string example_of(const NodeInfo& node, const std::string& name) {
     std::string inputs;
     for (const PortInfo& port : node.ports) {
         // A sampler's default is that of a texture, for which a graph has no word.
@@ -59,8 +59,6 @@ std::string example(const NodeInfo& node, const std::string& name) {
     return inputs.empty() ? id + " }" : id + ", \"in\": { " + inputs + " } }";
 }
 
-}  // namespace
-
 Page node_page(const NodeInfo& node, const std::string& name) {
     Page page{.title = node.name, .place = node.category, .sections = {}};
     page.sections = {
@@ -70,9 +68,9 @@ Page node_page(const NodeInfo& node, const std::string& name) {
         {.title = "Source", .text = node.source},
         ports(node, false),
         ports(node, true),
-        {.title = "In a graph", .code = example(node, name), .language = "json"},
-        {.title = "Examples", .code = fmt::format("{}", fmt::join(node.tests, "\n")), .language = "hlsl"},
-        {.title = "File", .text = node.file, .link = "../../" + node.file},
+        {.title = "In a graph", .code = example_of(node, name)},
+        {.title = "Examples", .code = fmt::format("{}", fmt::join(node.tests, "\n"))},
+        {.title = "File", .text = node.file},
     };
     return page;
 }
@@ -88,8 +86,7 @@ Page node_page(const NodeInfo& node, const Compiler& compiler) {
         });
         if (found == compiler.nodes().end()) continue;
         const auto before = std::ranges::find(page.sections, "Inputs", &Section::title);
-        page.sections.insert(before,
-                             {.title = engine.title + "'s formula", .text = found->name, .link = found->name + ".md"});
+        page.sections.insert(before, {.title = engine.title + "'s formula", .text = found->name});
     }
     return page;
 }

@@ -32,8 +32,6 @@ std::string joined_lines(std::string_view text) {
     return line;
 }
 
-// --- the terminal
-
 std::string entry_text(const Console& console, const Entry& entry) {
     std::string text = "  " + heading(console, entry.name);
     if (!entry.type.empty()) text += "  " + entry.type;
@@ -44,52 +42,6 @@ std::string entry_text(const Console& console, const Entry& entry) {
     for (const auto& [name, doc] : entry.choices) text += fmt::format("      {:<{}}  {}\n", name, width, doc);
     return text;
 }
-
-// --- Markdown
-
-std::string cell(std::string_view text) {
-    return escaped(joined_lines(text));
-}
-
-// A bar ends a table's cell, also inside of code.
-std::string code_span(std::string_view text) {
-    std::string span;
-    for (char c : joined_lines(text)) span += c == '|' ? std::string("\\|") : std::string(1, c);
-    return span.empty() ? span : "`" + span + "`";
-}
-
-// Columns that are empty in every row are left out.
-std::string table(const Section& section) {
-    std::vector<std::array<std::string, 4>> rows;
-    for (const Entry& entry : section.entries) {
-        std::string doc = cell(entry.doc);
-        for (const auto& [name, what] : entry.choices) {
-            doc += (doc.empty() ? "" : "<br>") + code_span(name) + (what.empty() ? "" : ": " + cell(what));
-        }
-        const std::string type =
-            entry.link.empty() ? cell(entry.type) : "[" + cell(entry.type) + "](" + entry.link + ")";
-        rows.push_back(
-            {code_span(entry.name), type, section.has_code_facts ? code_span(entry.facts) : cell(entry.facts), doc});
-    }
-    std::string head, rule, body;
-    std::array<bool, 4> shown{};
-    for (std::size_t c = 0; c < shown.size(); ++c) {
-        shown[c] = std::any_of(rows.begin(), rows.end(), [&](const auto& row) { return !row[c].empty(); });
-        if (!shown[c]) continue;
-        head += "| " + section.columns[c] + " ";
-        rule += "|---";
-    }
-    for (const auto& row : rows) {
-        for (std::size_t c = 0; c < shown.size(); ++c) {
-            if (shown[c]) body += "| " + row[c] + " ";
-        }
-        body += "|\n";
-    }
-    return head + "|\n" + rule + "|\n" + body;
-}
-
-// A bar ends a cell of a table; the others are Markdown's own characters.
-constexpr std::string_view kMarks = "\\*_<>|";
 
 }  // namespace
 
@@ -102,36 +54,6 @@ std::string to_terminal(const Console& console, const Page& page) {
         text += "\n" + heading(console, section.title.empty() ? "DESCRIPTION" : upper(section.title)) + "\n" + body;
     }
     return text;
-}
-
-std::string to_markdown(const Page& page, const std::string& index) {
-    std::string text = std::string(kWritten) + "# " + page.title + "\n\n";
-    if (!index.empty()) text += "[" + (page.place.empty() ? std::string("All") : page.place) + "](" + index + ")\n\n";
-    for (const Section& section : page.sections) {
-        const bool is_empty = section.text.empty() && section.code.empty() && section.entries.empty();
-        if (is_empty && section.pictures.empty()) continue;
-        if (!section.title.empty()) text += "## " + section.title + "\n\n";
-        const std::string words = escaped(section.text);
-        if (!words.empty()) text += (section.link.empty() ? words : "[" + words + "](" + section.link + ")") + "\n\n";
-        if (!section.code.empty()) text += "```" + section.language + "\n" + section.code + "\n```\n\n";
-        if (!section.entries.empty()) text += table(section) + "\n";
-        for (const Picture& picture : section.pictures) {
-            text += "![" + escaped(picture.caption) + "](" + picture.path + ")\n\n";
-        }
-    }
-    text.pop_back();
-    return text;
-}
-
-std::string escaped(std::string_view text) {
-    std::string result;
-    bool in_code = false;
-    for (char c : text) {
-        if (c == '`') in_code = !in_code;
-        if (!in_code && kMarks.find(c) != kMarks.npos) result += '\\';
-        result += c;
-    }
-    return result;
 }
 
 std::string first_sentence(std::string_view text) {

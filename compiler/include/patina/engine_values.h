@@ -1,6 +1,6 @@
 // What shaders read of the engine, by the library's declarations: the members of the engine's uniform blocks and the
-// engine's textures, with their meaning. `patina docs` makes a page of it. A reflection says which of them a material
-// reads, and at which offset.
+// engine's textures, with their meaning. `patina values` lists them. A reflection says which of them a material reads,
+// and at which offset.
 //
 //   for (const patina::EngineBlockInfo& block : patina::engine_blocks(compiler))
 //       for (const patina::EngineValueInfo& value : block.values) std::puts(value.name.c_str());
