@@ -1,8 +1,8 @@
 # Tests that let GLSL and HLSL on the GPU and the CPU interpreter check each other, or reference values check them.
-add_library(patina_witness STATIC witness/bench.cpp witness/drawn.cpp witness/random_graph.cpp)
+add_library(patina_witness STATIC witness/bench.cpp witness/drawn.cpp witness/node_tests.cpp witness/random_graph.cpp)
 target_include_directories(patina_witness PUBLIC ${CMAKE_CURRENT_SOURCE_DIR})
 target_link_libraries(patina_witness PUBLIC patina_runtime GTest::gtest PRIVATE patina_options)
-foreach(name cubes half library merl node_order pass_functions quads random_graphs shapes texture_nodes transform
+foreach(name cubes half hlsl library merl node_order pass_functions quads random_graphs shapes texture_nodes transform
         values variants)
   add_executable(witness_${name}_test witness/${name}_test.cpp)
   target_link_libraries(witness_${name}_test PRIVATE patina_options patina_witness GTest::gtest_main)
@@ -14,6 +14,7 @@ target_link_libraries(witness_terms_test PRIVATE patina_options patina_witness p
 
 add_test(NAME witness_cubes COMMAND witness_cubes_test)
 add_test(NAME witness_half COMMAND witness_half_test)
+add_test(NAME witness_hlsl COMMAND witness_hlsl_test WORKING_DIRECTORY ${CMAKE_SOURCE_DIR})
 add_test(NAME witness_library COMMAND witness_library_test)
 add_test(NAME witness_merl COMMAND witness_merl_test)
 add_test(NAME witness_node_order COMMAND witness_node_order_test WORKING_DIRECTORY ${CMAKE_SOURCE_DIR})

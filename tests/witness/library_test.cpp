@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "witness/bench.h"
+#include "witness/node_tests.h"
 
 namespace patina::witness {
 namespace {
@@ -80,79 +81,6 @@ const Exempt* exemption_of(const NodeInfo& node) {
     return found == std::end(kExempt) ? nullptr : found;
 }
 
-// Tests of one node that one shader can run: they differ in numbers only.
-struct Batch {
-    std::string expression;  // the call, reading its arguments from the nodes a0, a1, ...
-    std::vector<NodeTest> tests;
-};
-
-// The argument as the graph writes it: out of a texel, or, of what a shader must know beforehand, as a literal.
-std::string argument_text(const NodeTest::Argument& argument, std::size_t index) {
-    if (!argument.enumerator.empty()) return argument.enumerator;
-    const std::string texel = "a" + std::to_string(index);
-    if (argument.type == "bool") return "(" + texel + ".x > 0.5)";
-    // A const parameter, such as a number of octaves, is not read at run time.
-    if (argument.type == "int") return literal(argument.values[0]);
-    return texel + "." + std::string("xyzw").substr(0, argument.values.size());
-}
-
-std::string call_text(const NodeTest& test) {
-    std::string text = test.node + "(";
-    for (std::size_t i = 0; i < test.arguments.size(); ++i)
-        text += (i ? ", " : "") + argument_text(test.arguments[i], i);
-    return text + ")" + (test.output == "out" ? "" : "." + test.output);
-}
-
-std::vector<Batch> batches_of(const std::vector<NodeTest>& tests) {
-    std::vector<Batch> batches;
-    for (const NodeTest& test : tests) {
-        const std::string call = call_text(test);
-        const auto same = [&](const Batch& batch) { return batch.expression == call; };
-        auto found = std::find_if(batches.begin(), batches.end(), same);
-        if (found == batches.end()) found = batches.insert(batches.end(), {.expression = call, .tests = {}});
-        found->tests.push_back(test);
-    }
-    return batches;
-}
-
-// The components of the call's value spread over colour and alpha.
-std::string graph_of(const Batch& batch, std::size_t components, bool is_bool) {
-    std::string nodes;
-    for (std::size_t i = 0; i < batch.tests[0].arguments.size(); ++i)
-        nodes += load_node("a" + std::to_string(i), "@fragCoord.x", std::to_string(i)) + ",\n";
-    nodes += R"({ "id": "value", "expr": ")" + batch.expression + R"(" })";
-    const std::string_view kColors[] = {"float3(value, 0, 0)", "float3(value, 0)", "value", "value.xyz"};
-    const std::string color = is_bool ? "float3(value ? 1 : 0, 0, 0)" : std::string(kColors[components - 1]);
-    return R"({ "patina": 1, "workflow": "unlit", "properties": [ )" + data_property() + " ],\n\"nodes\": [\n" + nodes +
-           " ],\n\"surface\": { \"color\": \"= " + color + "\", \"alpha\": \"= " + (components == 4 ? "value.w" : "1") +
-           "\" } }";
-}
-
-Image arguments_of(const Batch& batch) {
-    const std::size_t rows = std::max<std::size_t>(1, batch.tests[0].arguments.size());
-    Image texels = runtime::make_image(static_cast<int>(batch.tests.size()), static_cast<int>(rows));
-    for (std::size_t x = 0; x < batch.tests.size(); ++x) {
-        for (std::size_t y = 0; y < batch.tests[x].arguments.size(); ++y) {
-            const std::vector<double>& values = batch.tests[x].arguments[y].values;
-            for (std::size_t c = 0; c < values.size(); ++c)
-                texels.at(static_cast<int>(x), static_cast<int>(y))[c] = static_cast<float>(values[c]);
-        }
-    }
-    return texels;
-}
-
-std::string numbers(const std::vector<double>& values) {
-    std::string text;
-    for (const double value : values) text += (text.empty() ? "" : ", ") + testing::PrintToString(value);
-    return text;
-}
-
-void expect_passed(const NodeTest& test, const char* witness) {
-    EXPECT_TRUE(passed(test)) << test.file << ":" << test.line << ": " << test.text << "\n  " << witness << " says "
-                              << numbers(test.actual) << ", expected " << numbers(test.expected) << " within "
-                              << test.relative << " relative, " << test.absolute << " absolute";
-}
-
 class LibraryTest : public testing::Test {
 protected:
     static void SetUpTestSuite() { bench = std::make_unique<Bench>(); }
@@ -213,19 +141,7 @@ TEST_F(LibraryTest, OnTheGpuThroughGlslAndHlsl) {
             if (port == node.ports.end() || first.actual.empty()) continue;
             const auto material = bench->compile(graph_of(batch, first.actual.size(), port->type == "bool"));
             if (!material) continue;
-            const Image arguments = arguments_of(batch);
-            const Inputs inputs{.width = arguments.width, .data = texture_of(arguments)};
-            for (const Target& target : {Target::Glsl, Target::Hlsl}) {
-                const Image image = bench->draw(*material, target, inputs);
-                if (image.pixels.empty()) continue;
-                for (int x = 0; x < image.width; ++x) {
-                    NodeTest test = batch.tests[static_cast<std::size_t>(x)];
-                    for (std::size_t c = 0; c < test.actual.size(); ++c)
-                        test.actual[c] = static_cast<double>(image.at(x, 0)[c]);
-                    expect_passed(test, target == Target::Glsl ? "GLSL" : "HLSL");
-                    ++count;
-                }
-            }
+            count += expect_passed_when_drawn(*bench, *material, batch);
         }
     }
     // Each line was drawn twice.

@@ -103,7 +103,7 @@ const Intrinsic* find_intrinsic(std::string_view name) {
 }
 
 // What HLSL converts before an intrinsic function takes its operands.
-void hlsl_arguments(Emitter& emitter, Takes takes, std::span<Typed> operands, Scope& scope) {
+void hlsl_arguments(Takes takes, std::span<Typed> operands, Scope& scope) {
     const auto cast_to = [&](Typed& operand, Type wanted) {
         if (const Typed made = hlsl_cast(operand, wanted, scope); made.ok()) operand = made;
     };
@@ -189,7 +189,7 @@ Typed intrinsic(Emitter& emitter, std::string_view name, const Expr& expr, Scope
     }
     if (!good) return {};
     ir::Builder& b = *scope.builder;
-    if (scope.hlsl && row) hlsl_arguments(emitter, row->takes, operands, scope);
+    if (scope.hlsl && row) hlsl_arguments(row->takes, operands, scope);
     const auto refuse = [&](const Typed& operand) {
         emitter.diagnostics.report(Code::BadOperand, expr.span, name, emitter.module.type_name(operand.type));
         return Typed{};

@@ -58,7 +58,7 @@ Typed enum_operand(Emitter& emitter, const Expr& expr, const std::vector<std::st
 }
 
 // What HLSL converts before the kinds of the two sides are made the same.
-void hlsl_operands(Emitter& emitter, std::string_view op, bool are_bools, std::array<Typed, 2>& sides, Scope& scope) {
+void hlsl_operands(std::string_view op, bool are_bools, std::array<Typed, 2>& sides, Scope& scope) {
     const bool divides = op == "/" || op == "%", both_whole = (sides[0].is_whole || sides[0].type.is_integer()) &&
                                                               (sides[1].is_whole || sides[1].type.is_integer());
     const bool both_bools = sides[0].type.is_bool() && sides[1].type.is_bool();
@@ -150,7 +150,7 @@ Typed binary(Emitter& emitter, const Expr& expr, Scope& scope) {
             sides[i] = primary(emitter, expression(emitter, *expr.args[i], scope), scope, expr.args[i]->span);
         }
     }
-    if (scope.hlsl) hlsl_operands(emitter, row->text, row->on == BinaryOperator::On::Bools, sides, scope);
+    if (scope.hlsl) hlsl_operands(row->text, row->on == BinaryOperator::On::Bools, sides, scope);
     const bool literal = sides[0].literal && sides[1].literal;
     // Whole literals are divided as floats: 1 / 2 is 0.5, as an artist means it.
     if (literal && row->op == Op::Div && !scope.hlsl) {

@@ -12,7 +12,6 @@
 #include "compiler/importers/shadergraph/code/includes.h"
 #include "compiler/importers/shadergraph/code/texture_reads.h"
 #include "compiler/importers/shadergraph/code/unknown_words.h"
-#include "compiler/importers/shadergraph/conversions/conversions.h"
 #include "compiler/importers/shadergraph/graph_maker.h"
 #include "compiler/importers/source_text.h"
 
@@ -27,6 +26,7 @@ std::string port_of(const Slot& slot) {
 struct Code {
     std::vector<HlslFunction> helpers{};  // in the order of their file
     HlslFunction main{};
+    std::vector<HlslMacro> macros{};   // that the functions use
     std::string engine_values{};       // more parameters of the node, hidden ones
     std::vector<std::string> ports{};  // of the node's inputs, then of its outputs
     std::string error{};
@@ -157,7 +157,9 @@ Code from_string(GraphMaker& maker, std::size_t index) {
     for (const Slot& slot : maker.node(index).slots)
         if (maker.type_of(index, slot) == Type::Sampler) samplers.insert(port_of(slot));
     body.code = with_texture_reads(std::move(body.code), std::move(samplers));
-    Code made{.main = {.parameters = signature(maker, index), .body = body.code}, .engine_values = body.parameters};
+    Code made{.main = {.parameters = signature(maker, index), .body = body.code},
+              .macros = std::move(body.macros),
+              .engine_values = body.parameters};
     for (const Slot* slot : ordered(maker.node(index))) made.ports.push_back(port_of(*slot));
     made.error = unassigned(maker.node(index), made, body.code);
     return made;
@@ -213,13 +215,21 @@ Code from_file(GraphMaker& maker, std::size_t index, std::string_view own) {
             if (each.name == needed[i]->name || argument_counts(needed[i]->body, each.name).empty()) continue;
             if (std::ranges::find(needed, each.name, &HlslFunction::name) != needed.end()) continue;
             const std::vector<const HlslFunction*> fitting = overloads(functions, each.name, needed[i]->body);
-            if (fitting.size() != 1)
-                return {.error = fmt::format("its file defines the function '{}' {} times, for other types, and a node "
-                                             "file has each name once",
-                                             each.name, fitting.size())};
-            needed.push_back(fitting[0]);
+            if (fitting.empty())
+                return {.error = fmt::format("it calls '{}' with a count of arguments that no function of its file has",
+                                             each.name)};
+            needed.insert(needed.end(), fitting.begin(), fitting.end());
         }
     Code made{.main = *main, .ports = names_in(main->parameters)};
+    for (const HlslMacro& each : code.macros) {
+        const bool is_used =
+            std::ranges::any_of(
+                needed, [&](const HlslFunction* function) { return has_identifier(function->body, each.name); }) ||
+            std::ranges::any_of(code.macros, [&](const HlslMacro& other) {
+                return other.name != each.name && has_identifier(other.text, each.name);
+            });
+        if (is_used) made.macros.push_back(each);
+    }
     // Of the whole file; only what these functions read is a parameter.
     const std::vector<std::string> names = hidden_names_in(code.parameters), values = arguments_of(code.parameters);
     for (std::size_t i = 0; i < names.size(); ++i) {
@@ -241,12 +251,9 @@ Code from_file(GraphMaker& maker, std::size_t index, std::string_view own) {
 
 std::string node_file(const Code& code, std::string_view name, std::string_view own, bool is_foreign) {
     const std::string_view mark = is_foreign ? "[foreign]\n" : "";
-    std::string made;
-    if (!is_foreign) {
-        std::string bodies = code.main.body;
-        for (const HlslFunction& each : code.helpers) bodies += each.body;
-        made = functions_for_conversions(bodies);
-    }
+    std::string made = is_foreign ? "" : "#pragma hlsl\n\n";
+    for (const HlslMacro& each : code.macros) made += each.text + "\n";
+    if (!code.macros.empty()) made += "\n";
     for (const HlslFunction& each : code.helpers)
         made +=
             fmt::format("{}{} {}({}) {{\n{}}}\n\n", mark, each.result, each.name, each.parameters, indented(each.body));
@@ -256,14 +263,6 @@ std::string node_file(const Code& code, std::string_view name, std::string_view 
                       own, name, mark, code.main.parameters,
                       code.main.parameters.empty() || code.engine_values.empty() ? "" : ", ", code.engine_values,
                       indented(code.main.body));
-}
-
-// The code with what the node language wants to be written.
-Code converted(Code code) {
-    const std::vector<HlslFunction> others = code.helpers;
-    for (HlslFunction& each : code.helpers) each.body = with_conversions(each, others, "");
-    code.main.body = with_conversions(code.main, others, code.engine_values);
-    return code;
 }
 
 // A word that is declared outside of the functions: by the engine, or as a constant of the file. Empty: there is none.
@@ -341,7 +340,7 @@ void make_custom_function(GraphMaker& maker, std::size_t index) {
         maker.refuse(index, code.error);
         return;
     }
-    std::string text = node_file(converted(code), name, own, false);
+    std::string text = node_file(code, name, own, false);
     const std::string any_file = name + ".node.hlsl";
     if (const std::string wrong = mistake(any_file, text); !wrong.empty()) {
         if (const std::string no_hlsl = grammar_mistake(code, is_file); !no_hlsl.empty()) {
@@ -362,7 +361,7 @@ void make_custom_function(GraphMaker& maker, std::size_t index) {
             return;
         }
         text = node_file(code, name, own, true);
-        if (!mistake(any_file, text).empty()) {
+        if (!code.macros.empty() || !mistake(any_file, text).empty()) {
             maker.refuse(index, fmt::format("its code is not valid in the node language: {}", wrong));
             return;
         }

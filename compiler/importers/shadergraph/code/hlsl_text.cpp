@@ -9,7 +9,6 @@
 #include "compiler/importers/shadergraph/code/condition.h"
 #include "compiler/importers/shadergraph/code/engine_words.h"
 #include "compiler/importers/shadergraph/code/hlsl_tokens.h"
-#include "compiler/importers/shadergraph/code/matrix_elements.h"
 
 namespace patina::importers::shadergraph {
 namespace {
@@ -80,6 +79,7 @@ public:
     }
 
     Macros macros{};
+    std::vector<HlslMacro> defines{};  // those with arguments
     std::string error{};
 
 private:
@@ -115,11 +115,12 @@ private:
         } else if (name == "define" && is_open()) {
             const std::size_t stop = std::min(rest.find_first_of(" \t("), rest.size());
             if (stop < rest.size() && rest[stop] == '(')
-                error = at_line(line_, fmt::format("it has the macro '{}' with arguments", rest.substr(0, stop)));
+                defines.push_back({.name = std::string(rest.substr(0, stop)), .text = fmt::format("#define {}", rest)});
             else
                 macros[std::string(rest.substr(0, stop))] = trimmed(rest.substr(stop));
         } else if (name == "undef" && is_open()) {
             macros.erase(std::string(rest));
+            std::erase_if(defines, [&](const HlslMacro& each) { return each.name == rest; });
         }
         // Includes bring words of the engine; whether one is missed, the compiler says. Pragmas say nothing here.
     }
@@ -155,12 +156,55 @@ constexpr std::pair<std::string_view, std::string_view> kWords[] = {
     {"fixed4", "half4"},
     {"min16float", "half"},
     {"dword", "uint"},
+    {"UNITY_BRANCH", ""},
+    {"UNITY_FLATTEN", ""},
+    {"UNITY_LOOP", ""},
+    {"UNITY_UNROLL", ""},
     {"UnityTexture2D", "Texture2D"},
     {"UnityTextureCube", "TextureCube"},
     {"UnityTexture2DArray", "Texture2DArray"},
     {"UnityTexture3D", "Texture3D"},
     {"UnitySamplerState", "SamplerState"},
 };
+
+// The text with the types and numbers of the language, and what stands for the names of macros without arguments.
+std::string with_our_words(std::string_view text, const Macros& macros) {
+    std::string made;
+    for (std::size_t i = 0; i < text.size();) {
+        if (is_letter(text[i])) {
+            std::size_t end = i;
+            while (end < text.size() && (is_letter(text[end]) || is_digit(text[end]))) ++end;
+            std::string word(text.substr(i, end - i));
+            if (const auto macro = macros.find(word); macro != macros.end()) word = macro->second;
+            for (const auto& [engine, ours] : kWords)
+                if (word == engine) word = ours;
+            for (const std::string_view ending : {"_float", "_half"})
+                if (word.size() > ending.size() && word.ends_with(ending)) word.resize(word.size() - ending.size());
+            made += word;
+            i = end;
+        } else if (is_digit(text[i]) || (text[i] == '.' && i + 1 < text.size() && is_digit(text[i + 1]))) {
+            std::size_t end = i;
+            while (end < text.size() &&
+                   (is_digit(text[end]) || text[end] == '.' ||
+                    ((text[end] == '-' || text[end] == '+') && (text[end - 1] == 'e' || text[end - 1] == 'E')) ||
+                    is_letter(text[end])))
+                ++end;
+            std::string number(text.substr(i, end - i));
+            const bool is_hex = number.starts_with("0x");
+            const bool is_real = !is_hex && number.find_first_of("fFhH") != number.npos;
+            while (!is_hex && !number.empty() &&
+                   std::string_view("fFhHlL").find(number.back()) != std::string_view::npos)
+                number.pop_back();
+            if (is_real && number.find_first_of(".eE") == number.npos) number += ".";
+            if (number.ends_with(".")) number += "0";
+            made += number;
+            i = end;
+        } else {
+            made += text[i++];
+        }
+    }
+    return made;
+}
 
 }  // namespace
 
@@ -205,40 +249,12 @@ HlslText in_node_language(std::string_view hlsl) {
     if (made.error.empty()) made.error = preprocessor.error;
     if (made.error.empty()) made.error = unbalanced(text);
     if (!made.error.empty()) return made;
-    for (std::size_t i = 0; i < text.size();) {
-        if (is_letter(text[i])) {
-            std::size_t end = i;
-            while (end < text.size() && (is_letter(text[end]) || is_digit(text[end]))) ++end;
-            std::string word = text.substr(i, end - i);
-            if (const auto macro = macros.find(word); macro != macros.end()) word = macro->second;
-            for (const auto& [engine, ours] : kWords)
-                if (word == engine) word = ours;
-            for (const std::string_view ending : {"_float", "_half"})
-                if (word.size() > ending.size() && word.ends_with(ending)) word.resize(word.size() - ending.size());
-            made.code += word;
-            i = end;
-        } else if (is_digit(text[i]) || (text[i] == '.' && i + 1 < text.size() && is_digit(text[i + 1]))) {
-            std::size_t end = i;
-            while (end < text.size() &&
-                   (is_digit(text[end]) || text[end] == '.' ||
-                    ((text[end] == '-' || text[end] == '+') && (text[end - 1] == 'e' || text[end - 1] == 'E')) ||
-                    is_letter(text[end])))
-                ++end;
-            std::string number = text.substr(i, end - i);
-            const bool is_hex = number.starts_with("0x");
-            const bool is_real = !is_hex && number.find_first_of("fFhH") != number.npos;
-            while (!is_hex && !number.empty() &&
-                   std::string_view("fFhHlL").find(number.back()) != std::string_view::npos)
-                number.pop_back();
-            if (is_real && number.find_first_of(".eE") == number.npos) number += ".";
-            if (number.ends_with(".")) number += "0";
-            made.code += number;
-            i = end;
-        } else {
-            made.code += text[i++];
-        }
+    made.code = with_our_words(text, macros);
+    for (HlslMacro& each : preprocessor.defines) {
+        each.text = with_our_words(each.text, macros);
+        with_engine_words(each.text, made.parameters);
+        made.macros.push_back(std::move(each));
     }
-    made.code = with_matrix_elements(made.code, made.error);
     with_engine_words(made.code, made.parameters);
     return made;
 }

@@ -1,5 +1,5 @@
-// The code of a custom function as text of the node language: what the preprocessor would leave, without the words of
-// the engine for types and numbers. Whether the result is valid, the compiler says.
+// The code of a custom function for a node file that is read by HLSL's rules: what the preprocessor leaves, without the
+// engine's words for types and numbers. The compiler decides if the result is valid.
 //
 //   HlslText text = in_node_language("#ifdef SHADERGRAPH_PREVIEW\nOut = 1;\n#else\nOut = A * 2.0h;\n#endif");
 //   text.code;   // "Out = A * 2.0;"
@@ -11,8 +11,13 @@
 
 namespace patina::importers::shadergraph {
 
+// A macro with arguments.
+struct HlslMacro {
+    std::string name{}, text{};  // "#define NAME(x) ..."
+};
 struct HlslText {
     std::string code{};
+    std::vector<HlslMacro> macros{};
     std::string parameters{};  // that the code needs for values of the engine: "[hidden] float engineTime = time"
     std::string error{};  // what cannot be said in the node language, and in which line; empty: nothing of this kind
 };
