@@ -163,5 +163,10 @@ TEST_F(ValuesTest, AMatrixOfFloatsIsConvertedToHalves) {
                  "float4(mul(m, float4(@positionOS, 1)).xyz - @positionWS, 1)", {0, 0, 0, 1});
 }
 
+TEST_F(ValuesTest, AnUnsignedNumberIsItsOwnAbsoluteValue) {
+    expect_value("", "", "float4(abs(uint(t.w * 2)), abs(int(t.x * -8)), abs(1013904223u) > 0u ? 1 : 0, abs(-t.x))",
+                 {3, 2, 1, 0.25f});
+}
+
 }  // namespace
 }  // namespace patina::witness

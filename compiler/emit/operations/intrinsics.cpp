@@ -256,6 +256,8 @@ Typed intrinsic(Emitter& emitter, std::string_view name, const Expr& expr, Scope
     const std::size_t joined = row->takes == Takes::Unlike ? 2 : operands.size();
     if (joined > 1 && !unify(emitter, std::span(operands).subspan(0, joined), scope, expr.span, name)) return {};
     const Type type = operands[0].type;
+    // The IR's abs takes numbers with a sign.
+    if (row->op == Op::Abs && type.scalar == Scalar::Uint) return {.value = operands[0].value, .type = type};
     // A vector of one component, which floatN may be.
     if (row->takes == Takes::Vectors && type.is_scalar() && ir::info(row->op).rule == ir::TypeRule::Scalar) {
         const Value first = operands[0].value;
