@@ -6,8 +6,8 @@
 """
 import json
 
-from reference_text import (WRITTEN, Wrong, anchor, block, cell, code, end, enumerate_words, first_sentence, link, number, one_line,
-                            plain, table)
+from reference_text import (WRITTEN, Wrong, anchor, block, cell, code, end, enumerate_words, first_sentence, link,
+                            number, one_line, plain, table)
 
 FOLDER = "docs/models"
 INTRODUCTION = """# Lighting models
