@@ -48,10 +48,10 @@ void collect_names(const Statements& list, Flags& into) {
 // What a jump leaves: a switch, the round of a loop, or the function.
 struct Region {
     bool is_loop = false, is_switch = false;
-    bool is_at_end = true;     // nothing follows in it where the statements are now
-    std::string_view flag{};   // the rest of it is left out; empty: nobody has needed that
-    std::string_view ended{};  // of a loop: there is no further round; empty as above
-    Flags ends{};              // of a loop: flags of regions around it that end it, too
+    bool is_at_end = true;       // nothing follows in it where the statements are now
+    std::string_view flag{};     // the rest of it is left out; empty: nobody has needed that
+    std::string_view running{};  // of a loop: false if there is no further round; empty as above
+    Flags ends{};                // of a loop: flags of regions around it that end it, too
 };
 
 class Remover {
@@ -166,8 +166,8 @@ private:
             Region& region = regions_[i];
             if (!region.is_loop && !(is_break && region.is_switch)) continue;
             if (is_break && region.is_loop) {
-                if (region.ended.empty()) region.ended = fresh("ended");
-                into.push_back(assign(region.ended, boolean(true), stmt.span));
+                if (region.running.empty()) region.running = fresh("running");
+                into.push_back(assign(region.running, boolean(false), stmt.span));
             }
             leave(region, into, set, stmt.span, region.is_switch ? "left" : "skipped");
             return;
@@ -292,25 +292,26 @@ private:
         regions_.pop_back();
         own.erase(region.flag);
         if (!region.flag.empty()) made.body.insert(made.body.begin(), declare("bool", region.flag, boolean(false)));
-        Flags ends = region.ends;
-        if (!region.ended.empty()) ends.insert(region.ended);
         set.insert(own.begin(), own.end());
-        if (ends.empty()) {
+        if (region.ends.empty() && region.running.empty()) {
             into.push_back(add(std::move(made)));
             return;
         }
-        made.limit = none_of(ends);
+        const Expr* goes_on = region.running.empty() ? none_of(region.ends) : name(region.running);
+        if (!region.running.empty() && !region.ends.empty())
+            goes_on = add(Expr{.kind = Expr::Kind::Binary, .text = "&&", .args = {goes_on, none_of(region.ends)}});
+        made.limit = goes_on;
         if (!made.step.empty()) {
-            Stmt step{.kind = Stmt::Kind::If, .span = stmt.span, .name_span = stmt.span, .value = none_of(ends)};
+            Stmt step{.kind = Stmt::Kind::If, .span = stmt.span, .name_span = stmt.span, .value = goes_on};
             step.body = std::move(made.step);
             made.step = {add(std::move(step))};
         }
-        if (region.ended.empty()) {
+        if (region.running.empty()) {
             into.push_back(add(std::move(made)));
             return;
         }
         Stmt around{.kind = Stmt::Kind::Block, .span = stmt.span};
-        around.body = {declare("bool", region.ended, boolean(false)), add(std::move(made))};
+        around.body = {declare("bool", region.running, boolean(true)), add(std::move(made))};
         into.push_back(add(std::move(around)));
     }
 

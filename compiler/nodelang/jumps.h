@@ -2,7 +2,7 @@
 // what follows a jump is in an else, or behind a test of a bool that says that nothing has jumped.
 //
 //   for (...) { if (a) continue; b; }       ->   for (...) { if (a) { } else { b; } }
-//   while (c) { b; if (a) break; }          ->   while (!ended && c) { b; if (a) { ended = true; } }
+//   while (c) { b; if (a) break; }          ->   while (running && c) { b; if (a) { running = false; } }
 //   if (a) { if (b) return 1; c; } return 2;
 //     ->   if (a) { if (b) { result = 1; done = true; } if (!done) { c; } } if (!done) { result = 2; } return result;
 #pragma once

@@ -307,25 +307,23 @@ bool Parser::structure(std::vector<Attribute> marks, std::string_view doc) {
     const Token open = now();
     if (!expect("{", "'{'")) return false;
     while (!now().is("}")) {
-        MemberDecl& member = decl.members.emplace_back();
-        Token member_name;
-        if (!attributes(member.attributes)) return false;
-        check_attributes(member.attributes, kMember);
-        if (!type_name(member.type, "a member or '}'") || !name("a name for the member", member_name)) return false;
-        member.name = member_name.text;
-        member.span = span(member_name);
-        if (!array_size(member.type)) return false;
-        skip_semantic();
-        if (is_hlsl() && now().is(",")) {
-            const TypeName same{.name = member.type.name, .span = member.type.span};
-            take();
+        MemberDecl first;
+        if (!attributes(first.attributes)) return false;
+        check_attributes(first.attributes, kMember);
+        if (!type_name(first.type, "a member or '}'")) return false;
+        // "float2 center, size;"
+        for (bool more = true; more;) {
+            MemberDecl& member = decl.members.emplace_back(first);
+            Token member_name;
             if (!name("a name for the member", member_name)) return false;
-            decl.members.push_back({.type = same, .name = member_name.text, .span = span(member_name)});
-            if (!array_size(decl.members.back().type)) return false;
-            continue;
+            member.name = member_name.text;
+            member.span = span(member_name);
+            if (!array_size(member.type)) return false;
+            skip_semantic();
+            more = is_hlsl() && take_if(",");
         }
         bool found = false;
-        member.doc = trailing_doc_and(";", found);
+        decl.members.back().doc = trailing_doc_and(";", found);
         if (!found && !end_of_statement()) return false;
     }
     if (!expect_close("}", open)) return false;

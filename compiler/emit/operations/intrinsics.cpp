@@ -242,10 +242,11 @@ Typed intrinsic(Emitter& emitter, std::string_view name, const Expr& expr, Scope
         if (operands[0].type.is_scalar()) return operands[0];
         return {.value = b.emit(row->op, ir::kBool, {operands[0].value}), .type = ir::kBool};
     }
-    // Whole literals are floats here, unless another operand is an integer.
+    // Whole literals are floats here, unless another operand is an integer. In HLSL they are integers.
     const bool integers =
-        row->takes == Takes::Numbers &&
-        std::any_of(operands.begin(), operands.end(), [](const Typed& t) { return t.type.is_integer() && !t.literal; });
+        row->takes == Takes::Numbers && std::any_of(operands.begin(), operands.end(), [&](const Typed& t) {
+            return t.type.is_integer() && (!t.literal || scope.hlsl);
+        });
     for (Typed& operand : operands) {
         if (!integers && operand.literal && operand.type.is_integer())
             operand = literal_as(emitter, operand, floating, scope, expr.span);

@@ -113,7 +113,8 @@ double rounds_of(const Counter& counter, double limit) {
 // The variables that a loop carries, and how they are before and after it.
 class Carried {
 public:
-    Carried(const Stmt& loop, Scope& scope, std::string_view without) : scope_(scope) {
+    // `last`: the variable that comes last; may be empty.
+    Carried(const Stmt& loop, Scope& scope, std::string_view without, std::string_view last) : scope_(scope) {
         std::vector<std::string_view> assigned;
         collect_assigned({&loop}, scope, assigned);
         for (std::size_t i = 0; i < scope.locals.size(); ++i) {
@@ -121,6 +122,8 @@ public:
             if (!local.value.ok() || local.name == without || !is_assigned(local.name, assigned)) continue;
             locals_.push_back(i);
         }
+        std::stable_partition(locals_.begin(), locals_.end(),
+                              [&](std::size_t i) { return scope.locals[i].name != last; });
     }
     std::vector<Value> values() const {
         std::vector<Value> made;
@@ -241,9 +244,12 @@ void loop_statement(Emitter& emitter, const Stmt& stmt, Scope& scope) {
     const bool is_while = !is_counted || stmt.limit;
     const std::size_t outer = scope.locals.size();
     // The counter's own local is not changed if the index of the For stands for it.
-    Carried carried(stmt, scope, has_index ? std::string_view(stmt.counter->name) : std::string_view());
+    // One bool alone may decide; then it is what the For carries last.
+    const bool is_flag = is_counted && stmt.limit && stmt.limit->kind == Expr::Kind::Name;
+    Carried carried(stmt, scope, has_index ? stmt.counter->name : std::string_view(),
+                    is_flag ? stmt.limit->text : std::string_view());
     std::vector<Value> initial = carried.values();
-    if (is_while) {
+    if (is_while && !is_flag) {
         Value first = stmt.tests_later ? b.constant(ir::kBool, {1}) : goes_on(emitter, stmt, true, is_counted, scope);
         if (!first) return;
         initial = carried.values();  // the condition may assign
@@ -259,11 +265,12 @@ void loop_statement(Emitter& emitter, const Stmt& stmt, Scope& scope) {
     emit_body(emitter, stmt, !has_index, scope);
     scope.rounds_around /= std::max(rounds, 1.0);
     Value again;
-    if (is_while) again = goes_on(emitter, stmt, false, is_counted, scope);
+    if (is_while && !is_flag) again = goes_on(emitter, stmt, false, is_counted, scope);
     scope.locals.resize(outer);
     std::vector<Value> next = carried.values();
-    if (is_while) {
+    if (is_while && !is_flag) {
         if (!again) again = b.constant(ir::kBool, {0});  // reported
+        b.name(again, emitter.module.intern("running"));
         next.push_back(again);
     }
     const Value loop = b.end_for(next);

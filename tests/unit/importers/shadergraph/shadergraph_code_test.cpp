@@ -39,14 +39,14 @@ TEST(ShaderGraphCode, CodeThatIsNotValidIsRefusedWithTheReason) {
     expect_compiles(made, "magenta");
 }
 
-// Only HLSL has loops without a known end.
+// Only HLSL has ddx_fine.
 TEST(ShaderGraphCode, CodeThatTheNodeLanguageCannotSayBecomesForeign) {
     save_shader_graph(
         "Glow.hlsl",
         "float Below_float(float x) { while (x > 1.0f) x -= 1; return x; }\n"
         "void Glow_float(float3 A, float B, out float3 Out)\n{\n"
         "    float low = 0, high = 1;\n    do { low += 0.25; high *= low; } while (low < Below_float(B));\n"
-        "    Out = A * clamp(low, high, 4.0h).xxx;\n}\n",
+        "    Out = A * clamp(low, ddx_fine(high), 4.0h).xxx;\n}\n",
         kGuid);
     const Imported made = import_graph(one_node(custom("", "Glow", 0), 2));
     EXPECT_FALSE(made.has_refused) << remarks(made, Remark::Kind::LeftOut);

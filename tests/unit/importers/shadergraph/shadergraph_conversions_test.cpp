@@ -138,7 +138,7 @@ TEST(ShaderGraphConversions, LoopsOfAnyForm) {
 
 TEST(ShaderGraphConversions, MacrosWithArguments) {
     expect_values(
-        {{"\n#define TWICE(x) ((x) * 2)\n#define BOTH(a, b) TWICE(a) + b\nOut = BOTH(A, 1);\n", {1.5, 2, 2.5}}});
+        {{"\\n#define TWICE(x) ((x) * 2)\\n#define BOTH(a, b) TWICE(a) + b\\nOut = BOTH(A, 1);\\n", {1.5, 2, 2.5}}});
 }
 
 // Compilers differ in what it means, or the language lacks it: it stays HLSL.
