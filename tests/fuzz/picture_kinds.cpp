@@ -6,13 +6,13 @@
 #include <memory>
 
 #include "runtime/lighting/map_cache.h"
+#include "runtime/lighting/merl.h"
 #include "runtime/lighting/prefilter.h"
 #include "runtime/picture/formats/picture_kind.h"
 #include "runtime/picture/formats/stated_space.h"
 #include "runtime/picture/image.h"
 #include "runtime/picture/picture_bounds.h"
 #include "tests/fuzz/fuzz.h"
-#include "tests/support/merl_tables.h"
 
 namespace patina::fuzz {
 namespace {
@@ -197,8 +197,8 @@ Fuzzer psd(const Setup& setup) {
 
 Fuzzer tables(const Setup& setup) {
     const std::string path = (setup.scratch / "fuzz.binary").string();
-    const auto brdf = [](const merl::DirectionPair&) { return std::array<double, 3>{0.5, 0.25, 1}; };
-    merl::write_merl(path, merl::sampled_table(brdf, 4, 4, 6));
+    const auto brdf = [](const runtime::DirectionPair&) { return std::array<double, 3>{0.5, 0.25, 1}; };
+    runtime::write_merl(path, runtime::sampled_table(brdf, 4, 4, 6));
     const std::string seed = read_file(path);
     const auto run = [path](const Input& input, Random&) -> Verdict {
         const std::string& bytes = input.bytes;

@@ -8,13 +8,12 @@
 #include <cmath>
 #include <numbers>
 
-#include "tests/support/merl_tables.h"
 #include "witness/bench.h"
 
 namespace patina::witness {
 namespace {
 
-using merl::DirectionPair, merl::directions_of;
+using runtime::DirectionPair;
 using runtime::MerlTable;
 using Vector = std::array<double, 3>;
 
@@ -188,8 +187,8 @@ TEST_F(MerlTest, ThePeakKeepsItsHeight) {
             expected.push_back(kPi * known(pair)[0]);
         }
     }
-    const auto fine = looked_up(merl::sampled_table(known, 90, 90, 180), places);
-    const auto coarse = looked_up(merl::sampled_table(known, 45, 45, 90), places);
+    const auto fine = looked_up(runtime::sampled_table(known, 90, 90, 180), places);
+    const auto coarse = looked_up(runtime::sampled_table(known, 45, 45, 90), places);
     for (const auto& [witness, values] : fine) {
         ASSERT_EQ(values.size(), expected.size());
         const std::vector<double>& halved = coarse.at(witness);
@@ -258,7 +257,7 @@ TEST_F(MerlTest, ATableDrawsWhatItWasSampledFrom) {
         scene.ambient = runtime::constant_ambient(glm::vec3(0));
         scene.width = scene.height = 64;
         const auto look = [&](int half) {
-            const MerlTable table = merl::sampled_table(known, half, half, 2 * half);
+            const MerlTable table = runtime::sampled_table(known, half, half, 2 * half);
             return Inputs{.data = texture_of(runtime::as_texture(table)), .scene = &scene};
         };
         const Inputs fine = look(90), coarse = look(45);

@@ -34,6 +34,7 @@ std::string_view value_without_slot(std::string_view kind, int slot);
 // The newest version of a class of nodes whose settings are known.
 int newest_version(std::string_view kind);
 bool is_in_table(std::string_view kind);
+std::vector<std::string_view> classes_in_table();  // each once, in order
 
 // Choices "[s|a|b]" and settings "<s>" replaced by what the node says. A choice may have no such value: what is wrong
 // then, else empty.

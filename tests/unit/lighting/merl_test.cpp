@@ -13,12 +13,8 @@
 #include <limits>
 #include <numbers>
 
-#include "tests/support/merl_tables.h"
-
 namespace patina::runtime {
 namespace {
-
-using merl::directions_of, merl::DirectionPair, merl::sampled_table, merl::write_merl;
 
 namespace fs = std::filesystem;
 
