@@ -391,7 +391,7 @@ foreach(file IN LISTS files)
 endforeach()
 
 # --- each room has one main header, whose first line says so
-set(rooms_with_headers ${names} ir/fold ir/passes ir/linear emit/operations importers cli cli/commands cli/compile cli/diff cli/pages cli/eval)
+set(rooms_with_headers ${names} ir/fold ir/passes ir/linear emit/operations emit/statements importers cli cli/commands cli/compile cli/diff cli/pages cli/eval)
 list(TRANSFORM rooms_with_headers PREPEND "compiler/")
 foreach(room IN LISTS runtime_rooms)
   list(APPEND rooms_with_headers runtime/${room})

@@ -8,8 +8,8 @@
 // console.h, files.h, inputs.h, outputs.h). failures/ says what was thrown, commands/ holds a file for each command,
 // compile/ what `patina compile` needs beside, cost/ is `patina cost`, diff/ what `patina diff` finds, watch/ is
 // `patina watch`, licences/ is `patina --licences`, pages/ what `patina node` and
-// `patina model` show, eval/ what `patina eval` computes, templates/ what `patina new` writes. Nothing here includes the
-// compiler's own headers: what a command needs of the library is public.
+// `patina model` show, eval/ what `patina eval` computes, templates/ what `patina new` writes. Nothing here includes
+// the compiler's own headers: what a command needs of the library is public.
 //
 //   return run(argc, argv, [](Program& program, int, char**) -> std::optional<Exit> {
 //       add_compile(program);

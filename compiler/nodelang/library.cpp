@@ -76,8 +76,8 @@ std::vector<std::string_view> Declarations::function_names() const {
 void index_declarations(Ast& ast, Declarations& into, Diagnostics& diagnostics) {
     for (const FunctionDecl& f : ast.functions) {
         const auto first = into.functions.find(f.name);
-        const bool is_overload = first != into.functions.end() && f.is_hlsl && !f.attribute("node") &&
-                                 !first->second->attribute("node");
+        const bool is_overload =
+            first != into.functions.end() && f.is_hlsl && !f.attribute("node") && !first->second->attribute("node");
         if (is_overload)
             into.overloads[f.name].push_back(&f);
         else
