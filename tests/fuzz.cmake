@@ -9,7 +9,7 @@ target_compile_definitions(fuzz PRIVATE PATINA_SOURCE="${CMAKE_SOURCE_DIR}")
 add_test(NAME fuzz_quick COMMAND fuzz all quick)
 # With sanitizers, which see what an ordinary build survives, the slow tests make 100,000 of each kind.
 if(CMAKE_CXX_FLAGS MATCHES "fsanitize")
-  foreach(kind IN ITEMS graph scene node pass options reflection merge snapshot png jpeg webp exr hdr tiff tga bmp gif dds psd
+  foreach(kind IN ITEMS graph scene node hlsl pass options reflection merge snapshot png jpeg webp exr hdr tiff tga bmp gif dds psd
           merl map gltf glb mtlx mat shadergraph)
     add_test(NAME fuzz_${kind} COMMAND fuzz ${kind} slow)
     set_tests_properties(fuzz_${kind} PROPERTIES LABELS slow TIMEOUT 7200)  # sanitizers make it ten times slower

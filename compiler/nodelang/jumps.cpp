@@ -7,6 +7,8 @@
 #include <set>
 #include <utility>
 
+#include "compiler/nodelang/parse.h"
+
 namespace patina::nodelang {
 namespace {
 
@@ -56,8 +58,8 @@ struct Region {
 
 class Remover {
 public:
-    Remover(FunctionDecl& function, Ast& ast, bool keeps_returns)
-        : function_(function), ast_(ast), keeps_returns_(keeps_returns) {
+    Remover(FunctionDecl& function, Ast& ast, Diagnostics& diagnostics, bool keeps_returns)
+        : function_(function), ast_(ast), diagnostics_(diagnostics), keeps_returns_(keeps_returns) {
         collect_names(function.body, names_);
         for (const ParamDecl& param : function.params) names_.insert(param.name);
     }
@@ -70,7 +72,7 @@ public:
         Flags set;
         Statements body = process(function_.body, set);
         const Region whole = regions_.back();
-        if (is_stuck_) return false;
+        if (is_stuck_ && !is_too_deep_) return false;
         const bool returns = always_leaves(function_.body);
         if (!whole.flag.empty()) body.insert(body.begin(), declare("bool", whole.flag, boolean(false)));
         if (!result_.empty()) {
@@ -187,6 +189,20 @@ private:
     }
 
     Statements process(const Statements& list, Flags& set) {
+        if (depth_ >= kMaxNesting) {
+            if (!is_too_deep_ && !list.empty())
+                diagnostics_.report(Code::TooDeep, list.front()->span, kMaxNesting)
+                    .note("code after a statement that may jump is nested one level deeper");
+            is_too_deep_ = true;
+            return {};
+        }
+        ++depth_;
+        Statements made = without_jumps(list, set);
+        --depth_;
+        return made;
+    }
+
+    Statements without_jumps(const Statements& list, Flags& set) {
         Statements made;
         for (std::size_t i = 0; i < list.size(); ++i) {
             const Stmt& stmt = *list[i];
@@ -317,8 +333,10 @@ private:
 
     FunctionDecl& function_;
     Ast& ast_;
+    Diagnostics& diagnostics_;
+    int depth_ = 0;
     const bool keeps_returns_;
-    bool is_stuck_ = false;
+    bool is_stuck_ = false, is_too_deep_ = false;
     std::string_view result_{};
     Flags names_{};
     std::vector<Region> regions_{};
@@ -347,12 +365,12 @@ bool always_leaves(const Statements& list) {
     });
 }
 
-void remove_jumps(FunctionDecl& function, Ast& ast) {
+void remove_jumps(FunctionDecl& function, Ast& ast, Diagnostics& diagnostics) {
     const bool has_loops = contains(function.body, Stmt::Kind::Loop);
     if (!has_loops && !may_leave(function.body) && !contains(function.body, Stmt::Kind::Break)) return;
     const bool has_value = function.result.name != "void";
-    if (has_value && Remover(function, ast, true).run()) return;
-    Remover(function, ast, false).run();
+    if (has_value && Remover(function, ast, diagnostics, true).run()) return;
+    Remover(function, ast, diagnostics, false).run();
 }
 
 }  // namespace patina::nodelang

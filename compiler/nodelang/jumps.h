@@ -7,13 +7,15 @@
 //     ->   if (a) { if (b) { result = 1; done = true; } if (!done) { c; } } if (!done) { result = 2; } return result;
 #pragma once
 
+#include "compiler/base/diagnostics.h"
 #include "compiler/nodelang/ast.h"
 
 namespace patina::nodelang {
 
 // The function's body without Break and Continue, and with at most such a Return as a function of the node language may
 // have: at the end of the body, or of each branch at its end.
-void remove_jumps(FunctionDecl& function, Ast& ast);
+// Code behind a jump is nested one level deeper; too many levels are reported.
+void remove_jumps(FunctionDecl& function, Ast& ast, Diagnostics& diagnostics);
 
 // No statement after the list is reached.
 bool always_leaves(const Statements& list);

@@ -381,7 +381,7 @@ bool Parser::function(FunctionDecl decl, std::size_t begin) {
         } else if (!block(decl.body)) {
             return false;
         }
-        if (is_hlsl()) remove_jumps(decl, ast_);
+        if (is_hlsl()) remove_jumps(decl, ast_, diagnostics_);
     } else if (!end_of_statement()) {
         return false;
     } else if (is_hlsl()) {
@@ -414,6 +414,7 @@ void Parser::leave_unread(FunctionDecl& function) {
 
 void Parser::go_to(std::size_t offset) {
     lexer_.go_to(offset);
+    if (preprocessor_) preprocessor_->forget_ahead();
     last_end_ = offset;
     now_ = next_token();
     after_ = next_token();

@@ -15,6 +15,9 @@ constexpr std::string_view kQualifiers[] = {"column_major",    "extern",  "group
 constexpr std::string_view kHints[] = {"allow_uav_condition", "branch", "call", "fastopt", "flatten",
                                        "forcecase",           "loop"};
 
+// Each is in the else of the one before.
+constexpr std::size_t kMostCases = 100;
+
 template <std::size_t count>
 bool is_one_of(const Token& token, const std::string_view (&words)[count]) {
     return token.kind == Token::Kind::Word &&
@@ -225,6 +228,10 @@ bool Parser::cases(const Node& selector, Statements& into) {
     };
     std::vector<Case> found;
     while (now().is_word("case") || now().is_word("default")) {
+        if (found.size() == kMostCases) {
+            diagnostics_.report(Code::TooMany, span(now()), found.size() + 1, "branches of a switch", kMostCases);
+            return false;
+        }
         Case& each = found.emplace_back(Case{.begin = now().begin, .word = span(now())});
         bool is_default = false;
         Node test;

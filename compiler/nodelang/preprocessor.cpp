@@ -10,8 +10,8 @@
 namespace patina::nodelang {
 namespace {
 
-constexpr std::size_t kMostMade = 1u << 20;  // tokens of macros in one file
-constexpr std::size_t kDeepest = 64;         // macros in macros, and #if in #if
+constexpr std::size_t kMostMade = 1u << 18;  // tokens of macros in one file
+constexpr int kDeepest = 64;                 // macros in macros, and #if in #if
 
 std::string described(const Token& token) {
     return token.kind == Token::Kind::End ? "the end of the line" : fmt::format("'{}'", token.text);
@@ -56,13 +56,19 @@ Token Preprocessor::next() {
 void Preprocessor::directive(const Token& mark) {
     Tokens line;
     lexer_.report_to(unread_);
-    Token token = raw();
-    for (; token.kind != Token::Kind::End && !token.begins_line; token = raw()) line.push_back(token);
-    ahead_.push_front(token);
-    if (line.empty()) {
-        lexer_.report_to(is_open() ? diagnostics_ : unread_);
-        return;
+    std::size_t end = mark.end;
+    for (Token token = raw(); token.kind != Token::Kind::End && !token.begins_line; token = raw()) {
+        end = token.end;
+        line.push_back(token);
     }
+    read_line(mark, std::move(line));
+    // What follows is read again, to report its mistakes.
+    lexer_.report_to(is_open() ? diagnostics_ : unread_);
+    lexer_.go_to(end);
+}
+
+void Preprocessor::read_line(const Token& mark, Tokens line) {
+    if (line.empty()) return;
     const Token word = line.front();
     line.erase(line.begin());
     if (word.text == "if" || word.text == "ifdef" || word.text == "ifndef" || word.text == "elif" ||
@@ -80,7 +86,6 @@ void Preprocessor::directive(const Token& mark) {
             wrong(word, "a directive of the preprocessor", described(word));
         }
     }
-    lexer_.report_to(is_open() ? diagnostics_ : unread_);
 }
 
 void Preprocessor::define(const Tokens& line) {
@@ -115,7 +120,7 @@ void Preprocessor::branch(const Token& mark, const Token& word, const Tokens& li
         const bool is_taken = is_open() && holds(word, line);
         const bool is_outside_open = is_open();
         branches_.push_back({.is_open = is_taken, .was_open = is_taken || !is_outside_open, .mark = mark});
-        if (branches_.size() == kDeepest) diagnostics_.report(Code::TooDeep, span(mark), kDeepest);
+        if (branches_.size() == std::size_t{kDeepest}) diagnostics_.report(Code::TooDeep, span(mark), kDeepest);
         return;
     }
     if (branches_.empty()) return wrong(word, "'#if' before this", fmt::format("'#{}'", word.text));
@@ -171,10 +176,12 @@ bool Preprocessor::replace(const Token& name, Tokens& into, Rest* rest, const Ac
     const auto found = macros_.find(name.text);
     if (found == macros_.end()) return false;
     const Macro& macro = found->second;
-    if (active.size() >= kDeepest) {
-        diagnostics_.report(Code::TooDeep, span(name), kDeepest);
-        return false;
+    if (active.size() >= std::size_t{kDeepest} || depth_ >= kMaxNesting) {
+        diagnostics_.report(Code::TooDeep, span(name), depth_ >= kMaxNesting ? kMaxNesting : kDeepest);
+        made_count_ = kMostMade + 1;  // this ends the work
+        return true;
     }
+    if (made_count_ > kMostMade) return true;  // reported
     std::vector<Tokens> given;
     if (macro.has_parameters) {
         if (!arguments(name, rest, given)) return false;
@@ -184,6 +191,15 @@ bool Preprocessor::replace(const Token& name, Tokens& into, Rest* rest, const Ac
             return true;
         }
     }
+    ++depth_;
+    replace_by(macro, name, into, given, active);
+    --depth_;
+    return true;
+}
+
+// Appends the macro's text with the arguments in the places of its parameters.
+void Preprocessor::replace_by(const Macro& macro, const Token& name, Tokens& into, const std::vector<Tokens>& given,
+                              const Active& active) {
     const auto parameter = [&](const Token& token) {
         const auto at = std::find(macro.parameters.begin(), macro.parameters.end(), token.text);
         return token.kind == Token::Kind::Word ? static_cast<std::size_t>(at - macro.parameters.begin())
@@ -212,11 +228,11 @@ bool Preprocessor::replace(const Token& name, Tokens& into, Rest* rest, const Ac
     Active inner = active;
     inner.insert(name.text);
     list = replaced(list, inner);
+    const bool was_fine = made_count_ <= kMostMade;
     made_count_ += list.size();
     if (made_count_ > kMostMade) {
-        if (made_count_ - list.size() <= kMostMade)
-            diagnostics_.report(Code::TooMany, span(name), made_count_, "tokens of macros", kMostMade);
-        return true;
+        if (was_fine) diagnostics_.report(Code::TooMany, span(name), made_count_, "tokens of macros", kMostMade);
+        return;
     }
     for (Token& token : list) {
         token.begin = name.begin;
@@ -226,7 +242,6 @@ bool Preprocessor::replace(const Token& name, Tokens& into, Rest* rest, const Ac
     }
     if (!list.empty()) list.front().doc = name.doc;
     into.insert(into.end(), list.begin(), list.end());
-    return true;
 }
 
 // False if no bracket follows: then the name is an ordinary word.

@@ -25,6 +25,11 @@ public:
     // The next token of the text that remains.
     Token next();
 
+    // Forgets the tokens that it has read ahead: the lexer goes on at another place.
+    void forget_ahead() {
+        ahead_.clear();
+        made_.clear();
+    }
     // A name that is not defined, and that a condition may compare: it is 0.
     void make_zero(std::string_view name) { zeros_.insert(name); }
 
@@ -47,11 +52,14 @@ private:
     void wrong(const Token& at, std::string_view expected, std::string_view found);
     Token raw();
     void directive(const Token& mark);
+    void read_line(const Token& mark, Tokens line);
     void define(const Tokens& line);
     void branch(const Token& mark, const Token& word, const Tokens& line);
     bool holds(const Token& word, const Tokens& line);
     Tokens with_defined_decided(const Tokens& line);
     bool replace(const Token& name, Tokens& into, Rest* rest, const Active& active);
+    void replace_by(const Macro& macro, const Token& name, Tokens& into, const std::vector<Tokens>& given,
+                    const Active& active);
     bool arguments(const Token& name, Rest* rest, std::vector<Tokens>& into);
     Tokens replaced(const Tokens& list, const Active& active);
     Token pasted(const Token& left, const Token& right);
@@ -66,6 +74,7 @@ private:
     std::deque<Token> ahead_{};   // of the lexer
     std::deque<Token> made_{};    // of macros: they are not replaced again
     std::size_t made_count_ = 0;  // of all macros so far
+    int depth_ = 0;               // of macros in arguments and in macros
 };
 
 }  // namespace patina::nodelang

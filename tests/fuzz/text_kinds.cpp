@@ -20,6 +20,7 @@ constexpr std::string_view kGraphFolders[] = {"examples", "tests/graphs", "tests
                                               "nodes/models"};
 constexpr std::string_view kSceneFolders[] = {"examples", "tests/snapshots", "tests/examples"};
 constexpr std::string_view kNodeFolders[] = {"nodes", "examples", "tests/graphs"};
+constexpr std::string_view kHlslFolders[] = {"tests/hlsl"};
 constexpr std::string_view kPassFolders[] = {"nodes/passes"};
 
 constexpr std::string_view kWords[] = {"0",
@@ -167,8 +168,8 @@ std::vector<Seed> single_nodes(std::span<const Seed> files) {
     return made;
 }
 
-Fuzzer node_files(const Setup& setup) {
-    auto all = std::make_shared<Texts>(single_nodes(seeds_in(setup, kNodeFolders, ".node.hlsl")));
+Fuzzer node_files_of(std::vector<Seed> seeds, std::string first_line) {
+    auto all = std::make_shared<Texts>(single_nodes(seeds));
     const auto run = [](const Input& input, Random& random) -> Verdict {
         CompileOptions options{.files = with_file("fuzz.node.hlsl", input.bytes)};
         const NodeFileResult checked = compiler().check_node_file("fuzz.node.hlsl", options);
@@ -179,7 +180,18 @@ Fuzzer node_files(const Setup& setup) {
         if (wrong.empty()) wrong = wrong_with(compiler().compile_text("fuzz.graph.json", graph, options), random);
         return {.is_accepted = checked.ok, .wrong = std::move(wrong), .said = first_error(checked.diagnostics)};
     };
-    return {.make = [all](Random& random) { return all->make(random); }, .run = run};
+    const auto make = [all, first_line](Random& random) {
+        Input made = all->make(random);
+        made.bytes = first_line + made.bytes;
+        return made;
+    };
+    return {.make = make, .run = run};
+}
+Fuzzer node_files(const Setup& setup) {
+    return node_files_of(seeds_in(setup, kNodeFolders, ".node.hlsl"), "");
+}
+Fuzzer hlsl_files(const Setup& setup) {
+    return node_files_of(seeds_in(setup, kHlslFolders, ".node.hlsl"), "#pragma hlsl\n");
 }
 
 constexpr std::string_view kCutout = R"json({
@@ -340,6 +352,7 @@ std::vector<Kind> text_kinds() {
     return {{"graph", "graphs, sub-graphs, lighting models and workflows", 60, graphs},
             {"scene", "scene files, up to their meshes and lights", 200, scenes},
             {"node", "node files, checked and used by a graph", 60, node_files},
+            {"hlsl", "the same of files that are read by HLSL's rules", 60, hlsl_files},
             {"pass", "rendering paths; all shaders are validated", 60, pass_files},
             {"options", "options of the C API", 200, options},
             {"reflection", "reflections, read and written again", 200, reflections},

@@ -49,6 +49,7 @@ TEST(ParseHlsl, Preprocessor) {
     EXPECT_EQ(errors("#if A == 1\n#endif\n"),
               Errors{"[A] expected a macro whose value is known here, or 'defined(...)', not 'A'"});
     EXPECT_EQ(errors("#if 1\n"), Errors{"[#] expected '#endif' after this, not the end of the file"});
+    EXPECT_EQ(errors("#define A\n'"), Errors{"['] ''' is not allowed here"});
     EXPECT_EQ(errors("#else\n"), Errors{"[else] expected '#if' before this, not '#else'"});
     EXPECT_EQ(errors("#define F(a) a\nvoid f() { F(1, 2); }"),
               (Errors{"[F] 'F' takes 1 arguments, not 2", "[}] expected a value, not '}'"}));
