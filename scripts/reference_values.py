@@ -44,7 +44,7 @@ def engine_values(values):
     text = ENGINE
     for each in values["blocks"]:
         name = each.get("name")
-        text += f"### {'Block ' + code(name) if name else 'Textures'}\n\n"
+        text += f"### {code(name) if name else 'Textures'}\n\n"
         text += plain(each["doc"]) + "\n\n" if each.get("doc") else ""
         text += table(["name", "type", "unit", "space", "what", "only with"], [engine_row(value) for value in each["values"]])
     return end(text)
