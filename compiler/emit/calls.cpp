@@ -215,7 +215,7 @@ std::optional<unsigned> change_of(Type from, Type to) {
 }
 
 // The function of that name which HLSL would call: the one whose parameters change the arguments least.
-const FunctionDecl* overload(Emitter& emitter, const Expr& expr, Scope& scope) {
+[[gnu::noinline]] const FunctionDecl* overload(Emitter& emitter, const Expr& expr, Scope& scope) {
     const FunctionDecl* const first = scope.declarations->function(expr.text);
     if (!scope.hlsl || !first) return first;
     const Declarations& home = scope.declarations->home_of(expr.text);
@@ -247,8 +247,8 @@ const FunctionDecl* overload(Emitter& emitter, const Expr& expr, Scope& scope) {
 }
 
 // HLSL: a call with an argument for each parameter, the outputs included. They are assigned after the call.
-Typed call_with_outputs(Emitter& emitter, const FunctionDecl& function, const Declarations& home, const Expr& expr,
-                        Scope& scope) {
+[[gnu::noinline]] Typed call_with_outputs(Emitter& emitter, const FunctionDecl& function, const Declarations& home,
+                                          const Expr& expr, Scope& scope) {
     std::vector<const Expr*> arguments(function.params.size(), nullptr);
     for (std::size_t i = 0; i < arguments.size(); ++i) {
         if (function.params[i].is_input()) arguments[i] = expr.args[i];
@@ -271,7 +271,7 @@ Typed call_with_outputs(Emitter& emitter, const FunctionDecl& function, const De
 }
 
 // "(Light)0" of HLSL: every number in it is 0.
-Typed struct_of_zeros(Emitter& emitter, const StructDecl& structure, const Expr& expr, Scope& scope) {
+[[gnu::noinline]] Typed struct_of_zeros(Emitter& emitter, const StructDecl& structure, const Expr& expr, Scope& scope) {
     const Type wanted = type(emitter, {.name = structure.name, .span = expr.name_span}, scope);
     if (wanted.is_error()) return {};
     const Typed given =

@@ -37,7 +37,8 @@ Typed literal_as(Emitter& emitter, Typed value, Scalar scalar, Scope& scope, Spa
     return {.value = scope.builder->constant(type, number), .type = type, .literal = true};
 }
 
-Typed hlsl_cast(const Typed& value, Type wanted, Scope& scope) {
+// Apart from convert(), whose frame is on the stack of every expression.
+[[gnu::noinline]] Typed hlsl_cast(const Typed& value, Type wanted, Scope& scope) {
     if (!value.ok() || !value.type.is_numeric() || !wanted.is_numeric()) return {};
     constexpr std::array kFirst = {0u, 1u, 2u, 3u};
     ir::Builder& b = *scope.builder;
@@ -130,7 +131,7 @@ Typed expression_as(Emitter& emitter, const Expr& expr, Type wanted, Scope& scop
 
 namespace {
 
-bool hlsl_unify(std::span<Typed> operands, Scope& scope) {
+[[gnu::noinline]] bool hlsl_unify(std::span<Typed> operands, Scope& scope) {
     const auto firm_half = [&] {
         return std::any_of(operands.begin(), operands.end(),
                            [](const Typed& t) { return t.type.scalar == Scalar::Half; }) &&

@@ -293,6 +293,7 @@ Node Parser::assigned(const Node& target) {
 Node Parser::stepped(const Node& target, const Token& op, bool is_before) {
     Token one = op;
     one.number = 1;
+    one.text = "1";
     one.number_kind = NumberKind::Int;
     const Node number = leaf(Expr::Kind::Number, one);
     return make({.kind = is_before ? Expr::Kind::Assign : Expr::Kind::AssignLater,

@@ -103,7 +103,7 @@ const Intrinsic* find_intrinsic(std::string_view name) {
 }
 
 // What HLSL converts before an intrinsic function takes its operands.
-void hlsl_arguments(Takes takes, std::span<Typed> operands, Scope& scope) {
+[[gnu::noinline]] void hlsl_arguments(Takes takes, std::span<Typed> operands, Scope& scope) {
     const auto cast_to = [&](Typed& operand, Type wanted) {
         if (const Typed made = hlsl_cast(operand, wanted, scope); made.ok()) operand = made;
     };

@@ -58,7 +58,8 @@ Typed enum_operand(Emitter& emitter, const Expr& expr, const std::vector<std::st
 }
 
 // What HLSL converts before the kinds of the two sides are made the same.
-void hlsl_operands(std::string_view op, bool are_bools, std::array<Typed, 2>& sides, Scope& scope) {
+// These are not inlined: what they keep on the stack would be there for every level of an expression.
+[[gnu::noinline]] void hlsl_operands(std::string_view op, bool are_bools, std::array<Typed, 2>& sides, Scope& scope) {
     const bool divides = op == "/" || op == "%", both_whole = (sides[0].is_whole || sides[0].type.is_integer()) &&
                                                               (sides[1].is_whole || sides[1].type.is_integer());
     const bool both_bools = sides[0].type.is_bool() && sides[1].type.is_bool();
@@ -85,7 +86,7 @@ bool compares_types(Op op) {
 }
 
 // Two matrices of one type, element by element.
-Typed by_rows(Op op, const std::array<Typed, 2>& sides, Scope& scope) {
+[[gnu::noinline]] Typed by_rows(Op op, const std::array<Typed, 2>& sides, Scope& scope) {
     ir::Builder& b = *scope.builder;
     const Type type = sides[0].type, row = Type::vector(type.scalar, type.cols);
     std::vector<ir::Value> rows;

@@ -21,7 +21,7 @@ namespace {
 constexpr std::size_t kMostVariables = 4096;
 
 // HLSL: assigns to an element whose index is known only when the shader runs. Each element is the new value or stays.
-bool store_at(Emitter& emitter, const Expr& target, const Typed& object, Typed value, Scope& scope) {
+[[gnu::noinline]] bool store_at(Emitter& emitter, const Expr& target, const Typed& object, Typed value, Scope& scope) {
     ir::Builder& b = *scope.builder;
     const Typed at = expression_as(emitter, *target.args[1], ir::kInt, scope, "the index");
     const bool is_indexable = object.type.kind == ir::Kind::Array || object.type.is_vector() || object.type.is_matrix();
