@@ -129,7 +129,8 @@ bool check_stages(Compilation& c) {
     link::check_limits(c.session, *c.materials.front(), c.linked.front().lowered, c.passes);
     std::vector<const ir::Module*> stages;
     for (const link::LinkedPass& pass : c.passes) stages.insert(stages.end(), {&pass.fragment, &pass.vertex});
-    link::check_foreign(c.session, stages);
+    const Span graph = c.materials.front()->graph->graph->span;
+    link::check_foreign(c.session, stages, {graph.begin, graph.begin + 1});
     return may_go_on(c);
 }
 

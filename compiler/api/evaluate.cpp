@@ -129,7 +129,7 @@ struct Bench {
         };
         std::vector<const ir::Function*> functions = {&function};
         for (const ir::Function& made : module.functions) functions.push_back(&made);
-        if (!link::has_no_foreign(diagnostics, module, "the interpreter")) return false;
+        if (!link::has_no_foreign(diagnostics, module, "the interpreter", at)) return false;
         for (const ir::Function* made : functions) {
             const auto found = read(*made);
             if (found == made->insts.end()) continue;

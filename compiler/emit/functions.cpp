@@ -186,6 +186,11 @@ const Outputs* begin_body(Emitter& emitter, const FunctionDecl& function, const 
             members.push_back({std::string(param.name), param_type});
             local.value = {.value = param.is_inout ? value_of(param, param_type) : scope.builder->zero(param_type),
                            .type = param_type};
+        } else if (param.is_const && !param_type.is_scalar()) {
+            emitter.diagnostics.report(Code::TypeMismatch, param.span, fmt::format("the constant '{}'", param.name),
+                                       emitter.module.type_name(param_type), "an enum, a bool or a number");
+            scope.result = Type::error();
+            return nullptr;
         } else if (param.is_const) {
             local.constant = arguments[i].constant;
             local.value = {.value = scope.builder->constant(param_type, {*local.constant}), .type = param_type};

@@ -43,11 +43,12 @@ private:
     std::vector<bool> seen_;
 };
 
-void report(Diagnostics& diagnostics, const ir::Module& stage, const Found& found, std::string_view reader) {
+// `at`: where it is reported if no node leads to it.
+void report(Diagnostics& diagnostics, const ir::Module& stage, const Found& found, std::string_view reader, Span at) {
     std::string_view taker;
     for (const languages::LanguageInfo& each : languages::all_languages())
         if (each.takes_foreign) taker = each.name;
-    const ir::Origin where = found.where ? stage.origins[found.where.index] : ir::Origin{};
+    const ir::Origin where = found.where ? stage.origins[found.where.index] : ir::Origin{.span = at};
     diagnostics.report(Code::ForeignText, where.span, found.function, reader)
         .note(fmt::format("compile the graph for {0} alone, and draw it with --via {0}. For all other uses write the "
                           "function in the node language, without [foreign]",
@@ -57,20 +58,20 @@ void report(Diagnostics& diagnostics, const ir::Module& stage, const Found& foun
 
 }  // namespace
 
-void check_foreign(graph::Session& session, std::span<const ir::Module* const> stages) {
+void check_foreign(graph::Session& session, std::span<const ir::Module* const> stages, Span at) {
     for (const Target& target : session.options.targets) {
         if (languages::find_language(target.language)->takes_foreign) continue;
         for (const ir::Module* stage : stages) {
             const std::optional<Found> found = Search(*stage).run();
             if (!found) continue;
-            return report(session.diagnostics, *stage, *found, fmt::format("the language '{}'", target.language));
+            return report(session.diagnostics, *stage, *found, fmt::format("the language '{}'", target.language), at);
         }
     }
 }
 
-bool has_no_foreign(Diagnostics& diagnostics, const ir::Module& stage, std::string_view reader) {
+bool has_no_foreign(Diagnostics& diagnostics, const ir::Module& stage, std::string_view reader, Span at) {
     const std::optional<Found> found = Search(stage).run();
-    if (found) report(diagnostics, stage, *found, reader);
+    if (found) report(diagnostics, stage, *found, reader, at);
     return !found;
 }
 

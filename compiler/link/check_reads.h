@@ -21,9 +21,10 @@ std::optional<Missing> missing_in(const ir::Module& stage);
 // the pass is optional.
 bool has_all(graph::Session& session, const Linked& linked, const LinkedPass& pass);
 
-// Reports, at its node, the first call of a [foreign] function whose code the language of a target cannot take.
-void check_foreign(graph::Session& session, std::span<const ir::Module* const> stages);
+// Reports, at its node, the first call of a [foreign] function whose code the language of a target cannot take; at
+// `at` if no node leads to it.
+void check_foreign(graph::Session& session, std::span<const ir::Module* const> stages, Span at);
 // The same for a reader that can take none: "the interpreter". False: there is one.
-bool has_no_foreign(Diagnostics& diagnostics, const ir::Module& stage, std::string_view reader);
+bool has_no_foreign(Diagnostics& diagnostics, const ir::Module& stage, std::string_view reader, Span at);
 
 }  // namespace patina::link

@@ -173,12 +173,14 @@ std::shared_ptr<const Program> keep_program(graph::Session& session, const Mater
     for (const graph::Material* material : materials) {
         graph::Lowered lowered = graph::lower(session, *material, {.fold = false});
         if (session.diagnostics.has_errors()) return nullptr;
+        const Span graph = material->graph->graph->span;
         const Linked linked = link(std::move(lowered));
         for (const graph::LoweredPass& pass : linked.lowered.passes) {
             LinkedPass made = link_plainly(*material, linked, pass);
             check(made);
             for (const ir::Module* stage : {&made.fragment, &made.vertex})
-                if (!has_no_foreign(session.diagnostics, *stage, "the interpreter")) return nullptr;
+                if (!has_no_foreign(session.diagnostics, *stage, "the interpreter", {graph.begin, graph.begin + 1}))
+                    return nullptr;
             add_places(*program, made.vertex, session.sources);
             add_places(*program, made.fragment, session.sources);
             program->stages.push_back({.pass = pass.name, .stage = Stage::Vertex, .module = std::move(made.vertex)});

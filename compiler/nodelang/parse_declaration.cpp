@@ -297,6 +297,11 @@ std::string_view Parser::trailing_doc_and(std::string_view separator, bool& foun
     return doc.empty() && found ? now().trailing_doc : doc;
 }
 
+// Reports a name that the list has already.
+void Parser::declare_once(std::unordered_set<std::string_view>& names, const Token& name) {
+    if (!names.insert(name.text).second) diagnostics_.report(Code::Redefinition, span(name), name.text);
+}
+
 // --- struct, enum, variable
 
 bool Parser::structure(std::vector<Attribute> marks, std::string_view doc) {
@@ -304,6 +309,7 @@ bool Parser::structure(std::vector<Attribute> marks, std::string_view doc) {
     Token word;
     if (!name("a name for the struct", word)) return false;
     StructDecl decl{.name = word.text, .span = span(word), .attributes = std::move(marks), .doc = doc};
+    std::unordered_set<std::string_view> names;
     const Token open = now();
     if (!expect("{", "'{'")) return false;
     while (!now().is("}")) {
@@ -316,6 +322,7 @@ bool Parser::structure(std::vector<Attribute> marks, std::string_view doc) {
             MemberDecl& member = decl.members.emplace_back(first);
             Token member_name;
             if (!name("a name for the member", member_name)) return false;
+            declare_once(names, member_name);
             member.name = member_name.text;
             member.span = span(member_name);
             if (!array_size(member.type)) return false;
@@ -336,11 +343,13 @@ bool Parser::enumeration(std::string_view doc) {
     Token word;
     if (!name("a name for the enum", word)) return false;
     EnumDecl decl{.name = word.text, .span = span(word), .doc = doc};
+    std::unordered_set<std::string_view> names;
     const Token open = now();
     if (!expect("{", "'{'")) return false;
     for (bool more = true; more && !(now().is("}") && !decl.values.empty());) {
         Token value;
         if (!name("a name for a value of the enum", value)) return false;
+        declare_once(names, value);
         decl.values.push_back(value.text);
         decl.docs.push_back(trailing_doc_and(",", more));
     }
@@ -445,6 +454,7 @@ bool Parser::parameters(FunctionDecl& function) {
     for (bool more = !now().is(")"); more;) {
         ParamDecl& param = function.params.emplace_back();
         if (!parameter(param)) return false;
+        if (!names.insert(param.name).second) diagnostics_.report(Code::Redefinition, param.span, param.name);
         param.doc = trailing_doc_and(",", more);
     }
     if (function.marks.is_foreign && now().is(")") && after().is("{")) return foreign_code(function);

@@ -9,6 +9,7 @@
 #include <initializer_list>
 #include <optional>
 #include <span>
+#include <unordered_set>
 
 #include "compiler/base/made_once.h"
 #include "compiler/nodelang/lex.h"
@@ -154,6 +155,7 @@ private:
     bool type_name(TypeName& into, std::string_view what);
     bool array_size(TypeName& into);
     std::string_view trailing_doc_and(std::string_view separator, bool& found);
+    void declare_once(std::unordered_set<std::string_view>& names, const Token& name);
     bool structure(std::vector<Attribute> marks, std::string_view doc);
     bool enumeration(std::string_view doc);
     bool variable(VariableDecl& decl);

@@ -160,7 +160,8 @@ void write_functions(const Compiled& compiled, Result& result) {
         const ir::Module module = link::link_functions(compiled.linked, stage, prefix);
         if (module.functions.empty()) continue;
         const ir::Module* const only = &module;
-        link::check_foreign(compiled.session, std::span(&only, 1));
+        const Span graph = compiled.material.graph->graph->span;
+        link::check_foreign(compiled.session, std::span(&only, 1), {graph.begin, graph.begin + 1});
         const std::string pass = stage == Stage::Vertex ? "vertex-functions" : "functions";
         link::dump_stage(result, session.options, "tidy", pass + ".tidy", module);
         for (ShaderFunction& each : link::describe_functions(module, stage))
