@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <cstring>
+#include <limits>
 #include <optional>
 #include <unordered_map>
 
@@ -73,6 +75,20 @@ JsonComments& comments_of(Json& json) {
     return *json.comments;
 }
 
+// A number of JSON; infinite: it is too large. One that is too small is 0.
+double number_of(std::string_view text) {
+    const double value = read_number(text).value_or(std::numeric_limits<double>::infinity());
+    if (std::isfinite(value)) return value;
+    // Out of range. How many places the first digit that is not 0 stands before the point says at which end.
+    const std::size_t e = std::min(text.find_first_of("eE"), text.size());
+    const std::string_view digits = text.substr(0, e);
+    const std::size_t point = std::min(digits.find('.'), digits.size()), first = digits.find_first_of("123456789");
+    const double places = static_cast<double>(point) - static_cast<double>(first);
+    const double exponent =
+        e < text.size() ? read_number(text.substr(text[e + 1] == '+' ? e + 2 : e + 1)).value_or(0) : 0;
+    return places + exponent < 0 ? 0 : value;
+}
+
 // Makes the tree of RapidJSON's events. The text between two tokens is read a second time here, to find the comments
 // and where the next token starts: an event knows only where it ends.
 class Builder {
@@ -88,16 +104,20 @@ public:
         last_value()->boolean = value;
         return true;
     }
-    bool Int(int value) { return Double(value); }
-    bool Uint(unsigned value) { return Double(value); }
-    bool Int64(std::int64_t value) { return Double(static_cast<double>(value)); }
-    bool Uint64(std::uint64_t value) { return Double(static_cast<double>(value)); }
-    bool Double(double value) {
-        if (!scalar(Json::Kind::Number)) return false;
+    // RapidJSON's own conversion is not defined for a zero with a large exponent: 0e75.
+    bool RawNumber(const char* digits, rapidjson::SizeType size, bool) {
+        const double value = number_of({digits, size});
+        has_large_number_ = !std::isfinite(value);
+        if (has_large_number_ || !scalar(Json::Kind::Number)) return false;
         last_value()->number = value;
         return true;
     }
-    bool RawNumber(const char*, rapidjson::SizeType, bool) { return false; }  // only with kParseNumbersAsStringsFlag
+    // These are called without kParseNumbersAsStringsFlag only.
+    bool Int(int) { return false; }
+    bool Uint(unsigned) { return false; }
+    bool Int64(std::int64_t) { return false; }
+    bool Uint64(std::uint64_t) { return false; }
+    bool Double(double) { return false; }
     bool String(const char* value, rapidjson::SizeType size, bool) {
         if (!scalar(Json::Kind::String)) return false;
         last_value()->string.assign(value, size);
@@ -141,6 +161,7 @@ public:
     std::unique_ptr<Json> take_root() { return std::move(root_); }
     JsonBreak where() const {
         JsonBreak at;
+        at.code = has_large_number_ ? rapidjson::kParseErrorNumberTooBig : rapidjson::kParseErrorTermination;
         at.last_begin = last_begin_;
         at.last_end = last_end_;
         if (!frames_.empty()) {
@@ -200,6 +221,7 @@ private:
     const Cursor& cursor_;
     std::size_t last_begin_, last_end_;
     Token last_ = Token::Opening;
+    bool has_large_number_ = false;
     std::vector<Frame> frames_;
     std::unique_ptr<Json> root_;
     Json dropped_;
@@ -401,7 +423,7 @@ std::unique_ptr<Json> parse_json(const SourceMap& sources, std::uint32_t base, D
     if (!start) return nullptr;
 
     constexpr unsigned kFlags = rapidjson::kParseIterativeFlag | rapidjson::kParseCommentsFlag |
-                                rapidjson::kParseTrailingCommasFlag | rapidjson::kParseFullPrecisionFlag |
+                                rapidjson::kParseTrailingCommasFlag | rapidjson::kParseNumbersAsStringsFlag |
                                 rapidjson::kParseValidateEncodingFlag;
     Cursor cursor(text, *start);
     Builder builder(text, base, cursor, *start, diagnostics);
@@ -409,7 +431,7 @@ std::unique_ptr<Json> parse_json(const SourceMap& sources, std::uint32_t base, D
     const rapidjson::ParseResult result = reader.Parse<kFlags>(cursor, builder);
     if (result.IsError()) {
         JsonBreak at = builder.where();
-        at.code = result.Code();
+        if (result.Code() != rapidjson::kParseErrorTermination) at.code = result.Code();
         at.offset = result.Offset();
         report_json_break(text, base, at, diagnostics);
         return nullptr;

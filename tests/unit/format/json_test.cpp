@@ -68,6 +68,16 @@ TEST(Json, NumbersAreRoundedCorrectly) {
     EXPECT_TRUE(std::signbit(p.root->elements[4].number));
 }
 
+TEST(Json, NumbersBeyondTheEnds) {
+    const std::string zeros(330, '0');
+    const Parsed p("[0e75, -0E+99, 1e-400, 0." + zeros + "1, 0." + zeros + "5e331, 4e-400]");
+    ASSERT_TRUE(p.root);
+    const double expected[] = {0, 0, 0, 0, 5, 0};
+    for (std::size_t i = 0; i < std::size(expected); ++i) EXPECT_EQ(p.root->elements[i].number, expected[i]) << i;
+    const std::string large[] = {"1e400", "-1e400", "1" + zeros, "1" + zeros + "e-9", "0.01e999999999999"};
+    for (const std::string& each : large) EXPECT_FALSE(Parsed("[" + each + "]").root) << each;
+}
+
 TEST(Json, OffsetsLeadThroughEscapes) {
     const Parsed plain(R"(["abc"])");
     EXPECT_TRUE(string_offsets(plain.root->elements[0], plain.sources).empty());
