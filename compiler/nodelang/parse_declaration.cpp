@@ -450,6 +450,7 @@ bool Parser::foreign_code(FunctionDecl& function) {
 
 bool Parser::parameters(FunctionDecl& function) {
     const Token open = take();
+    std::unordered_set<std::string_view> names;
     if (is_hlsl() && after().is(")")) take_word("void");
     for (bool more = !now().is(")"); more;) {
         ParamDecl& param = function.params.emplace_back();
