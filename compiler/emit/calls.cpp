@@ -225,6 +225,9 @@ std::optional<unsigned> change_of(Type from, Type to) {
     fitting.insert(fitting.end(), others->second.begin(), others->second.end());
     std::erase_if(fitting, [&](const FunctionDecl* each) { return each->params.size() != expr.args.size(); });
     if (fitting.size() < 2) return fitting.empty() ? first : fitting[0];
+    // The arguments are emitted here for their types, and again for the call: calls in calls are asked once.
+    const auto known = emitter.overloads.find({&expr, scope.generic_width, scope.half});
+    if (known != emitter.overloads.end()) return known->second;
     // What the arguments assign must happen once, when they are read for the call.
     Scope aside = scope;
     std::vector<Type> types;
@@ -236,14 +239,16 @@ std::optional<unsigned> change_of(Type from, Type to) {
         const Scope of{.declarations = &home, .hlsl = true};
         std::optional<unsigned> sum = 0;
         for (std::size_t i = 0; sum && i < types.size(); ++i) {
-            const std::optional<unsigned> change = change_of(types[i], type(emitter, each->params[i].type, of));
+            const Type wanted = type(emitter, each->params[i].type, of);
+            const std::optional<unsigned> change =
+                is_view_of(emitter, types[i], wanted) ? 0u : change_of(types[i], wanted);
             sum = change ? std::optional(*sum + *change) : std::nullopt;
         }
         if (!sum || (least && *least <= *sum)) continue;
         least = sum;
         best = each;
     }
-    return best;
+    return emitter.overloads[{&expr, scope.generic_width, scope.half}] = best;
 }
 
 // HLSL: a call with an argument for each parameter, the outputs included. They are assigned after the call.

@@ -52,6 +52,8 @@ struct Emitter {
     Structures structures{};                    // the structs that have been made
     std::deque<Outputs> outputs{};              // what Typed::outputs points to
     Growth* growth = nullptr;                   // null: there is no limit
+    // Of HLSL: the function that a call means, by the call, the width of floatN and the precision.
+    std::map<std::tuple<const Expr*, unsigned, bool>, const FunctionDecl*> overloads{};
     std::vector<const FunctionDecl*> active{};  // whose bodies are being emitted, the innermost last: finds recursion
 };
 

@@ -251,12 +251,21 @@ float2 Swap(float2 v) {
 float measure(float2 v) { return v.x + v.y; }
 float measure(float3 v) { return 100 + v.x + v.y + v.z; }
 float measure(float v, float scale) { return v * scale; }
+float measure(float2 v, float2 scale) { return v.x * scale.x; }
 
 /// The function is that whose parameters fit.
 /// test: Overloads(float3(1, 2, 3)) == float3(3, 106, 10)
 [node("Test/Overloads")]
 float3 Overloads(float3 v) {
     return float3(measure(v.xy), measure(v), measure(v.x, 10));
+}
+
+/// Calls in calls.
+/// test: DeepOverloads(2) == 65536
+[node("Test/DeepOverloads")]
+float DeepOverloads(float x) {
+    return measure(measure(measure(measure(measure(measure(measure(measure(measure(measure(measure(measure(measure(
+        measure(measure(x, 2), 2), 2), 2), 2), 2), 2), 2), 2), 2), 2), 2), 2), 2), 2);
 }
 
 struct Shape {
