@@ -47,11 +47,11 @@ struct Emitter {
     ir::Module& module;
     Diagnostics& diagnostics;
     ir::BuildOptions options{};
-    Known known{};                              // filled by the caller
-    Instances instances{};                      // the functions that have been made
-    Structures structures{};                    // the structs that have been made
-    std::deque<Outputs> outputs{};              // what Typed::outputs points to
-    Growth* growth = nullptr;                   // null: there is no limit
+    Known known{};                  // filled by the caller
+    Instances instances{};          // the functions that have been made
+    Structures structures{};        // the structs that have been made
+    std::deque<Outputs> outputs{};  // what Typed::outputs points to
+    Growth* growth = nullptr;       // null: there is no limit
     // Of HLSL: the function that a call means, by the call, the width of floatN and the precision.
     std::map<std::tuple<const Expr*, unsigned, bool>, const FunctionDecl*> overloads{};
     std::vector<const FunctionDecl*> active{};  // whose bodies are being emitted, the innermost last: finds recursion
