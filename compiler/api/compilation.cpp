@@ -120,7 +120,7 @@ bool link_stages(Compilation& c) {
         }
         leave_out_targets(c, i, first_pass);
     }
-    c.pass = {};
+    c.pass = std::string_view();
     return true;
 }
 

@@ -7,6 +7,7 @@
 
 #include "compiler/engines/writers.h"
 #include "compiler/resolve/material.h"
+#include "compiler/seam/seam.h"
 
 namespace patina {
 
@@ -15,7 +16,7 @@ struct Compilation {
     std::uint32_t source = 0;  // where the graph's text begins in the session's sources
     std::string path;          // of its file
     Result& result;
-    std::string_view& pass;  // that is worked on now
+    ShortName& pass;  // that is worked on now
 
     const output::Writer* writer = nullptr;
     graph::MaterialFile file{};

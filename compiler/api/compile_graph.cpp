@@ -18,7 +18,7 @@ std::optional<std::uint32_t> add_source(graph::Session& session, const Source& s
 Result compile_for_engine(const CompilerImpl& compiler, const Source& source, const CompileOptions& options,
                           graph::Files& files, Trail& trail) {
     graph::Session session(*compiler.library, options, &files);
-    std::string_view pass;
+    ShortName pass;
     const TrailGuard guard(trail, session.diagnostics, &pass);
     Result result;
     graph::until_stopped(session, [&] {

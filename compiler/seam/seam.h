@@ -42,10 +42,11 @@ struct Trail {
     ShortName pass{};
 };
 
-// Leaves on the trail what the diagnostics and `pass` say, if an exception passes by.
+// Leaves on the trail what the diagnostics and `pass` say, if an exception passes by. `pass` has a copy of the name:
+// what the name belongs to is gone by then.
 class TrailGuard {
 public:
-    TrailGuard(Trail& trail, const Diagnostics& diagnostics, const std::string_view* pass = nullptr)
+    TrailGuard(Trail& trail, const Diagnostics& diagnostics, const ShortName* pass = nullptr)
         : trail_(trail), diagnostics_(diagnostics), pass_(pass) {}
     ~TrailGuard();
     TrailGuard(const TrailGuard&) = delete;
@@ -53,7 +54,7 @@ public:
 private:
     Trail& trail_;
     const Diagnostics& diagnostics_;
-    const std::string_view* pass_;
+    const ShortName* pass_;
     int exceptions_ = std::uncaught_exceptions();
 };
 

@@ -61,7 +61,7 @@ void expect_sound(const std::string& path, const std::string& text, const std::s
         text.empty() ? graph::load_source(session, path, {}) : std::optional(session.sources.add(path, text));
     ASSERT_TRUE(base);
     Result result;
-    std::string_view pass_now;
+    ShortName pass_now;
     Compilation compilation{.session = session, .source = *base, .path = path, .result = result, .pass = pass_now};
     compile(compilation);
     ASSERT_FALSE(session.diagnostics.has_errors());

@@ -72,7 +72,7 @@ MtlxExport write(const Compiler& compiler, const std::string& path, const MtlxOp
     const TrailGuard guard(trail, session.diagnostics);
     MtlxExport made;
     Result result;
-    std::string_view pass;
+    ShortName pass;
     graph::until_stopped(session, [&] {
         const std::optional<std::uint32_t> base = graph::load_source(session, path, {});
         if (!base) return;
