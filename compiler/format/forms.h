@@ -45,9 +45,9 @@ constexpr Form color_with_alpha() {
 constexpr Form any_of(std::span<const std::string_view> words) {
     return {.of = Form::Of::Words, .words = words};
 }
-// The words of an enum.
+// The words of an enum. Hidden: a plugin that contains the library would show it for each public enum.
 template <HasWords E>
-inline constexpr auto kTextsOf = texts<E>();
+[[gnu::visibility("hidden")]] inline constexpr auto kTextsOf = texts<E>();
 template <HasWords E>
 constexpr Form words() {
     return any_of(kTextsOf<E>);
