@@ -17,7 +17,9 @@ component(fmt LICENCE MIT FILE fmt/format.h MODULE fmt TEXT_OF 9.1.0 HEADERS lib
 component(rapidjson LICENCE MIT FILE rapidjson/reader.h MODULE RapidJSON TEXT_OF 1.1.0 HEADERS libpatina ${others})
 component(glm LICENCE MIT FILE glm/glm.hpp MODULE glm TEXT_OF 0.9.9.8 HEADERS libpatina-lighting ${others})
 component(cli11 LICENCE BSD-3-Clause FILE CLI/CLI.hpp MODULE CLI11 TEXT_OF 2.1.2 HEADERS ${others})
-component(mimalloc LICENCE MIT FILE libmimalloc.so TEXT_OF 2.0.9 HEADERS patina SHARED patina)
+if(NOT CMAKE_CXX_FLAGS MATCHES "fsanitize")  # sanitizers have an allocator of their own
+  component(mimalloc LICENCE MIT FILE libmimalloc.so TEXT_OF 2.0.9 HEADERS patina SHARED patina)
+endif()
 # A part of glslang's parser is made by Bison; the preprocessor has a licence of its own.
 component(glslang
   LICENCE "BSD-3-Clause AND MIT AND GPL-3.0-or-later WITH Bison-exception-2.2 AND LicenseRef-NVIDIA"
