@@ -8,12 +8,12 @@
 namespace patina {
 namespace {
 
-void add(std::vector<Diagnostic>& all, const Diagnostics& some, const graph::Library& library) {
+void add(std::vector<Diagnostic>& all, const Diagnostics& some, const resolve::Library& library) {
     for (Diagnostic& each : to_public(some, library.sources)) all.push_back(std::move(each));
 }
 
 // The errors in the files of models from `first` on.
-void add_models(std::vector<Diagnostic>& all, const graph::Library& library, std::uint32_t first) {
+void add_models(std::vector<Diagnostic>& all, const resolve::Library& library, std::uint32_t first) {
     for (const auto* graphs : {&library.workflows, &library.lighting_models}) {
         for (const auto& [name, graph] : *graphs)
             if (graph.base() >= first) add(all, graph.diagnostics(), library);
@@ -22,7 +22,7 @@ void add_models(std::vector<Diagnostic>& all, const graph::Library& library, std
 
 }  // namespace
 
-std::vector<Diagnostic> check_overlay(graph::Library& library) {
+std::vector<Diagnostic> check_overlay(resolve::Library& library) {
     if (!library.diagnostics.has_errors())
         check_functions({library, library.declarations, library.sources}, library.ast, library.diagnostics,
                         library.overlay_functions);
@@ -34,9 +34,9 @@ std::vector<Diagnostic> check_overlay(graph::Library& library) {
 }
 
 std::vector<Diagnostic> Compiler::library_diagnostics() const {
-    const std::unique_ptr<graph::Library> whole =
-        impl_->library->unread.empty() ? nullptr : graph::read_whole(*impl_->library);
-    const graph::Library& library = whole ? *whole : *impl_->library;
+    const std::unique_ptr<resolve::Library> whole =
+        impl_->library->unread.empty() ? nullptr : resolve::read_whole(*impl_->library);
+    const resolve::Library& library = whole ? *whole : *impl_->library;
     std::vector<Diagnostic> all;
     add(all, library.diagnostics, library);
     for (const nodelang::FunctionDecl& function : library.ast.functions) {

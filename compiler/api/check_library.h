@@ -8,6 +8,6 @@ namespace patina {
 
 // Checks the types in the overlay's functions, and returns all errors of the overlay: those of its syntax and names,
 // too. A graph that uses its models finds theirs.
-std::vector<Diagnostic> check_overlay(graph::Library& library);
+std::vector<Diagnostic> check_overlay(resolve::Library& library);
 
 }  // namespace patina

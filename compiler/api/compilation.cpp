@@ -15,20 +15,20 @@ namespace patina {
 namespace {
 
 bool may_go_on(const Compilation& c) {
-    return !graph::must_stop(c.session) && !c.session.diagnostics.has_errors();
+    return !resolve::must_stop(c.session) && !c.session.diagnostics.has_errors();
 }
 
 // The extra passes that were requested and can be drawn.
 void choose_passes(Compilation& c) {
-    graph::Session& session = c.session;
+    resolve::Session& session = c.session;
     const std::vector<std::string>& wanted = session.request.passes;
-    for (const std::unique_ptr<graph::Material>& each : c.file.passes) {
-        const graph::ExtraPass& pass = *each->pass;
+    for (const std::unique_ptr<resolve::Material>& each : c.file.passes) {
+        const format::ExtraPass& pass = *each->pass;
         const bool is_named = std::find(wanted.begin(), wanted.end(), pass.name) != wanted.end();
         if (session.request.functions) {
             session.diagnostics.report(Code::PassLeftOut, pass.name_span, pass.name,
                                        "--functions writes only the functions of the material itself");
-        } else if (wanted.empty() ? graph::draws_extra(session, c.lowered.front()) : is_named) {
+        } else if (wanted.empty() ? lower::draws_extra(session, c.lowered.front()) : is_named) {
             c.materials.push_back(each.get());
         }
     }
@@ -43,10 +43,10 @@ output::Compiled compiled(const Compilation& c) {
             .name = output_name(c.path)};
 }
 
-std::optional<Budget::Limit> limit_of(const std::optional<graph::Budget::Limit>& limit, const SourceMap& sources) {
+std::optional<Budget::Limit> limit_of(const std::optional<format::Budget::Limit>& limit, const SourceMap& sources) {
     if (!limit) return std::nullopt;
     return Budget::Limit{.most = static_cast<std::uint32_t>(limit->most),
-                         .place = graph::place_of(sources, limit->span)};
+                         .place = format::place_of(sources, limit->span)};
 }
 
 }  // namespace
@@ -57,22 +57,22 @@ bool accept(Compilation& c) {
 }
 
 bool find_path(Compilation& c) {
-    if (!c.session.request.functions) graph::find_path(c.session);
+    if (!c.session.request.functions) resolve::find_path(c.session);
     return true;  // the library's passes are used then, so that errors in the graph are still found
 }
 
 bool read_material(Compilation& c) {
-    c.file = graph::read_material(c.session, c.source, c.path);
+    c.file = resolve::read_material(c.session, c.source, c.path);
     if (!c.file.material) return false;
     c.materials = {c.file.material.get()};
     dump_graph(c.result, c.session, *c.file.material);
-    return !graph::must_stop(c.session);  // lowering checks types even after errors, to report as many as possible
+    return !resolve::must_stop(c.session);  // lowering checks types even after errors, to report as many as possible
 }
 
 bool lower_material(Compilation& c) {
-    c.lowered.push_back(graph::lower(c.session, *c.materials.front(), {.fold = true}));
+    c.lowered.push_back(lower::lower(c.session, *c.materials.front(), {.fold = true}));
     if (!may_go_on(c)) return false;
-    graph::warn_unused(c.session, *c.materials.front());
+    resolve::warn_unused(c.session, *c.materials.front());
     ir::check_if_verifying(c.lowered.front().module, "lowered");
     link::dump_stage(c.result, c.session.options, "ir", "ir", c.lowered.front().module);
     return true;
@@ -81,12 +81,12 @@ bool lower_material(Compilation& c) {
 bool lower_passes(Compilation& c) {
     choose_passes(c);
     for (std::size_t i = 1; i < c.materials.size(); ++i)
-        c.lowered.push_back(graph::lower(c.session, *c.materials[i], {.fold = true}));
+        c.lowered.push_back(lower::lower(c.session, *c.materials[i], {.fold = true}));
     return may_go_on(c);
 }
 
 bool link_materials(Compilation& c) {
-    for (graph::Lowered& lowered : c.lowered) {
+    for (lower::Lowered& lowered : c.lowered) {
         c.writer->name(c.session, lowered);
         c.linked.push_back(link::link(std::move(lowered)));
     }
@@ -100,7 +100,7 @@ void leave_out_targets(Compilation& c, std::size_t material, std::size_t first_p
     if (!request || !request->only.empty()) return;
     const auto passes = std::span(c.passes).subspan(first_pass);
     for (link::LinkedPass& made : passes) {
-        const graph::LoweredPass& pass = *made.pass;
+        const lower::LoweredPass& pass = *made.pass;
         if (const std::uint32_t unread = link::unread_targets(pass, passes))
             made = link::link_pass(*c.materials[material], c.linked[material], pass, c.session, c.result, unread);
     }
@@ -109,7 +109,7 @@ void leave_out_targets(Compilation& c, std::size_t material, std::size_t first_p
 bool link_stages(Compilation& c) {
     for (std::size_t i = 0; i < c.materials.size(); ++i) {
         const std::size_t first_pass = c.passes.size();
-        for (const graph::LoweredPass& pass : c.linked[i].lowered.passes) {
+        for (const lower::LoweredPass& pass : c.linked[i].lowered.passes) {
             c.pass = pass.name;
             link::LinkedPass made = link::link_pass(*c.materials[i], c.linked[i], pass, c.session, c.result);
             if (c.writer->takes(c.session, c.linked[i], made)) {
@@ -141,8 +141,8 @@ bool order_passes(Compilation& c) {
 
 bool reflect(Compilation& c) {
     c.result.reflection = output::reflect(*c.materials.front(), c.linked.front().lowered, c.passes, c.session);
-    const graph::Graph& graph = *c.materials.front()->graph->graph;
-    for (const graph::Node& node : graph.nodes) c.result.nodes.push_back(node.id);
+    const format::Graph& graph = *c.materials.front()->graph->graph;
+    for (const format::Node& node : graph.nodes) c.result.nodes.push_back(node.id);
     c.result.budget = {.instructions = limit_of(graph.budget.instructions, c.session.sources),
                        .textures = limit_of(graph.budget.textures, c.session.sources)};
     return true;

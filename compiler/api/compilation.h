@@ -12,16 +12,16 @@
 namespace patina {
 
 struct Compilation {
-    graph::Session& session;
+    resolve::Session& session;
     std::uint32_t source = 0;  // where the graph's text begins in the session's sources
     std::string path;          // of its file
     Result& result;
     ShortName& pass;  // that is worked on now
 
     const output::Writer* writer = nullptr;
-    graph::MaterialFile file{};
-    std::vector<const graph::Material*> materials{};  // the material itself, then its extra passes that are drawn
-    std::vector<graph::Lowered> lowered{};            // of each material, until it is linked
+    resolve::MaterialFile file{};
+    std::vector<const resolve::Material*> materials{};  // the material itself, then its extra passes that are drawn
+    std::vector<lower::Lowered> lowered{};            // of each material, until it is linked
     std::vector<link::Linked> linked{};               // of each material
     std::vector<link::LinkedPass> passes{};           // of all materials
 };

@@ -8,20 +8,20 @@ namespace patina {
 namespace {
 
 // Where the graph begins in the session's sources. Nothing after an error.
-std::optional<std::uint32_t> add_source(graph::Session& session, const Source& source) {
-    if (!source.text) return graph::load_source(session, source.path, {});
+std::optional<std::uint32_t> add_source(resolve::Session& session, const Source& source) {
+    if (!source.text) return resolve::load_source(session, source.path, {});
     session.dependencies.push_back(source.path);
     const std::uint32_t base = session.sources.add(source.path, *source.text);
-    return graph::is_over_bytes(session, {base, base}) ? std::nullopt : std::optional(base);
+    return resolve::is_over_bytes(session, {base, base}) ? std::nullopt : std::optional(base);
 }
 
 Result compile_for_engine(const CompilerImpl& compiler, const Source& source, const CompileOptions& options,
-                          graph::Files& files, Trail& trail) {
-    graph::Session session(*compiler.library, options, &files);
+                          resolve::Files& files, Trail& trail) {
+    resolve::Session session(*compiler.library, options, &files);
     ShortName pass;
     const TrailGuard guard(trail, session.diagnostics, &pass);
     Result result;
-    graph::until_stopped(session, [&] {
+    resolve::until_stopped(session, [&] {
         const std::optional<std::uint32_t> base = add_source(session, source);
         if (!base) return;
         Compilation compilation{
@@ -43,7 +43,7 @@ Result compile_for_engine(const CompilerImpl& compiler, const Source& source, co
 }  // namespace
 
 Result compile_source(const CompilerImpl& compiler, const Source& source, const CompileOptions& options,
-                      graph::Files& files, Trail& trail) {
+                      resolve::Files& files, Trail& trail) {
     if (!compiler.overlay_errors.empty()) {
         Result result;
         result.diagnostics = compiler.overlay_errors;
@@ -56,13 +56,13 @@ Result compile_source(const CompilerImpl& compiler, const Source& source, const 
 
 Result compile_file(const CompilerImpl& compiler, const std::string& path, const CompileOptions& options,
                     Trail& trail) {
-    graph::Files files(options);
+    resolve::Files files(options);
     return compile_or_find(compiler, {.path = path}, options, files, trail);
 }
 
 Result compile_text(const CompilerImpl& compiler, const std::string& path, std::string text,
                     const CompileOptions& options, Trail& trail) {
-    graph::Files files(options);
+    resolve::Files files(options);
     files.add_bytes(text.size());
     if (options.accept_parts) files.give_part(path, text);
     return compile_or_find(compiler, {.path = path, .text = std::move(text)}, options, files, trail);

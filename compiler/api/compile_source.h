@@ -13,10 +13,10 @@ struct Source {
 };
 
 Result compile_source(const CompilerImpl& compiler, const Source& source, const CompileOptions& options,
-                      graph::Files& files, Trail& trail);
+                      resolve::Files& files, Trail& trail);
 // The same, for a request of its own: `files` has been asked for nothing yet.
 Result compile_or_find(const CompilerImpl& compiler, const Source& source, const CompileOptions& options,
-                       graph::Files& files, Trail& trail);
+                       resolve::Files& files, Trail& trail);
 
 // Compiler::compile_file() and compile_text(), for functions that end exceptions themselves.
 Result compile_file(const CompilerImpl& compiler, const std::string& path, const CompileOptions& options, Trail& trail);

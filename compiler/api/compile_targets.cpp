@@ -38,7 +38,7 @@ struct EngineTargets {
 
 // Groups the targets by engine, in the order in which the engines are first named. Engines with passes of their own
 // come last.
-std::vector<EngineTargets> by_engine(const graph::Library& library, const std::vector<Target>& targets) {
+std::vector<EngineTargets> by_engine(const resolve::Library& library, const std::vector<Target>& targets) {
     std::vector<EngineTargets> made;
     for (const Target& target : targets) {
         const engines::Engine* engine = library.engine(target.engine);
@@ -54,7 +54,7 @@ std::vector<EngineTargets> by_engine(const graph::Library& library, const std::v
 }
 
 // An error for a target whose engine or language is not in the library.
-std::optional<Diagnostic> unknown_target(const graph::Library& library, const Target& target) {
+std::optional<Diagnostic> unknown_target(const resolve::Library& library, const Target& target) {
     const engines::Engine* engine = library.engine(target.engine);
     const auto& languages = engine ? engine->languages : std::vector<std::string>{};
     if (engine && std::find(languages.begin(), languages.end(), target.language) != languages.end()) return {};
@@ -69,7 +69,7 @@ std::optional<Diagnostic> unknown_target(const graph::Library& library, const Ta
     return to_public(diagnostics, library.sources).front();
 }
 
-std::optional<Diagnostic> unknown_dump(const graph::Library& library, std::string_view step) {
+std::optional<Diagnostic> unknown_dump(const resolve::Library& library, std::string_view step) {
     if (std::find(link::kDumps.begin(), link::kDumps.end(), step) != link::kDumps.end()) return {};
     Diagnostics diagnostics;
     diagnostics.report(Code::UnknownWord, {}, step, "a step that can be dumped")
@@ -78,7 +78,7 @@ std::optional<Diagnostic> unknown_dump(const graph::Library& library, std::strin
 }
 
 // A switch with two different values. No value means "true".
-std::optional<Diagnostic> two_values(const graph::Library& library, const CompileOptions& options) {
+std::optional<Diagnostic> two_values(const resolve::Library& library, const CompileOptions& options) {
     std::map<std::string_view, std::string_view> values;
     for (const auto& [name, given] : options.switches) {
         const std::string_view value = given.empty() ? std::string_view("true") : given;
@@ -91,7 +91,7 @@ std::optional<Diagnostic> two_values(const graph::Library& library, const Compil
     return {};
 }
 
-void check_shader_bytes(const graph::Library& library, std::size_t most, Result& result) {
+void check_shader_bytes(const resolve::Library& library, std::size_t most, Result& result) {
     std::size_t bytes = 0;
     for (const Shader& shader : result.shaders) bytes += shader.text.size();
     if (bytes <= most) return;
@@ -129,12 +129,12 @@ void without_switches(std::vector<std::pair<std::string, std::string>>& given, c
     });
 }
 
-bool holds_variants(const graph::Library& library, const Target& target) {
+bool holds_variants(const resolve::Library& library, const Target& target) {
     const engines::Engine* engine = library.engine(target.engine);
     return engine && engine->variants == engines::Variants::Keywords;
 }
 
-Result compile_targets(const graph::Library& library, const CompileOptions& options, const CompileForEngine& compile) {
+Result compile_targets(const resolve::Library& library, const CompileOptions& options, const CompileForEngine& compile) {
     if (std::optional<Diagnostic> twice = two_values(library, options)) return refused(std::move(*twice));
     for (const Target& target : options.targets) {
         if (std::optional<Diagnostic> unknown = unknown_target(library, target)) return refused(std::move(*unknown));

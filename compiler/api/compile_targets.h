@@ -14,7 +14,7 @@ using CompileForEngine = std::function<Result(const CompileOptions&)>;
 // Engines that draw the library's paths come first: their reflection becomes that of the whole, with its switches of
 // passes. An engine with passes of its own compiles all combinations of variants into its file, and ignores switches of
 // passes.
-Result compile_targets(const graph::Library& library, const CompileOptions& options, const CompileForEngine& compile);
+Result compile_targets(const resolve::Library& library, const CompileOptions& options, const CompileForEngine& compile);
 
 // True if the program has cancelled the compilation, which then says so.
 bool is_cancelled(const Result& result);
@@ -26,6 +26,6 @@ std::vector<std::string> joined(const std::vector<std::string>& a, const std::ve
 void without_switches(std::vector<std::pair<std::string, std::string>>& given, const Reflection& of_path);
 
 // True for a target whose engine writes all combinations of variants into one file.
-bool holds_variants(const graph::Library& library, const Target& target);
+bool holds_variants(const resolve::Library& library, const Target& target);
 
 }  // namespace patina

@@ -10,7 +10,7 @@
 namespace patina {
 
 struct Compiler::Impl {
-    std::unique_ptr<graph::Library> library;
+    std::unique_ptr<resolve::Library> library;
     std::vector<Diagnostic> overlay_errors;  // then nothing is compiled
     mutable Cache<CachedResult> results{CachedResult::kMostBytes};
 
@@ -34,7 +34,7 @@ struct Compiler::Impl {
 struct CompilerAccess {
     using Impl = Compiler::Impl;
     static Compiler with_files(std::span<const nodelang::EmbeddedFile> more);
-    static const graph::Library& library(const Compiler& compiler) { return *compiler.impl_->library; }
+    static const resolve::Library& library(const Compiler& compiler) { return *compiler.impl_->library; }
     static const Impl& impl(const Compiler& compiler) { return *compiler.impl_; }
 };
 

@@ -35,16 +35,16 @@ const nodelang::Expr* read_argument(const std::string& text, SourceMap& sources,
     const std::string_view stored = sources.file_text(base);
     const Span span{base, base + static_cast<std::uint32_t>(text.size())};
     if (text.starts_with('#')) {
-        graph::Json json;
-        json.kind = graph::Json::Kind::String;
+        json::Json json;
+        json.kind = json::Json::Kind::String;
         // read_value expects the span of a JSON string, with its quotes.
         json.span = {span.begin - 1, span.end + 1};
         json.string = text;
-        return graph::read_value(json, sources, ast, diagnostics);
+        return format::read_value(json, sources, ast, diagnostics);
     }
     if (text.starts_with('{') || text.starts_with('[')) {
-        const std::unique_ptr<graph::Json> json = graph::parse_json(sources, base, diagnostics);
-        return json ? graph::read_value(*json, sources, ast, diagnostics) : nullptr;
+        const std::unique_ptr<json::Json> json = json::parse_json(sources, base, diagnostics);
+        return json ? format::read_value(*json, sources, ast, diagnostics) : nullptr;
     }
     if (text.find(',') == std::string::npos || text.find('(') != std::string::npos) {
         return nodelang::parse_expression({.text = stored, .base = base}, ast, diagnostics);
@@ -67,9 +67,9 @@ struct Callee {
     const nodelang::Declarations& declarations;
 };
 
-std::optional<Callee> find_callee(graph::Session& session, std::string_view node) {
+std::optional<Callee> find_callee(resolve::Session& session, std::string_view node) {
     if (node.ends_with(".hlsl")) {
-        const graph::NodeFile* file = graph::load_node_file(session, std::string(node), {});
+        const resolve::NodeFile* file = resolve::load_node_file(session, std::string(node), {});
         if (!file) return {};
         return Callee{*file->node, file->declarations};
     }
@@ -82,7 +82,7 @@ std::optional<Callee> find_callee(graph::Session& session, std::string_view node
 }
 
 // The arguments by parameter; null for a parameter without one.
-std::vector<const nodelang::Expr*> read_arguments(graph::Session& session, const nodelang::FunctionDecl& function,
+std::vector<const nodelang::Expr*> read_arguments(resolve::Session& session, const nodelang::FunctionDecl& function,
                                                   std::span<const std::pair<std::string, std::string>> arguments) {
     std::vector<const nodelang::Expr*> values(function.params.size(), nullptr);
     for (const auto& argument : arguments) {
@@ -103,8 +103,8 @@ std::vector<const nodelang::Expr*> read_arguments(graph::Session& session, const
         const nodelang::Expr*& value = values[static_cast<std::size_t>(param - function.params.begin())];
         if (value) session.diagnostics.report(Code::DuplicateKey, value->span, name);
         value = read_argument(text, session.sources, session.ast, session.diagnostics);
-        if (const auto range = graph::range_of(param->attributes); range && value) {
-            graph::check_range(session, *value, *range, false, name);
+        if (const auto range = resolve::range_of(param->attributes); range && value) {
+            resolve::check_range(session, *value, *range, false, name);
         }
     }
     return values;
@@ -127,12 +127,12 @@ std::vector<Hint> hints() {
 }
 
 std::string output_name(std::string_view path) {
-    return portable_name(graph::name_of_file(path));
+    return portable_name(format::name_of_file(path));
 }
 
 Compiler::Compiler() : Compiler(LibraryOverlay{}) {}
 Compiler::Compiler(const LibraryOverlay& overlay) : impl_(std::make_unique<Impl>()) {
-    impl_->library = graph::load_library(nodelang::embedded_files(), engines::printable(), overlay);
+    impl_->library = resolve::load_library(nodelang::embedded_files(), engines::printable(), overlay);
     if (!overlay.files.empty()) impl_->overlay_errors = check_overlay(*impl_->library);
 }
 Compiler::Compiler(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
@@ -142,7 +142,7 @@ Compiler CompilerAccess::with_files(std::span<const nodelang::EmbeddedFile> more
     std::vector<nodelang::EmbeddedFile> files(own.begin(), own.end());
     files.insert(files.end(), more.begin(), more.end());
     auto impl = std::make_unique<Compiler::Impl>();
-    impl->library = graph::load_library(files, engines::printable());
+    impl->library = resolve::load_library(files, engines::printable());
     return Compiler(std::move(impl));
 }
 Compiler::~Compiler() = default;
@@ -155,7 +155,7 @@ const Compiler::Impl::Described& Compiler::Impl::describe() const {
         auto made = std::make_unique<Described>();
         auto& [nodes, semantics, workflows, lighting_models, paths] = *made;
         const EvaluationContext context{*library, library->declarations, library->sources};
-        for (const nodelang::FunctionDecl* function : graph::all_functions(*library)) {
+        for (const nodelang::FunctionDecl* function : resolve::all_functions(*library)) {
             if (function->attribute("node")) nodes.push_back(describe_node(*function, context));
         }
         std::sort(nodes.begin(), nodes.end(), [](const NodeInfo& a, const NodeInfo& b) {
@@ -229,7 +229,7 @@ std::vector<NodeTest> Compiler::tests(std::string_view node) const {
     const nodelang::FunctionDecl* function = impl_->library->declarations.function(node);
     if (!function) return {};
     Diagnostics diagnostics;
-    const graph::Library& library = *impl_->library;
+    const resolve::Library& library = *impl_->library;
     std::vector<NodeTest> tests = node_tests({library, library.declarations, library.sources}, *function, diagnostics);
     // A test line that cannot run counts as a failed test.
     for (const DiagnosticRecord& record : diagnostics.records()) {
@@ -247,11 +247,11 @@ std::vector<NodeTest> Compiler::tests(std::string_view node) const {
 NodeFileResult Compiler::check_node_file(const std::string& path, const CompileOptions& options) const {
     return guarded<NodeFileResult>(path, [&](Trail& trail) {
         NodeFileResult result;
-        graph::Session session(*impl_->library, options);
+        resolve::Session session(*impl_->library, options);
         const TrailGuard guard(trail, session.diagnostics);
         Effort effort;
-        graph::until_stopped(session, [&] {
-            const graph::NodeFile* const file = graph::load_node_file(session, path, {});
+        resolve::until_stopped(session, [&] {
+            const resolve::NodeFile* const file = resolve::load_node_file(session, path, {});
             if (!file) return;
             const EvaluationContext context{.library = session.library,
                                             .declarations = file->declarations,
@@ -269,19 +269,19 @@ NodeFileResult Compiler::check_node_file(const std::string& path, const CompileO
 
 namespace {
 
-SceneResult read_scene_file(graph::Session& session, const std::string& path) {
+SceneResult read_scene_file(resolve::Session& session, const std::string& path) {
     SceneResult result;
-    graph::until_stopped(session, [&] {
-        const std::optional<std::uint32_t> base = graph::load_source(session, path, {});
+    resolve::until_stopped(session, [&] {
+        const std::optional<std::uint32_t> base = resolve::load_source(session, path, {});
         if (!base) return;
-        const std::unique_ptr<graph::Json> json = graph::parse_json(session.sources, *base, session.diagnostics);
-        const graph::SceneFiles files{
-            .find = [&](const std::string& name, Span at) { return graph::find_file(session, name, path, at); },
-            .require = [&](const std::string& name, Span at) { return graph::require_file(session, name, path, at); },
+        const std::unique_ptr<json::Json> json = json::parse_json(session.sources, *base, session.diagnostics);
+        const format::SceneFiles files{
+            .find = [&](const std::string& name, Span at) { return resolve::find_file(session, name, path, at); },
+            .require = [&](const std::string& name, Span at) { return resolve::require_file(session, name, path, at); },
             .require_graph = [&](const std::string& name,
-                                 Span at) { return graph::require_graph(session, name, path, at); }};
-        const graph::Reading reading{session.sources, session.ast, session.diagnostics};
-        if (json) result.scene = graph::read_scene(reading, *json, path, graph::file_stem(path), files);
+                                 Span at) { return resolve::require_graph(session, name, path, at); }};
+        const format::Reading reading{session.sources, session.ast, session.diagnostics};
+        if (json) result.scene = format::read_scene(reading, *json, path, resolve::file_stem(path), files);
     });
     result.diagnostics = to_public(session.diagnostics, session.sources);
     result.dependencies = std::move(session.dependencies);
@@ -294,7 +294,7 @@ SceneResult read_scene_file(graph::Session& session, const std::string& path) {
 
 SceneResult Compiler::read_scene(const std::string& path, const CompileOptions& options) const {
     return guarded<SceneResult>(path, [&](Trail& trail) {
-        graph::Session session(*impl_->library, options);
+        resolve::Session session(*impl_->library, options);
         const TrailGuard guard(trail, session.diagnostics);
         return read_scene_file(session, path);
     });
@@ -304,12 +304,12 @@ EvalResult Compiler::evaluate(std::string_view node, std::span<const std::pair<s
                               bool single, std::span<const NamedValue> names) const {
     return guarded<EvalResult>({}, [&](Trail& trail) {
         const CompileOptions options;
-        graph::Session session(*impl_->library, options);
+        resolve::Session session(*impl_->library, options);
         Diagnostics& diagnostics = session.diagnostics;
         const TrailGuard guard(trail, diagnostics);
         EvalResult result;
         Effort effort;
-        graph::until_stopped(session, [&] {
+        resolve::until_stopped(session, [&] {
             const std::optional<Callee> callee = find_callee(session, node);
             if (!callee) return;
             const std::string_view name = callee->function.name;
@@ -331,10 +331,10 @@ EvalResult Compiler::evaluate_expression(std::string_view expression, std::span<
                                          bool single) const {
     return guarded<EvalResult>({}, [&](Trail&) {
         const CompileOptions options;
-        graph::Session session(*impl_->library, options);
+        resolve::Session session(*impl_->library, options);
         EvalResult result;
         Effort effort;
-        graph::until_stopped(session, [&] {
+        resolve::until_stopped(session, [&] {
             const nodelang::Expr* const parsed =
                 read_argument(std::string(expression), session.sources, session.ast, session.diagnostics);
             if (!parsed) return;
@@ -351,7 +351,7 @@ EvalResult Compiler::evaluate_expression(std::string_view expression, std::span<
 }
 
 std::string Compiler::schema() const {
-    return graph::make_schema(
+    return format::make_schema(
         {.nodes = nodes(), .semantics = semantics(), .workflows = workflows(), .lighting_models = lighting_models()});
 }
 
@@ -360,7 +360,7 @@ Compiler::Formatted Compiler::format(const std::string& path, std::string text, 
         SourceMap sources;
         Diagnostics diagnostics;
         const std::uint32_t base = sources.add(path, std::move(text));
-        graph::FormattedText formatted = graph::format_graph(sources, base, diagnostics);
+        format::FormattedText formatted = format::format_graph(sources, base, diagnostics);
         return {.ok = formatted.ok, .text = std::move(formatted.text), .diagnostics = to_public(diagnostics, sources)};
     };
     return guarded<Formatted>(path, [&](Trail&) { return within<Formatted>(limits, text.size(), work); });

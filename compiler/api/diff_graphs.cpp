@@ -12,11 +12,11 @@
 namespace patina {
 namespace {
 
-using graph::GraphText;
-using graph::TreeValue;
+using edit::GraphText;
+using edit::TreeValue;
 
 std::unique_ptr<GraphText> read(const GraphVersion& version) {
-    std::unique_ptr<GraphText> text = graph::read_graph_text(version.name, version.text.empty() ? "{}" : version.text);
+    std::unique_ptr<GraphText> text = edit::read_graph_text(version.name, version.text.empty() ? "{}" : version.text);
     if (version.text.empty()) text->ok = true;
     return text;
 }
@@ -29,23 +29,23 @@ void add_errors(const GraphText& text, GraphDiff& diff) {
 
 std::string json_of(const TreeValue& value) {
     std::string text;
-    if (value) graph::append_one_line(text, *value.json, value.text->sources);
+    if (value) json::append_one_line(text, *value.json, value.text->sources);
     return text;
 }
 
 // The names of a list, for a change of its order.
 std::string names_of(const TreeValue& list) {
     std::string text;
-    for (const graph::TreeChild& child : graph::children_of(list)) {
+    for (const edit::TreeChild& child : edit::children_of(list)) {
         text += text.empty() ? "[" : ", ";
-        graph::append_quoted(text, child.name);
+        json::append_quoted(text, child.name);
     }
     return text + "]";
 }
 
-FilePlace place_in(const GraphText& text, const graph::Path& path) {
-    const TreeValue value = graph::find(text, path);
-    return value ? graph::place_of(text.sources, value.json->span) : FilePlace{};
+FilePlace place_in(const GraphText& text, const edit::Path& path) {
+    const TreeValue value = edit::find(text, path);
+    return value ? format::place_of(text.sources, value.json->span) : FilePlace{};
 }
 
 GraphDiff diff(const GraphVersion& before, const GraphVersion& after) {
@@ -59,8 +59,8 @@ GraphDiff diff(const GraphVersion& before, const GraphVersion& after) {
     diff.ok = true;
 
     // A rename is one change, whatever reads the name.
-    const std::vector<graph::Rename> renames = graph::find_renames(*old_text, *new_text);
-    for (const graph::Rename& rename : renames) {
+    const std::vector<edit::Rename> renames = edit::find_renames(*old_text, *new_text);
+    for (const edit::Rename& rename : renames) {
         diff.changes.push_back({.kind = GraphChangeKind::Renamed,
                                 .path = {rename.list, rename.to},
                                 .before = rename.from,
@@ -68,12 +68,12 @@ GraphDiff diff(const GraphVersion& before, const GraphVersion& after) {
                                 .before_place = place_in(*old_text, {rename.list, rename.from}),
                                 .after_place = place_in(*new_text, {rename.list, rename.to})});
     }
-    const std::unique_ptr<GraphText> renamed = graph::read_graph_text(
-        before.name, graph::apply(old_text->sources, old_text->base, graph::rename_edits(*old_text, renames)));
+    const std::unique_ptr<GraphText> renamed = edit::read_graph_text(
+        before.name, edit::apply(old_text->sources, old_text->base, edit::rename_edits(*old_text, renames)));
     renamed->kind = old_text->kind;
-    for (const graph::TreeChange& each : graph::find_changes(*renamed, *new_text)) {
-        const graph::Path old_path = graph::before_renames(each.path, renames);
-        const TreeValue old_value = each.before ? graph::find(*old_text, old_path) : TreeValue{};
+    for (const edit::TreeChange& each : edit::find_changes(*renamed, *new_text)) {
+        const edit::Path old_path = edit::before_renames(each.path, renames);
+        const TreeValue old_value = each.before ? edit::find(*old_text, old_path) : TreeValue{};
         GraphChange& change = diff.changes.emplace_back();
         change.kind = each.is_order  ? GraphChangeKind::Reordered
                       : !each.before ? GraphChangeKind::Added

@@ -8,9 +8,9 @@
 namespace patina {
 
 FileSystem disk(const DiskOptions& options) {
-    graph::DiskPart part{.root = nullptr, .most_bytes = std::min(options.most_bytes, graph::kMaxJsonBytes)};
+    resolve::DiskPart part{.root = nullptr, .most_bytes = std::min(options.most_bytes, json::kMaxJsonBytes)};
     if (!options.root.empty()) part.root = std::make_shared<const Root>(options.root);
-    return {.resolve = join_names, .exists = graph::FindOnDisk{part}, .read = graph::ReadFromDisk{part}};
+    return {.resolve = join_names, .exists = resolve::FindOnDisk{part}, .read = resolve::ReadFromDisk{part}};
 }
 
 FileSystem disk() {

@@ -5,6 +5,6 @@
 
 namespace patina {
 
-void dump_graph(Result& result, const graph::Session& session, const graph::Material& material);
+void dump_graph(Result& result, const resolve::Session& session, const resolve::Material& material);
 
 }  // namespace patina

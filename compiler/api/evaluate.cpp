@@ -113,7 +113,7 @@ struct Bench {
           builder(module, function, {.fold = false}),
           environment(diagnostics, context.names, asked),
           effort(context.effort) {
-        graph::declare_engine(*context.library.engine({}), context.library.paths, context.library.declarations,
+        lower::declare_engine(*context.library.engine({}), context.library.paths, context.library.declarations,
                               emitter);
         function.name = "evaluate";
         scope.builder = &builder;
@@ -332,7 +332,7 @@ void check_functions(const EvaluationContext& context, const nodelang::Ast& ast,
     ir::Module module;
     Growth growth{.most = Limits{}.instructions};
     emit::Emitter emitter{.module = module, .diagnostics = diagnostics, .options = {.fold = true}, .growth = &growth};
-    graph::declare_engine(*context.library.engine({}), context.library.paths, context.library.declarations, emitter);
+    lower::declare_engine(*context.library.engine({}), context.library.paths, context.library.declarations, emitter);
     for (std::size_t i = first; i < ast.functions.size(); ++i) {
         // A pass calls slots, which only a material fills.
         if (context.sources.file(ast.functions[i].span.begin).ends_with(".pass.hlsl")) continue;

@@ -18,7 +18,7 @@ struct Effort {
 
 // The declarations that names refer to: the library's, or those of a user's node file and the library.
 struct EvaluationContext {
-    const graph::Library& library;
+    const resolve::Library& library;
     const nodelang::Declarations& declarations;
     const SourceMap& sources;
     std::span<const NamedValue> names = {};  // further values that expressions may read

@@ -18,7 +18,7 @@ public:
     void key(std::string_view name) {
         text += is_first_ ? "\n  " : ",\n  ";
         is_first_ = false;
-        graph::append_quoted(text, name);
+        json::append_quoted(text, name);
         text += ": ";
     }
 
@@ -60,7 +60,7 @@ public:
                     text += value.is_float() ? shortest(static_cast<float>(value.number())) : shortest(value.number());
                 break;
             case GraphValue::Kind::Bool: text += value.number() != 0 ? "true" : "false"; break;
-            case GraphValue::Kind::Text: graph::append_quoted(text, value.text()); break;
+            case GraphValue::Kind::Text: json::append_quoted(text, value.text()); break;
             case GraphValue::Kind::List:
             case GraphValue::Kind::Object: items(value); break;
         }
@@ -101,7 +101,7 @@ private:
     }
 
     void member(const GraphMember& member) {
-        graph::append_quoted(text, member.key);
+        json::append_quoted(text, member.key);
         text += ": ";
         value(member.value);
     }
@@ -119,7 +119,7 @@ private:
         for (std::size_t i = 0; i < list.items().size(); ++i) {
             if (i > 0) text += ", ";
             if (is_object) {
-                graph::append_quoted(text, list.keys()[i]);
+                json::append_quoted(text, list.keys()[i]);
                 text += ": ";
             }
             value(list.items()[i]);

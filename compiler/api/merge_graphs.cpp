@@ -32,8 +32,8 @@ std::string with_carriage_returns(std::string_view text) {
     return made;
 }
 
-std::unique_ptr<graph::GraphText> read(const MergeInput& input, MergeResult& result) {
-    std::unique_ptr<graph::GraphText> text = graph::read_graph_text(input.name, without_carriage_returns(input.text));
+std::unique_ptr<edit::GraphText> read(const MergeInput& input, MergeResult& result) {
+    std::unique_ptr<edit::GraphText> text = edit::read_graph_text(input.name, without_carriage_returns(input.text));
     if (!text->ok) {
         for (Diagnostic& error : to_public(text->diagnostics, text->sources))
             result.diagnostics.push_back(std::move(error));
@@ -42,8 +42,8 @@ std::unique_ptr<graph::GraphText> read(const MergeInput& input, MergeResult& res
 }
 
 // Of a file that both sides added: one in which nothing is.
-std::unique_ptr<graph::GraphText> nothing(const MergeInput& base, const graph::GraphText& ours) {
-    std::unique_ptr<graph::GraphText> text = graph::read_graph_text(base.name, "{}");
+std::unique_ptr<edit::GraphText> nothing(const MergeInput& base, const edit::GraphText& ours) {
+    std::unique_ptr<edit::GraphText> text = edit::read_graph_text(base.name, "{}");
     text->kind = ours.kind;
     return text;
 }
@@ -80,7 +80,7 @@ std::vector<Diagnostic> errors_of(const Compiler& compiler, const MergeOptions& 
 // A scene is not compiled, nor is a workflow by itself. What their own parts call each other is known without other
 // files.
 std::vector<Diagnostic> errors_of_form(const MergeOptions& options, const std::string& text) {
-    const std::unique_ptr<graph::GraphText> read = graph::read_graph_text(options.path, text);
+    const std::unique_ptr<edit::GraphText> read = edit::read_graph_text(options.path, text);
     std::vector<Diagnostic> errors = to_public(read->diagnostics, read->sources);
     keep_errors(errors);
     return errors;
@@ -89,18 +89,18 @@ std::vector<Diagnostic> errors_of_form(const MergeOptions& options, const std::s
 MergeResult merge(const Compiler& compiler, const MergeInput& base, const MergeInput& ours, const MergeInput& theirs,
                   const MergeOptions& options, Trail& trail) {
     MergeResult result{.text = ours.text};
-    graph::Sides sides{.base = nullptr, .ours = read(ours, result), .theirs = read(theirs, result)};
+    edit::Sides sides{.base = nullptr, .ours = read(ours, result), .theirs = read(theirs, result)};
     sides.base = base.text.empty() ? nothing(base, *sides.ours) : read(base, result);
     if (!sides.ours->ok || !sides.theirs->ok || (!base.text.empty() && !sides.base->ok)) return result;
 
     const bool is_compiled =
-        sides.ours->kind != graph::ObjectKind::Scene && sides.ours->kind != graph::ObjectKind::Workflow;
+        sides.ours->kind != format::ObjectKind::Scene && sides.ours->kind != format::ObjectKind::Workflow;
     const auto check = [&](const std::string& text) {
         return is_compiled ? errors_of(compiler, options, text, trail) : errors_of_form(options, text);
     };
-    if (ours.text == base.text) return graph::take_text(sides, theirs.text, check);
-    if (theirs.text == base.text || theirs.text == ours.text) return graph::take_text(sides, ours.text, check);
-    result = graph::merge_texts(sides, options, check);
+    if (ours.text == base.text) return edit::take_text(sides, theirs.text, check);
+    if (theirs.text == base.text || theirs.text == ours.text) return edit::take_text(sides, ours.text, check);
+    result = edit::merge_texts(sides, options, check);
     if (has_carriage_returns(ours.text)) result.text = with_carriage_returns(result.text);
     return result;
 }

@@ -11,11 +11,11 @@ ReadNumbers read_array_value(PropertyType type, std::string_view json) {
         Diagnostics diagnostics;
         nodelang::Ast ast;
         ReadNumbers made;
-        graph::Reading reading{sources, ast, diagnostics};
+        format::Reading reading{sources, ast, diagnostics};
         const std::uint32_t base = sources.add("value", std::string(json));
-        const std::unique_ptr<graph::Json> root = graph::parse_json(sources, base, diagnostics);
+        const std::unique_ptr<json::Json> root = json::parse_json(sources, base, diagnostics);
         if (root && is_array(type)) {
-            if (std::optional<std::vector<double>> numbers = graph::read_array_value(reading, *root, type))
+            if (std::optional<std::vector<double>> numbers = format::read_array_value(reading, *root, type))
                 made.numbers = std::move(*numbers);
         }
         made.ok = !made.numbers.empty() && !diagnostics.has_errors();

@@ -18,12 +18,12 @@ namespace {
 
 using nodelang::Expr;
 
-std::string_view kind_of(graph::GraphKind kind) {
+std::string_view kind_of(format::GraphKind kind) {
     switch (kind) {
-        case graph::GraphKind::Material: return "material";
-        case graph::GraphKind::Subgraph: return "subgraph";
-        case graph::GraphKind::Lighting: return "lighting";
-        case graph::GraphKind::Workflow: return "workflow";
+        case format::GraphKind::Material: return "material";
+        case format::GraphKind::Subgraph: return "subgraph";
+        case format::GraphKind::Lighting: return "lighting";
+        case format::GraphKind::Workflow: return "workflow";
     }
     return {};
 }
@@ -46,7 +46,7 @@ void add_types(const ir::Module& module, const ir::Function& function, std::stri
 }
 
 // What the values of nodes are. Of a part of a material: in the smallest one. Nothing if it does not compile.
-Types types_of(const Compiler& compiler, const std::string& path, const CompileOptions& given, graph::GraphKind kind,
+Types types_of(const Compiler& compiler, const std::string& path, const CompileOptions& given, format::GraphKind kind,
                Trail& trail) {
     CompileOptions options = given;
     options.targets.clear();
@@ -60,8 +60,8 @@ Types types_of(const Compiler& compiler, const std::string& path, const CompileO
     }
     Types types;
     if (!result.program) return types;
-    const std::string_view graph = kind == graph::GraphKind::Lighting ? "lighting" : "material";
-    const std::string_view before = kind == graph::GraphKind::Subgraph ? "part/" : "";
+    const std::string_view graph = kind == format::GraphKind::Lighting ? "lighting" : "material";
+    const std::string_view before = kind == format::GraphKind::Subgraph ? "part/" : "";
     for (const ProgramStage& stage : result.program->stages)
         for (const ir::Function& function : stage.module.functions)
             add_types(stage.module, function, graph, before, types);
@@ -70,7 +70,7 @@ Types types_of(const Compiler& compiler, const std::string& path, const CompileO
 
 class View {
 public:
-    View(graph::Session& session, const graph::Library& library, const graph::CheckedGraph& checked, Types types,
+    View(resolve::Session& session, const resolve::Library& library, const resolve::CheckedGraph& checked, Types types,
          GraphView& view)
         : session_(session),
           library_(library),
@@ -84,7 +84,7 @@ public:
         add_list("vertex", graph_.vertex);
         add_list("surface", graph_.surface);
         add_list("outputs", graph_.outputs);
-        for (const graph::ExtraPass& pass : graph_.passes) {
+        for (const format::ExtraPass& pass : graph_.passes) {
             if (!is_same(pass.graph->vertex, graph_.vertex))
                 add_list("pass " + pass.name + " vertex", pass.graph->vertex);
             if (!is_same(pass.graph->surface, graph_.surface)) add_list("pass " + pass.name, pass.graph->surface);
@@ -94,12 +94,12 @@ public:
 
 private:
     // A pass has the values that it inherits.
-    static bool is_same(const std::vector<graph::PortValue>& a, const std::vector<graph::PortValue>& b) {
+    static bool is_same(const std::vector<format::PortValue>& a, const std::vector<format::PortValue>& b) {
         return std::equal(a.begin(), a.end(), b.begin(), b.end(),
                           [](const auto& x, const auto& y) { return x.value == y.value; });
     }
 
-    void add_node(const graph::Node& node, const graph::ResolvedNode& resolved) {
+    void add_node(const format::Node& node, const resolve::ResolvedNode& resolved) {
         GraphBox box{.id = node.id, .title = node.type, .note = node.note, .inputs = {}, .outputs = {}};
         const std::size_t index = view_.boxes.size();
         if (node.is_expression) {
@@ -109,7 +109,7 @@ private:
             if (node.expr) reads_.emplace_back(node.expr, index, 0);
         } else {
             declare_ports(resolved, box);
-            for (const graph::PortValue& port : node.inputs) set_input(port, index, box);
+            for (const format::PortValue& port : node.inputs) set_input(port, index, box);
         }
         deduce_types(node.id, box);
         view_.boxes.push_back(std::move(box));
@@ -136,7 +136,7 @@ private:
         return is_semantic ? "@" + text_of(param.initial, {}) : std::string();
     }
 
-    void declare_ports(const graph::ResolvedNode& resolved, GraphBox& box) const {
+    void declare_ports(const resolve::ResolvedNode& resolved, GraphBox& box) const {
         const auto port = [](std::string_view name, std::string_view type) {
             return GraphPort{.name = std::string(name), .type = std::string(type), .value = {}};
         };
@@ -149,14 +149,14 @@ private:
                 box.inputs.back().value = default_of(param);
             }
         } else if (resolved.subgraph) {
-            for (const graph::Input& input : resolved.subgraph->graph->inputs)
+            for (const format::Input& input : resolved.subgraph->graph->inputs)
                 box.inputs.push_back(port(input.name, input.type));
-            for (const graph::PortValue& output : resolved.subgraph->graph->outputs)
+            for (const format::PortValue& output : resolved.subgraph->graph->outputs)
                 box.outputs.push_back(port(output.name, {}));
         }
     }
 
-    void set_input(const graph::PortValue& value, std::size_t index, GraphBox& box) {
+    void set_input(const format::PortValue& value, std::size_t index, GraphBox& box) {
         auto found = std::find_if(box.inputs.begin(), box.inputs.end(),
                                   [&](const GraphPort& port) { return port.name == value.name; });
         if (found == box.inputs.end()) found = box.inputs.insert(found, {.name = value.name, .type = {}, .value = {}});
@@ -167,10 +167,10 @@ private:
         reads_.emplace_back(value.value, index, static_cast<std::size_t>(found - box.inputs.begin()));
     }
 
-    void add_list(std::string id, const std::vector<graph::PortValue>& values) {
+    void add_list(std::string id, const std::vector<format::PortValue>& values) {
         if (values.empty()) return;
         GraphBox box{.id = std::move(id), .title = {}, .note = {}, .is_node = false, .inputs = {}, .outputs = {}};
-        for (const graph::PortValue& value : values) set_input(value, view_.boxes.size(), box);
+        for (const format::PortValue& value : values) set_input(value, view_.boxes.size(), box);
         view_.boxes.push_back(std::move(box));
     }
 
@@ -204,10 +204,10 @@ private:
         view_.edges.push_back({.from = node->second, .from_port = from_port, .to = to, .to_port = to_port});
     }
 
-    graph::Session& session_;
-    const graph::Library& library_;
-    const graph::CheckedGraph& checked_;
-    const graph::Graph& graph_;
+    resolve::Session& session_;
+    const resolve::Library& library_;
+    const resolve::CheckedGraph& checked_;
+    const format::Graph& graph_;
     const Types types_;
     GraphView& view_;
     std::vector<std::tuple<const Expr*, std::size_t, std::size_t>> reads_{};
@@ -219,21 +219,21 @@ GraphView view(const Compiler& compiler, const std::string& path, const CompileO
     own.include_dirs = options.include_dirs;
     own.files = options.files;
     own.limits = options.limits;
-    const graph::Library& library = CompilerAccess::library(compiler);
-    graph::Session session(library, own);
+    const resolve::Library& library = CompilerAccess::library(compiler);
+    resolve::Session session(library, own);
     const TrailGuard guard(trail, session.diagnostics);
     GraphView view;
-    graph::until_stopped(session, [&] {
-        const std::optional<std::uint32_t> base = graph::load_source(session, path, {});
+    resolve::until_stopped(session, [&] {
+        const std::optional<std::uint32_t> base = resolve::load_source(session, path, {});
         if (!base) return;
-        const std::unique_ptr<graph::Json> json = graph::parse_json(session.sources, *base, session.diagnostics);
-        const std::shared_ptr<graph::Graph> graph =
-            json ? graph::read_graph(*json, path, session.sources, session.ast, session.diagnostics, std::nullopt)
+        const std::unique_ptr<json::Json> json = json::parse_json(session.sources, *base, session.diagnostics);
+        const std::shared_ptr<format::Graph> graph =
+            json ? format::read_graph(*json, path, session.sources, session.ast, session.diagnostics, std::nullopt)
                  : nullptr;
         if (graph) {
             view.name = graph->name;
             view.kind = kind_of(graph->kind);
-            const graph::CheckedGraph* checked = graph::check_graph(session, graph);
+            const resolve::CheckedGraph* checked = resolve::check_graph(session, graph);
             if (checked && !session.diagnostics.has_errors())
                 View(session, library, *checked, types_of(compiler, path, own, graph->kind, trail), view).make();
         }

@@ -25,15 +25,15 @@ constexpr bool is_letter(char c) {
 constexpr bool is_word_letter(char c) {
     return is_letter(c) || is_digit(c) || c == '_';
 }
-constexpr char upper(char c) {
+constexpr char to_upper(char c) {
     return is_lower(c) ? static_cast<char>(c - 'a' + 'A') : c;
 }
-constexpr char lower(char c) {
+constexpr char to_lower(char c) {
     return is_upper(c) ? static_cast<char>(c - 'A' + 'a') : c;
 }
 
 inline std::string small_letters(std::string text) {
-    for (char& c : text) c = lower(c);
+    for (char& c : text) c = to_lower(c);
     return text;
 }
 

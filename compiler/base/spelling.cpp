@@ -10,7 +10,7 @@ std::string with_small_start(std::string_view word) {
     std::string made(word);
     for (std::size_t i = 0; i < made.size() && is_upper(word[i]); ++i) {
         if (i > 0 && i + 1 < word.size() && is_lower(word[i + 1])) break;
-        made[i] = lower(made[i]);
+        made[i] = to_lower(made[i]);
     }
     return made;
 }
@@ -34,14 +34,14 @@ std::string camel_case(std::string_view name) {
 std::string joined(std::string_view first, std::string_view second) {
     std::string made(first);
     made += second;
-    if (!first.empty() && !second.empty()) made[first.size()] = upper(second[0]);
+    if (!first.empty() && !second.empty()) made[first.size()] = to_upper(second[0]);
     return made;
 }
 
 std::string sentence(std::string_view words) {
     std::string made(words);
     if (made.empty()) return made;
-    made[0] = upper(made[0]);
+    made[0] = to_upper(made[0]);
     if (made.back() != '.') made += '.';
     return made;
 }
@@ -55,7 +55,7 @@ std::string numbered(std::string_view name, unsigned number) {
 std::string initials(std::string_view name) {
     std::string letters;
     for (std::size_t i = 0; i < name.size(); ++i) {
-        if (i == 0 || (is_upper(name[i]) && !is_upper(name[i - 1]))) letters += lower(name[i]);
+        if (i == 0 || (is_upper(name[i]) && !is_upper(name[i - 1]))) letters += to_lower(name[i]);
     }
     return letters;
 }

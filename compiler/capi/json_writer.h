@@ -42,7 +42,7 @@ public:
 
     // Keys with values.
     void text(std::string_view key, std::string_view value) {
-        if (!value.empty()) write_key(key), graph::append_quoted(text_, as_utf8(value));
+        if (!value.empty()) write_key(key), json::append_quoted(text_, as_utf8(value));
     }
     void word(std::string_view key, HasWords auto value) { text(key, to_string(value)); }
     void flag(std::string_view key, bool value) { write_key(key), text_ += value ? "true" : "false"; }
@@ -56,7 +56,7 @@ public:
     void list(std::string_view key, const std::vector<std::string>& values) {
         if (values.empty()) return;
         begin(key, '[');
-        for (const std::string& value : values) separate(), graph::append_quoted(text_, as_utf8(value));
+        for (const std::string& value : values) separate(), json::append_quoted(text_, as_utf8(value));
         end(']');
     }
 
@@ -69,7 +69,7 @@ private:
     }
     void write_key(std::string_view key) {
         separate();
-        graph::append_quoted(text_, key);
+        json::append_quoted(text_, key);
         text_ += ": ";
     }
     // JSON has no other numbers.

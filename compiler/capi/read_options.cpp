@@ -10,12 +10,12 @@
 namespace patina::capi {
 namespace {
 
-using graph::Json;
-using graph::ObjectKind;
+using json::Json;
+using format::ObjectKind;
 
 class Reader {
 public:
-    Reader(graph::Reading& reading, const Compiler& compiler, CompileOptions& options)
+    Reader(format::Reading& reading, const Compiler& compiler, CompileOptions& options)
         : reading_(reading), compiler_(compiler), options_(options) {}
 
     void read(const Json& json) {
@@ -53,8 +53,8 @@ private:
                     known.push_back(engine.name);
                 }
                 suggest(reading_,
-                        reading_.diagnostics.report(Code::UnknownWord, graph::inside(each->span),
-                                                    graph::shown(each->string), "a language or an engine"),
+                        reading_.diagnostics.report(Code::UnknownWord, format::inside(each->span),
+                                                    json::shown(each->string), "a language or an engine"),
                         each->string, known);
             }
             options_.targets.insert(options_.targets.end(), meant.begin(), meant.end());
@@ -69,7 +69,7 @@ private:
         options_.request = passes;
         if (std::string port = read_text(reading_, json, "preview"); !port.empty())
             options_.request = CompileOptions::Preview{.port = std::move(port), .passes = passes};
-        const graph::JsonMember* functions = find_member(json, "functions");
+        const json::JsonMember* functions = format::find_member(json, "functions");
         if (!functions) return;
         for (const std::string_view other : {"path", "passes", "preview"}) {
             if (json.find(other))
@@ -80,7 +80,7 @@ private:
 
     void switches(const Json& json) {
         if (!expect(reading_, json, Json::Kind::Object, "'switches'")) return;
-        for (const graph::JsonMember& member : json.members) {
+        for (const json::JsonMember& member : json.members) {
             std::string value = member.value.string;
             switch (member.value.kind) {
                 case Json::Kind::String: break;
@@ -89,7 +89,7 @@ private:
                 case Json::Kind::Null:
                 case Json::Kind::Array:
                 case Json::Kind::Object:
-                    report_type(reading_, member.value, fmt::format("'{}'", graph::shown(member.key)),
+                    report_type(reading_, member.value, fmt::format("'{}'", json::shown(member.key)),
                                 "a word, a number, true or false");
                     continue;
             }
@@ -123,7 +123,7 @@ private:
         return result;
     }
 
-    graph::Reading& reading_;
+    format::Reading& reading_;
     const Compiler& compiler_;
     CompileOptions& options_;
 };
@@ -135,8 +135,8 @@ std::vector<Diagnostic> read_options(const Compiler& compiler, std::string text,
     Diagnostics diagnostics;
     nodelang::Ast ast;
     const std::uint32_t base = sources.add("options", std::move(text));
-    if (const std::unique_ptr<Json> json = graph::parse_json(sources, base, diagnostics)) {
-        graph::Reading reading{.sources = sources, .ast = ast, .diagnostics = diagnostics};
+    if (const std::unique_ptr<Json> json = json::parse_json(sources, base, diagnostics)) {
+        format::Reading reading{.sources = sources, .ast = ast, .diagnostics = diagnostics};
         Reader(reading, compiler, options).read(*json);
     }
     return to_public(diagnostics, sources);

@@ -5,7 +5,7 @@
 
 #include "compiler/base/letters.h"
 
-namespace patina::graph {
+namespace patina::edit {
 namespace {
 
 using nodelang::Expr;
@@ -44,7 +44,7 @@ std::string_view thing_of(const Path& path) {
 }
 
 bool is_text(const TreeValue& value, const Names& words) {
-    return value && value.json->kind == Json::Kind::String && words.count(value.json->string) != 0;
+    return value && value.json->kind == json::Json::Kind::String && words.count(value.json->string) != 0;
 }
 
 bool has_child(const TreeValue& value, const Names& names) {
@@ -139,4 +139,4 @@ Suspects find_suspects(const MergeError& where, std::span<const TreeChange> chan
     return std::move(search.suspects);
 }
 
-}  // namespace patina::graph
+}  // namespace patina::edit

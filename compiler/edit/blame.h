@@ -9,7 +9,7 @@
 #include "compiler/edit/changes.h"
 #include "patina/patina.h"
 
-namespace patina::graph {
+namespace patina::edit {
 
 struct MergeError {
     const Diagnostic& error;
@@ -21,4 +21,4 @@ struct MergeError {
 using Suspects = std::vector<std::vector<std::size_t>>;
 Suspects find_suspects(const MergeError& where, std::span<const TreeChange> changes);
 
-}  // namespace patina::graph
+}  // namespace patina::edit

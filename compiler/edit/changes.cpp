@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <unordered_map>
 
-namespace patina::graph {
+namespace patina::edit {
 namespace {
 
 class Comparison {
@@ -34,7 +34,7 @@ private:
         for (const TreeChild& child : children_of(after)) {
             if (old_values.find(child.name) == old_values.end()) visit(child.name, {}, child.value);
         }
-        if (shape_of(before) == Shape::ByName && is_ordered(before.kind) && !is_in_order(order_like(before, after)))
+        if (shape_of(before) == Shape::ByName && format::is_ordered(before.kind) && !is_in_order(order_like(before, after)))
             changes_.push_back({path_, before, after, true});
     }
 
@@ -97,4 +97,4 @@ bool is_in_order(const std::vector<std::size_t>& order) {
     return std::is_sorted(order.begin(), order.end());
 }
 
-}  // namespace patina::graph
+}  // namespace patina::edit

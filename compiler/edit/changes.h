@@ -7,7 +7,7 @@
 
 #include "compiler/edit/graph_text.h"
 
-namespace patina::graph {
+namespace patina::edit {
 
 struct TreeChange {
     Path path;
@@ -22,4 +22,4 @@ std::vector<TreeChange> find_changes(const GraphText& before, const GraphText& a
 std::vector<std::size_t> order_like(const TreeValue& value, const TreeValue& wanted);
 bool is_in_order(const std::vector<std::size_t>& order);
 
-}  // namespace patina::graph
+}  // namespace patina::edit

@@ -8,7 +8,7 @@
 #include "compiler/format/scene/read_scene.h"
 #include "compiler/json/json_text.h"
 
-namespace patina::graph {
+namespace patina::edit {
 namespace {
 
 using nodelang::Expr;
@@ -19,33 +19,33 @@ class Collector {
 public:
     explicit Collector(std::vector<PlacedExpr>& out) : out_(out) {}
 
-    void add(const Graph& graph) {
-        for (const Node& node : graph.nodes) {
+    void add(const format::Graph& graph) {
+        for (const format::Node& node : graph.nodes) {
             add({"nodes", node.id, "expr"}, node.expr);
             add({"nodes", node.id, "in"}, node.inputs);
         }
-        const char* inputs = graph.kind == GraphKind::Lighting ? "surface" : "inputs";
-        for (const Input& input : graph.inputs) {
+        const char* inputs = graph.kind == format::GraphKind::Lighting ? "surface" : "inputs";
+        for (const format::Input& input : graph.inputs) {
             add({inputs, input.name, "default"}, input.value);
             add({inputs, input.name, "as"}, input.as);
         }
-        add(graph.kind == GraphKind::Lighting ? Path{} : Path{"outputs"}, graph.outputs);
+        add(graph.kind == format::GraphKind::Lighting ? Path{} : Path{"outputs"}, graph.outputs);
         add_looks({}, graph);
-        for (const ExtraPass& pass : graph.passes) add_looks({"passes", pass.name}, *pass.graph);
+        for (const format::ExtraPass& pass : graph.passes) add_looks({"passes", pass.name}, *pass.graph);
     }
 
 private:
     void add(Path path, const Expr* expr) {
         if (expr) out_.push_back({std::move(path), expr});
     }
-    void add(const Path& path, const std::vector<PortValue>& values) {
-        for (const PortValue& value : values) {
+    void add(const Path& path, const std::vector<format::PortValue>& values) {
+        for (const format::PortValue& value : values) {
             Path of_value = path;
             of_value.push_back(value.name);
             add(std::move(of_value), value.value);
         }
     }
-    void add_looks(const Path& path, const Graph& graph) {
+    void add_looks(const Path& path, const format::Graph& graph) {
         const auto at = [&](std::initializer_list<const char*> keys) {
             Path longer = path;
             longer.insert(longer.end(), keys.begin(), keys.end());
@@ -107,32 +107,32 @@ const Expr* with_floats(const Expr& expr, GraphText& text) {
 }
 
 // The values at ports, by their place. A string is an expression there, and a list a vector.
-void note_values(const Graph& graph, GraphText& text) {
+void note_values(const format::Graph& graph, GraphText& text) {
     const auto note = [&](Span span, const Expr* expr) {
         if (expr) text.values.emplace(span.begin, expr->kind == Expr::Kind::List ? with_floats(*expr, text) : expr);
     };
-    const auto note_all = [&](const std::vector<PortValue>& values) {
-        for (const PortValue& value : values) note(value.value_span, value.value);
+    const auto note_all = [&](const std::vector<format::PortValue>& values) {
+        for (const format::PortValue& value : values) note(value.value_span, value.value);
     };
-    for (const Node& node : graph.nodes) {
+    for (const format::Node& node : graph.nodes) {
         note(node.expr_span, node.expr);
         note_all(node.inputs);
     }
-    for (const Input& input : graph.inputs) note(input.default_span, input.value);
+    for (const format::Input& input : graph.inputs) note(input.default_span, input.value);
     note_all(graph.vertex);
-    for (const PortValue& value : graph.surface) {
+    for (const format::PortValue& value : graph.surface) {
         if (value.value) note(value.value_span, with_floats(*value.value, text));
     }
     note_all(graph.outputs);
     note_all(graph.lighting.inputs);
     if (graph.lighting.inlined) note_values(*graph.lighting.inlined, text);
-    for (const ExtraPass& pass : graph.passes) note_values(*pass.graph, text);
+    for (const format::ExtraPass& pass : graph.passes) note_values(*pass.graph, text);
 }
 
 // The colours in the defaults of properties and in scenes: "#AABBCC" is "#abc".
-void note_colors(const Json& json, GraphText& text) {
-    if (json.kind == Json::Kind::String) {
-        const std::optional<LinearColor> color = parse_color(json.string);
+void note_colors(const json::Json& json, GraphText& text) {
+    if (json.kind == json::Json::Kind::String) {
+        const std::optional<format::LinearColor> color = format::parse_color(json.string);
         if (!color) return;
         Expr value;
         value.kind = Expr::Kind::Color;
@@ -144,30 +144,30 @@ void note_colors(const Json& json, GraphText& text) {
         }
         text.values.emplace(json.span.begin, &text.ast.exprs.emplace_back(std::move(value)));
     }
-    for (const Json& element : json.elements) note_colors(element, text);
-    for (const JsonMember& member : json.members) note_colors(member.value, text);
+    for (const json::Json& element : json.elements) note_colors(element, text);
+    for (const json::JsonMember& member : json.members) note_colors(member.value, text);
 }
 
-TreeValue member_value(const TreeValue& object, const JsonMember& member) {
-    TreeValue value{object.text, &member.value, ObjectKind::Free, false};
-    if (const KeyInfo* key = find_key(object.kind, member.key)) {
-        value.kind = value_kind(*key, member.value);
+TreeValue member_value(const TreeValue& object, const json::JsonMember& member) {
+    TreeValue value{object.text, &member.value, format::ObjectKind::Free, false};
+    if (const format::KeyInfo* key = format::find_key(object.kind, member.key)) {
+        value.kind = format::value_kind(*key, member.value);
         value.is_set = key->is_set;
     }
     return value;
 }
 
 // A string of a member that is the name of its object, and of what else reads it.
-const NamePairs* names_of(const TreeValue& object, const JsonMember& member, const Renaming& renaming) {
-    if (member.key != identity_of(object.kind) || member.value.kind != Json::Kind::String) return nullptr;
-    if (object.kind == ObjectKind::Node) return &renaming.nodes;
-    if (object.kind == ObjectKind::Property) return &renaming.dollar;
-    if (object.kind != ObjectKind::Input) return nullptr;
-    return object.text->kind == ObjectKind::Lighting ? &renaming.surface : &renaming.dollar;
+const NamePairs* names_of(const TreeValue& object, const json::JsonMember& member, const Renaming& renaming) {
+    if (member.key != format::identity_of(object.kind) || member.value.kind != json::Json::Kind::String) return nullptr;
+    if (object.kind == format::ObjectKind::Node) return &renaming.nodes;
+    if (object.kind == format::ObjectKind::Property) return &renaming.dollar;
+    if (object.kind != format::ObjectKind::Input) return nullptr;
+    return object.text->kind == format::ObjectKind::Lighting ? &renaming.surface : &renaming.dollar;
 }
 
 TreeValue child_at(const TreeValue& value, std::size_t i) {
-    if (value.json->kind == Json::Kind::Object) return member_value(value, value.json->members[i]);
+    if (value.json->kind == json::Json::Kind::Object) return member_value(value, value.json->members[i]);
     return {value.text, &value.json->elements[i], value.kind, false};
 }
 
@@ -176,13 +176,13 @@ constexpr std::size_t kChildrenOfAStep = 8;
 
 bool is_same_object(const TreeValue& a, const TreeValue& b, const Renaming& renaming) {
     if (a.json->members.size() != b.json->members.size()) return false;
-    std::unordered_map<std::string_view, const JsonMember*> others;
-    for (const JsonMember& member : b.json->members) others.emplace(member.key, &member);
-    return std::all_of(a.json->members.begin(), a.json->members.end(), [&](const JsonMember& member) {
+    std::unordered_map<std::string_view, const json::JsonMember*> others;
+    for (const json::JsonMember& member : b.json->members) others.emplace(member.key, &member);
+    return std::all_of(a.json->members.begin(), a.json->members.end(), [&](const json::JsonMember& member) {
         const auto found = others.find(member.key);
         if (found == others.end()) return false;
-        const JsonMember& other = *found->second;
-        if (const NamePairs* names = names_of(a, member, renaming); names && other.value.kind == Json::Kind::String)
+        const json::JsonMember& other = *found->second;
+        if (const NamePairs* names = names_of(a, member, renaming); names && other.value.kind == json::Json::Kind::String)
             return names->match(member.value.string, other.value.string);
         return is_same(member_value(a, member), member_value(b, other), renaming);
     });
@@ -206,7 +206,7 @@ bool is_same_array(const TreeValue& a, const TreeValue& b, const Renaming& renam
     if (a.json->elements.size() != b.json->elements.size()) return false;
     const Shape shape = shape_of(a);
     if (shape == Shape::ByContent) return is_same_set(children_of(a), children_of(b), renaming);
-    if (shape == Shape::ByName && !is_ordered(a.kind)) {
+    if (shape == Shape::ByName && !format::is_ordered(a.kind)) {
         std::unordered_map<std::string, TreeValue> by_name;
         for (TreeChild& child : children_of(b)) by_name.emplace(child.name, child.value);
         const std::vector<TreeChild> children = children_of(a);
@@ -228,22 +228,22 @@ bool is_same_array(const TreeValue& a, const TreeValue& b, const Renaming& renam
 std::unique_ptr<GraphText> read_graph_text(const std::string& path, std::string bytes) {
     auto text = std::make_unique<GraphText>();
     text->base = text->sources.add(path, std::move(bytes));
-    text->json = parse_json(text->sources, text->base, text->diagnostics);
+    text->json = json::parse_json(text->sources, text->base, text->diagnostics);
     if (!text->json) return text;
-    text->kind = top_level_kind(*text->json);
-    if (text->kind == ObjectKind::Scene) {
+    text->kind = format::top_level_kind(*text->json);
+    if (text->kind == format::ObjectKind::Scene) {
         const auto as_written = [](const std::string& name, Span) { return name; };
-        const SceneFiles files{.find = as_written, .require = as_written, .require_graph = as_written};
-        const Reading reading{text->sources, text->ast, text->diagnostics};
-        read_scene(reading, *text->json, path, name_of_file(path), files);
+        const format::SceneFiles files{.find = as_written, .require = as_written, .require_graph = as_written};
+        const format::Reading reading{text->sources, text->ast, text->diagnostics};
+        format::read_scene(reading, *text->json, path, format::name_of_file(path), files);
         note_colors(*text->json, *text);
     } else {
-        const std::shared_ptr<Graph> graph =
-            read_graph(*text->json, path, text->sources, text->ast, text->diagnostics, std::nullopt);
+        const std::shared_ptr<format::Graph> graph =
+            format::read_graph(*text->json, path, text->sources, text->ast, text->diagnostics, std::nullopt);
         note_values(*graph, *text);
-        if (const Json* properties = text->json->find("properties")) {
-            for (const Json& property : properties->elements) {
-                if (const Json* value = property.find("default")) note_colors(*value, *text);
+        if (const json::Json* properties = text->json->find("properties")) {
+            for (const json::Json& property : properties->elements) {
+                if (const json::Json* value = property.find("default")) note_colors(*value, *text);
             }
         }
         text->graph = graph;
@@ -253,28 +253,28 @@ std::unique_ptr<GraphText> read_graph_text(const std::string& path, std::string 
 }
 
 Shape shape_of(const TreeValue& value) {
-    const Json& json = *value.json;
-    if (json.kind == Json::Kind::Object) return Shape::ByKey;
-    if (json.kind != Json::Kind::Array) return Shape::Whole;
+    const json::Json& json = *value.json;
+    if (json.kind == json::Json::Kind::Object) return Shape::ByKey;
+    if (json.kind != json::Json::Kind::Array) return Shape::Whole;
     if (value.is_set) return Shape::ByContent;
-    if (!identity_of(value.kind).empty()) return Shape::ByName;
-    return value.kind == ObjectKind::Free ? Shape::Whole : Shape::ByPosition;
+    if (!format::identity_of(value.kind).empty()) return Shape::ByName;
+    return value.kind == format::ObjectKind::Free ? Shape::Whole : Shape::ByPosition;
 }
 
 std::vector<TreeChild> children_of(const TreeValue& value) {
     Cancellation::step(1 + (value.json->members.size() + value.json->elements.size()) / kChildrenOfAStep);
     std::vector<TreeChild> children;
-    for (const JsonMember& member : value.json->members) children.push_back({member.key, member_value(value, member)});
+    for (const json::JsonMember& member : value.json->members) children.push_back({member.key, member_value(value, member)});
     const Shape shape = shape_of(value);
     for (std::size_t i = 0; i < value.json->elements.size(); ++i) {
-        const Json& element = value.json->elements[i];
+        const json::Json& element = value.json->elements[i];
         std::string name = std::to_string(i);
         if (shape == Shape::ByName) {
-            const Json* identity = element.find(identity_of(value.kind));
+            const json::Json* identity = element.find(format::identity_of(value.kind));
             name = identity ? identity->string : std::string();
         } else if (shape == Shape::ByContent) {
             name.clear();
-            append_one_line(name, element, value.text->sources);
+            json::append_one_line(name, element, value.text->sources);
         }
         children.push_back({std::move(name), {value.text, &element, value.kind, false}});
     }
@@ -289,18 +289,18 @@ bool NamePairs::match(std::string_view a, std::string_view b) const {
 
 bool is_same(const TreeValue& a, const TreeValue& b, const Renaming& renaming) {
     Cancellation::step();
-    const Json &left = *a.json, &right = *b.json;
+    const json::Json &left = *a.json, &right = *b.json;
     const auto left_value = a.text->values.find(left.span.begin), right_value = b.text->values.find(right.span.begin);
     if (left_value != a.text->values.end() && right_value != b.text->values.end())
         return is_same(*left_value->second, *right_value->second, renaming);
     if (left.kind != right.kind) return false;
     switch (left.kind) {
-        case Json::Kind::Null: return true;
-        case Json::Kind::Bool: return left.boolean == right.boolean;
-        case Json::Kind::Number: return left.number == right.number;
-        case Json::Kind::String: return left.string == right.string;
-        case Json::Kind::Array: return is_same_array(a, b, renaming);
-        case Json::Kind::Object: return a.kind == b.kind && is_same_object(a, b, renaming);
+        case json::Json::Kind::Null: return true;
+        case json::Json::Kind::Bool: return left.boolean == right.boolean;
+        case json::Json::Kind::Number: return left.number == right.number;
+        case json::Json::Kind::String: return left.string == right.string;
+        case json::Json::Kind::Array: return is_same_array(a, b, renaming);
+        case json::Json::Kind::Object: return a.kind == b.kind && is_same_object(a, b, renaming);
     }
     return false;
 }
@@ -312,7 +312,7 @@ bool reads_surface(const Expr& expr) {
 
 std::string to_string(const Path& path) {
     std::string text;
-    for (const std::string& part : path) text += (text.empty() ? "" : ".") + shown(part);
+    for (const std::string& part : path) text += (text.empty() ? "" : ".") + json::shown(part);
     return text;
 }
 
@@ -343,7 +343,7 @@ Path path_at(const GraphText& text, std::uint32_t offset) {
         for (TreeChild& child : children_of(value)) {
             // A member's key belongs to it.
             std::uint32_t begin = child.value.json->span.begin;
-            for (const JsonMember& member : value.json->members) {
+            for (const json::JsonMember& member : value.json->members) {
                 if (&member.value == child.value.json) begin = member.key_span.begin - 1;
             }
             if (offset < begin || offset >= child.value.json->span.end) continue;
@@ -356,10 +356,10 @@ Path path_at(const GraphText& text, std::uint32_t offset) {
     return path;
 }
 
-std::vector<PlacedExpr> expressions_of(const Graph& graph) {
+std::vector<PlacedExpr> expressions_of(const format::Graph& graph) {
     std::vector<PlacedExpr> all;
     Collector(all).add(graph);
     return all;
 }
 
-}  // namespace patina::graph
+}  // namespace patina::edit

@@ -18,15 +18,15 @@
 #include "compiler/format/keys.h"
 #include "compiler/json/json.h"
 
-namespace patina::graph {
+namespace patina::edit {
 
 struct GraphText;
 
 // A value of a text, and what the format says of its place.
 struct TreeValue {
     const GraphText* text = nullptr;
-    const Json* json = nullptr;          // null: there is none
-    ObjectKind kind = ObjectKind::Free;  // of the object, or of the objects in the array
+    const json::Json* json = nullptr;          // null: there is none
+    format::ObjectKind kind = format::ObjectKind::Free;  // of the object, or of the objects in the array
     bool is_set = false;                 // the order of the array has no meaning
 
     explicit operator bool() const { return json != nullptr; }
@@ -37,12 +37,12 @@ struct GraphText {
     nodelang::Ast ast{};
     Diagnostics diagnostics{};
     std::uint32_t base = 0;
-    std::unique_ptr<Json> json{};
-    ObjectKind kind = ObjectKind::Material;
-    std::shared_ptr<const Graph> graph{};                               // null: a scene
+    std::unique_ptr<json::Json> json{};
+    format::ObjectKind kind = format::ObjectKind::Material;
+    std::shared_ptr<const format::Graph> graph{};                               // null: a scene
     std::unordered_map<std::uint32_t, const nodelang::Expr*> values{};  // by the first byte of the JSON value
     // Of lists and objects in which something was looked for: the index of each child by its name.
-    mutable std::unordered_map<const Json*, std::unordered_map<std::string, std::size_t>> children{};
+    mutable std::unordered_map<const json::Json*, std::unordered_map<std::string, std::size_t>> children{};
     bool ok = false;  // a graph or a scene without errors in its form
 
     std::string_view all() const { return sources.file_text(base); }
@@ -96,8 +96,8 @@ struct PlacedExpr {
     Path path;
     const nodelang::Expr* expr;
 };
-std::vector<PlacedExpr> expressions_of(const Graph& graph);
+std::vector<PlacedExpr> expressions_of(const format::Graph& graph);
 // True for `@surface.name`.
 bool reads_surface(const nodelang::Expr& expr);
 
-}  // namespace patina::graph
+}  // namespace patina::edit

@@ -4,18 +4,18 @@
 
 #include "compiler/edit/text_edits.h"
 
-namespace patina::graph {
+namespace patina::edit {
 namespace {
 
 template <class Visit>
-void for_each_comment(const Json& json, const Visit& visit) {
+void for_each_comment(const json::Json& json, const Visit& visit) {
     if (json.comments) {
         for (const std::string& comment : json.comments->before) visit(comment, json);
         visit(json.comments->trailing, json);
         for (const std::string& comment : json.comments->end) visit(comment, json);
     }
-    for (const Json& element : json.elements) for_each_comment(element, visit);
-    for (const JsonMember& member : json.members) for_each_comment(member.value, visit);
+    for (const json::Json& element : json.elements) for_each_comment(element, visit);
+    for (const json::JsonMember& member : json.members) for_each_comment(member.value, visit);
 }
 
 // Without blank lines above and below.
@@ -99,13 +99,13 @@ std::vector<std::pair<std::string, Span>> lost_comments(const GraphText& base, c
     std::set<std::string> known;
     const auto add = [&](const GraphText& text) {
         if (text.json)
-            for_each_comment(*text.json, [&](const std::string& comment, const Json&) { known.insert(comment); });
+            for_each_comment(*text.json, [&](const std::string& comment, const json::Json&) { known.insert(comment); });
     };
     add(base);
     std::vector<std::pair<std::string, Span>> lost;
     const auto find_lost = [&] {
         lost.clear();
-        for_each_comment(*theirs.json, [&](const std::string& comment, const Json& owner) {
+        for_each_comment(*theirs.json, [&](const std::string& comment, const json::Json& owner) {
             if (!comment.empty() && !known.count(comment)) lost.emplace_back(comment, owner.span);
         });
     };
@@ -116,4 +116,4 @@ std::vector<std::pair<std::string, Span>> lost_comments(const GraphText& base, c
     return lost;
 }
 
-}  // namespace patina::graph
+}  // namespace patina::edit

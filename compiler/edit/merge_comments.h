@@ -7,7 +7,7 @@
 
 #include "compiler/edit/merge_names.h"
 
-namespace patina::graph {
+namespace patina::edit {
 
 // The merged text, in which a value whose comments OURS left as they were in BASE has those of THEIRS; so has a value
 // that was taken from THEIRS, though OURS has another one there.
@@ -17,4 +17,4 @@ std::string with_comments(const SameNames& names, std::string merged);
 std::vector<std::pair<std::string, Span>> lost_comments(const GraphText& base, const GraphText& theirs,
                                                         const std::string& merged);
 
-}  // namespace patina::graph
+}  // namespace patina::edit

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace patina::graph {
+namespace patina::edit {
 namespace {
 
 bool has_name(const GraphText& text, std::string_view list, std::string_view name) {
@@ -105,4 +105,4 @@ Path before_renames(Path path, std::span<const Rename> renames) {
     return path;
 }
 
-}  // namespace patina::graph
+}  // namespace patina::edit

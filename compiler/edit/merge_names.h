@@ -9,7 +9,7 @@
 #include "compiler/edit/merge_trees.h"
 #include "compiler/edit/renames.h"
 
-namespace patina::graph {
+namespace patina::edit {
 
 struct NameConflict {
     std::string list, from, ours, theirs;  // both sides renamed one thing
@@ -38,4 +38,4 @@ SameNames unify_names(std::unique_ptr<GraphText> base, std::unique_ptr<GraphText
 // A path by the names that a thing had before the renames.
 Path before_renames(Path path, std::span<const Rename> renames);
 
-}  // namespace patina::graph
+}  // namespace patina::edit

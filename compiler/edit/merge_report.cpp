@@ -7,7 +7,7 @@
 #include "compiler/json/json_text.h"
 #include "patina/complaints.h"
 
-namespace patina::graph {
+namespace patina::edit {
 
 // What a side did, and where.
 struct ConflictReport::Did {
@@ -23,8 +23,8 @@ FilePlace place_in(const GraphText& text, Path path) {
     for (;;) {
         if (const TreeValue value = find(text, path)) {
             const Span span = value.json->span;
-            const bool is_long = value.json->kind == Json::Kind::Object || value.json->kind == Json::Kind::Array;
-            return place_of(text.sources, is_there && !is_long ? span : Span{span.begin, span.begin + 1});
+            const bool is_long = value.json->kind == json::Json::Kind::Object || value.json->kind == json::Json::Kind::Array;
+            return format::place_of(text.sources, is_there && !is_long ? span : Span{span.begin, span.begin + 1});
         }
         is_there = false;
         path.pop_back();
@@ -41,8 +41,8 @@ Diagnostic note_at(const FilePlace& place, std::string message) {
 
 std::string one_line(const TreeValue& value) {
     std::string text;
-    append_one_line(text, *value.json, value.text->sources);
-    return shown(text);
+    json::append_one_line(text, *value.json, value.text->sources);
+    return json::shown(text);
 }
 
 ConflictReport::Did ConflictReport::did(Side side, const Path& path) const {
@@ -181,4 +181,4 @@ void ConflictReport::clash(const Diagnostic& error, const std::vector<TreeChange
     add(fmt::format("with the changes of both sides, {}", error.message), all);
 }
 
-}  // namespace patina::graph
+}  // namespace patina::edit

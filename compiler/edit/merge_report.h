@@ -11,7 +11,7 @@
 #include "compiler/edit/merge_trees.h"
 #include "patina/patina.h"
 
-namespace patina::graph {
+namespace patina::edit {
 
 // The three texts of a merge as they were given.
 struct Sides {
@@ -56,4 +56,4 @@ private:
 // A value on one line, for messages; a long one is cut.
 std::string one_line(const TreeValue& value);
 
-}  // namespace patina::graph
+}  // namespace patina::edit

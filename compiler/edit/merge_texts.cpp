@@ -14,7 +14,7 @@
 #include "compiler/format/read_graph.h"
 #include "patina/text_diff.h"
 
-namespace patina::graph {
+namespace patina::edit {
 namespace {
 
 // --- canonical form
@@ -22,7 +22,7 @@ namespace {
 std::string formatted(const std::string& text) {
     SourceMap sources;
     Diagnostics diagnostics;
-    return format_graph(sources, sources.add("", text), diagnostics).text;
+    return format::format_graph(sources, sources.add("", text), diagnostics).text;
 }
 
 // --- markers
@@ -273,7 +273,7 @@ bool may_lie_in_other_file(const Diagnostic& error, const GraphText& ours, const
     const auto is_file = [&](const GraphText& text) {
         if (!text.graph) return false;
         const auto node = std::find_if(text.graph->nodes.begin(), text.graph->nodes.end(),
-                                       [&](const Node& each) { return each.id == error.node; });
+                                       [&](const format::Node& each) { return each.id == error.node; });
         return node != text.graph->nodes.end() && node->type.find('/') != std::string::npos;
     };
     return is_file(ours) || is_file(theirs);
@@ -306,9 +306,9 @@ void add_lost_comments(const Sides& original, const std::string& merged, MergeRe
     if (lost.empty()) return;
     const Span place{lost.front().second.begin, lost.front().second.begin + 1};
     Diagnostic note =
-        diagnostic_at(place_of(original.theirs->sources, place), {},
+        diagnostic_at(format::place_of(original.theirs->sources, place), {},
                       fmt::format("the merge keeps the comments of ours, and lacks {} of theirs: {}", lost.size(),
-                                  shown(lost.front().first) + (lost.size() > 1 ? ", ..." : "")));
+                                  json::shown(lost.front().first) + (lost.size() > 1 ? ", ..." : "")));
     note.severity = Severity::Note;
     result.diagnostics.push_back(std::move(note));
 }
@@ -355,4 +355,4 @@ MergeResult merge_texts(const Sides& original, const MergeOptions& options, cons
     return result;
 }
 
-}  // namespace patina::graph
+}  // namespace patina::edit

@@ -9,7 +9,7 @@
 #include "compiler/edit/merge_report.h"
 #include "patina/graph_merge.h"
 
-namespace patina::graph {
+namespace patina::edit {
 
 // The errors of a graph with this text.
 using MergeCheck = std::function<std::vector<Diagnostic>(const std::string& text)>;
@@ -20,4 +20,4 @@ MergeResult merge_texts(const Sides& original, const MergeOptions& options, cons
 // The text of one side, because the other side changed nothing.
 MergeResult take_text(const Sides& original, const std::string& text, const MergeCheck& check);
 
-}  // namespace patina::graph
+}  // namespace patina::edit

@@ -6,7 +6,7 @@
 #include "compiler/edit/changes.h"
 #include "compiler/edit/text_edits.h"
 
-namespace patina::graph {
+namespace patina::edit {
 namespace {
 
 using Kind = TreeConflict::Kind;
@@ -88,7 +88,7 @@ private:
         if (shape == Shape::Whole || shape != shape_of(values.theirs) || values.ours.kind != values.theirs.kind)
             return false;
         // A node that both sides added is one thing.
-        if (!values.base && shape == Shape::ByKey && !identity_of(values.ours.kind).empty()) return false;
+        if (!values.base && shape == Shape::ByKey && !format::identity_of(values.ours.kind).empty()) return false;
         if (shape != Shape::ByPosition) return true;
         if (!values.base || shape_of(values.base) != shape) return false;
         const std::size_t count = values.base.json->elements.size();
@@ -135,7 +135,7 @@ private:
     Replaced find_replaced(const GraphText& ours, const Children& children) const {
         if (path_.size() != 3 || path_[0] != "nodes" || path_[2] != "in") return {};
         const TreeValue type = find(ours, {path_[0], path_[1], "node"});
-        if (!type || type.json->kind != Json::Kind::String || !is_file_name(type.json->string)) return {};
+        if (!type || type.json->kind != json::Json::Kind::String || !is_file_name(type.json->string)) return {};
         const auto below = [&](const TreeChild& child) {
             Path path = path_;
             path.push_back(child.name);
@@ -221,7 +221,7 @@ void find_order(Path path, const Three& values, const MergeWish& wish, std::vect
                 std::vector<TreeConflict>& conflicts) {
     const auto& [base, ours, theirs] = values;
     if (!ours || !theirs || shape_of(ours) != shape_of(theirs)) return;
-    if (shape_of(ours) == Shape::ByName && is_ordered(ours.kind)) {
+    if (shape_of(ours) == Shape::ByName && format::is_ordered(ours.kind)) {
         const std::vector<std::size_t> order = order_like(ours, theirs);
         if (is_in_order(order)) return;
         std::vector<std::string> before;
@@ -262,4 +262,4 @@ MergedTrees merge_trees(const GraphText& base, const GraphText& ours, const Grap
     return merged;
 }
 
-}  // namespace patina::graph
+}  // namespace patina::edit

@@ -9,7 +9,7 @@
 
 #include "compiler/edit/graph_text.h"
 
-namespace patina::graph {
+namespace patina::edit {
 
 enum class Side { Ours, Theirs };
 
@@ -33,4 +33,4 @@ struct MergedTrees {
 // OURS and THEIRS are ok. Of what an editor keeps under "ui", OURS holds without a conflict.
 MergedTrees merge_trees(const GraphText& base, const GraphText& ours, const GraphText& theirs, const MergeWish& wish);
 
-}  // namespace patina::graph
+}  // namespace patina::edit

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <map>
 
-namespace patina::graph {
+namespace patina::edit {
 namespace {
 
 class Clashes {
@@ -57,7 +57,7 @@ private:
     }
 
     // The names that a side added, and that stand now where one that it removed was read.
-    void add_names_in_place_of(std::set<Name>& gone, const Graph& side) const {
+    void add_names_in_place_of(std::set<Name>& gone, const format::Graph& side) const {
         if (gone.empty()) return;
         std::map<Path, std::vector<Name>> now;
         for (NameReader& reader : name_readers(side)) now.emplace(std::move(reader.path), std::move(reader.names));
@@ -101,4 +101,4 @@ void add_readers(const SameNames& names, const SideChanges& changes, std::set<Pa
     }
 }
 
-}  // namespace patina::graph
+}  // namespace patina::edit

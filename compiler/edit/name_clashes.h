@@ -8,7 +8,7 @@
 
 #include "compiler/edit/merge_names.h"
 
-namespace patina::graph {
+namespace patina::edit {
 
 // What each side changed.
 struct SideChanges {
@@ -19,4 +19,4 @@ struct SideChanges {
 // side removed. What they bring may bring others.
 void add_readers(const SameNames& names, const SideChanges& changes, std::set<Path>& clashing);
 
-}  // namespace patina::graph
+}  // namespace patina::edit

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace patina::graph {
+namespace patina::edit {
 
 using nodelang::Expr;
 
@@ -20,19 +20,19 @@ std::optional<ReadAs> read_as(const Expr& expr) {
     return std::nullopt;
 }
 
-std::vector<std::string_view> names_of(const Graph& graph, std::string_view list) {
+std::vector<std::string_view> names_of(const format::Graph& graph, std::string_view list) {
     std::vector<std::string_view> names;
     if (list == "nodes") {
-        for (const Node& node : graph.nodes) names.push_back(node.id);
+        for (const format::Node& node : graph.nodes) names.push_back(node.id);
     } else if (list == "properties") {
-        for (const Property& property : graph.properties) names.push_back(property.name);
-    } else if (graph.kind == (list == "inputs" ? GraphKind::Subgraph : GraphKind::Lighting)) {
-        for (const Input& input : graph.inputs) names.push_back(input.name);
+        for (const format::Property& property : graph.properties) names.push_back(property.name);
+    } else if (graph.kind == (list == "inputs" ? format::GraphKind::Subgraph : format::GraphKind::Lighting)) {
+        for (const format::Input& input : graph.inputs) names.push_back(input.name);
     }
     return names;
 }
 
-std::vector<std::string_view> names_read_like(const Graph& graph, std::string_view list) {
+std::vector<std::string_view> names_read_like(const format::Graph& graph, std::string_view list) {
     std::vector<std::string_view> names;
     for (const std::string_view each : kNameLists) {
         if (read_as(each) != read_as(list)) continue;
@@ -42,7 +42,7 @@ std::vector<std::string_view> names_read_like(const Graph& graph, std::string_vi
     return names;
 }
 
-std::string list_of(const Graph& graph, const Name& name) {
+std::string list_of(const format::Graph& graph, const Name& name) {
     for (const std::string_view each : kNameLists) {
         const std::vector<std::string_view> names = names_of(graph, each);
         if (read_as(each) == name.first && std::find(names.begin(), names.end(), name.second) != names.end())
@@ -55,7 +55,7 @@ bool NameReader::reads(const Name& name) const {
     return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-std::vector<NameReader> name_readers(const Graph& graph) {
+std::vector<NameReader> name_readers(const format::Graph& graph) {
     std::vector<NameReader> readers;
     for (PlacedExpr& placed : expressions_of(graph)) {
         NameReader& reader = readers.emplace_back();
@@ -66,9 +66,9 @@ std::vector<NameReader> name_readers(const Graph& graph) {
 }
 
 std::vector<TreeChange> changes_about(std::span<const TreeChange> changes, const std::set<Name>& names,
-                                      std::initializer_list<const Graph*> graphs) {
+                                      std::initializer_list<const format::Graph*> graphs) {
     std::set<Path> places;
-    for (const Graph* graph : graphs) {
+    for (const format::Graph* graph : graphs) {
         for (NameReader& reader : name_readers(*graph)) {
             const bool reads = std::any_of(reader.names.begin(), reader.names.end(),
                                            [&](const Name& name) { return names.count(name) != 0; });
@@ -91,4 +91,4 @@ std::vector<TreeChange> changes_about(std::span<const TreeChange> changes, const
     return about;
 }
 
-}  // namespace patina::graph
+}  // namespace patina::edit

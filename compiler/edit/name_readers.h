@@ -9,7 +9,7 @@
 
 #include "compiler/edit/changes.h"
 
-namespace patina::graph {
+namespace patina::edit {
 
 enum class ReadAs { Node, Dollar, Surface };
 
@@ -18,13 +18,13 @@ constexpr std::string_view kNameLists[] = {"nodes", "properties", "inputs", "sur
 std::optional<ReadAs> read_as(std::string_view list);
 
 // The names of a list, in the order of the text.
-std::vector<std::string_view> names_of(const Graph& graph, std::string_view list);
+std::vector<std::string_view> names_of(const format::Graph& graph, std::string_view list);
 
 // The list of a graph that has the name.
-std::string list_of(const Graph& graph, const std::pair<ReadAs, std::string_view>& name);
+std::string list_of(const format::Graph& graph, const std::pair<ReadAs, std::string_view>& name);
 
 // All names that are read as those of the list are: a property and an input of a sub-graph are both `$name`.
-std::vector<std::string_view> names_read_like(const Graph& graph, std::string_view list);
+std::vector<std::string_view> names_read_like(const format::Graph& graph, std::string_view list);
 
 using Name = std::pair<ReadAs, std::string_view>;
 std::optional<ReadAs> read_as(const nodelang::Expr& expr);  // nothing: it reads no name
@@ -42,10 +42,10 @@ struct NameReader {
 
     bool reads(const Name& name) const;
 };
-std::vector<NameReader> name_readers(const Graph& graph);
+std::vector<NameReader> name_readers(const format::Graph& graph);
 
 // The changes of things with one of the names, and of places that read one in one of the graphs.
 std::vector<TreeChange> changes_about(std::span<const TreeChange> changes, const std::set<Name>& names,
-                                      std::initializer_list<const Graph*> graphs);
+                                      std::initializer_list<const format::Graph*> graphs);
 
-}  // namespace patina::graph
+}  // namespace patina::edit

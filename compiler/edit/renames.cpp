@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <map>
 
-namespace patina::graph {
+namespace patina::edit {
 namespace {
 
 using nodelang::Expr;
@@ -12,7 +12,7 @@ constexpr std::size_t kMostPairs = 250'000;  // that are compared; of more names
 
 // The readers of a graph, by their places.
 using Readers = std::map<Path, std::vector<Name>>;
-Readers readers_of(const Graph& graph) {
+Readers readers_of(const format::Graph& graph) {
     Readers readers;
     for (NameReader& reader : name_readers(graph)) {
         if (!reader.names.empty()) readers[std::move(reader.path)] = std::move(reader.names);
@@ -29,7 +29,7 @@ using Things = std::map<std::string_view, TreeValue>;
 Things things_of(const GraphText& text, std::string_view list) {
     Things things;
     const std::vector<std::string_view> names = names_of(*text.graph, list);
-    const TreeValue value = graph::find(text, {std::string(list)});
+    const TreeValue value = find(text, {std::string(list)});
     if (!value) return things;
     const std::vector<TreeChild> children = children_of(value);
     // The surface of a material has values, and no names that something reads.
@@ -41,7 +41,7 @@ Things things_of(const GraphText& text, std::string_view list) {
 // Two nodes of one node type, two properties of one type.
 bool is_of_one_kind(const TreeValue& a, const TreeValue& b) {
     for (const char* key : {"node", "type"}) {
-        const Json *left = a.json->find(key), *right = b.json->find(key);
+        const json::Json *left = a.json->find(key), *right = b.json->find(key);
         if (!left != !right || (left && left->string != right->string)) return false;
     }
     return true;
@@ -347,15 +347,15 @@ std::vector<TextEdit> rename_edits(const GraphText& text, std::span<const Rename
         const auto found = names.find({as, name});
         if (found != names.end()) edits.emplace(span.begin, TextEdit{span, std::string(found->second)});
     };
-    const Graph& graph = *text.graph;
-    for (const Node& node : graph.nodes) edit(node.id_span, node.id, ReadAs::Node);
-    for (const Property& property : graph.properties) edit(property.name_span, property.name, ReadAs::Dollar);
-    for (const Input& input : graph.inputs) {
-        if (graph.kind == GraphKind::Subgraph) edit(input.name_span, input.name, ReadAs::Dollar);
-        if (graph.kind == GraphKind::Lighting) edit(input.name_span, input.name, ReadAs::Surface);
+    const format::Graph& graph = *text.graph;
+    for (const format::Node& node : graph.nodes) edit(node.id_span, node.id, ReadAs::Node);
+    for (const format::Property& property : graph.properties) edit(property.name_span, property.name, ReadAs::Dollar);
+    for (const format::Input& input : graph.inputs) {
+        if (graph.kind == format::GraphKind::Subgraph) edit(input.name_span, input.name, ReadAs::Dollar);
+        if (graph.kind == format::GraphKind::Lighting) edit(input.name_span, input.name, ReadAs::Surface);
     }
-    for (const ListedVariant& variant : graph.variants) {
-        for (const ListedVariant::Value& value : variant.values) edit(value.name_span, value.name, ReadAs::Dollar);
+    for (const format::ListedVariant& variant : graph.variants) {
+        for (const format::ListedVariant::Value& value : variant.values) edit(value.name_span, value.name, ReadAs::Dollar);
     }
     for (const PlacedExpr& placed : expressions_of(graph)) {
         for_each_name(*placed.expr, [&](const Expr& name, ReadAs as) {
@@ -369,4 +369,4 @@ std::vector<TextEdit> rename_edits(const GraphText& text, std::span<const Rename
     return all;
 }
 
-}  // namespace patina::graph
+}  // namespace patina::edit

@@ -10,7 +10,7 @@
 #include "compiler/edit/name_readers.h"
 #include "compiler/edit/text_edits.h"
 
-namespace patina::graph {
+namespace patina::edit {
 
 struct Rename {
     std::string list;  // "nodes", "properties", "inputs"; of a lighting graph "surface"
@@ -39,4 +39,4 @@ struct ReusedNames {
 // `renames`: those that find_renames() has found.
 ReusedNames find_reused_names(const GraphText& before, const GraphText& after, std::span<const Rename> renames);
 
-}  // namespace patina::graph
+}  // namespace patina::edit

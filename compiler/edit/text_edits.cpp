@@ -6,7 +6,7 @@
 #include "compiler/format/canonical_form.h"
 #include "compiler/json/json_text.h"
 
-namespace patina::graph {
+namespace patina::edit {
 namespace {
 
 constexpr std::size_t kIndent = 2;
@@ -15,12 +15,12 @@ bool is_blank(char c) {
     return c == ' ' || c == '\t' || c == '\r';
 }
 
-std::size_t count_of(const Json& container) {
-    return container.kind == Json::Kind::Object ? container.members.size() : container.elements.size();
+std::size_t count_of(const json::Json& container) {
+    return container.kind == json::Json::Kind::Object ? container.members.size() : container.elements.size();
 }
 
-const Json& child_of(const Json& container, std::size_t i) {
-    return container.kind == Json::Kind::Object ? container.members[i].value : container.elements[i];
+const json::Json& child_of(const json::Json& container, std::size_t i) {
+    return container.kind == json::Json::Kind::Object ? container.members[i].value : container.elements[i];
 }
 
 // Where the parts of a child are.
@@ -35,16 +35,16 @@ struct Child {
 // The text of one file, read a second time between two values: the tree has comments, but not their places.
 class Text {
 public:
-    Text(const SourceMap& sources, const Json& container)
+    Text(const SourceMap& sources, const json::Json& container)
         : base_(container.span.begin), text_(sources.text(container.span)), before_(sources.text_before(base_)) {
         const std::size_t count = count_of(container);
         std::uint32_t from = container.span.begin + 1;
         for (std::size_t i = 0; i <= count; ++i) {
             const bool is_last = i == count;
             const std::uint32_t to = is_last                                ? container.span.end - 1
-                                     : container.kind == Json::Kind::Object ? container.members[i].key_span.begin - 1
+                                     : container.kind == json::Json::Kind::Object ? container.members[i].key_span.begin - 1
                                                                             : container.elements[i].span.begin;
-            const JsonComments* comments = is_last ? container.comments.get() : child_of(container, i).comments.get();
+            const json::JsonComments* comments = is_last ? container.comments.get() : child_of(container, i).comments.get();
             std::size_t own = 0;
             if (comments) {
                 const std::vector<std::string>& list = is_last ? comments->end : comments->before;
@@ -170,10 +170,10 @@ ChildText text_of(const NewChild& child, bool is_object, const std::string& inde
         made.trailing = child.value.json.comments->trailing;
     }
     if (is_object) {
-        append_quoted(made.value, child.key);
+        json::append_quoted(made.value, child.key);
         made.value += ": ";
     }
-    made.value += layout_value(child.value.json, child.value.sources, indent.size(), indent.size() + made.value.size());
+    made.value += format::layout_value(child.value.json, child.value.sources, indent.size(), indent.size() + made.value.size());
     return made;
 }
 
@@ -214,19 +214,19 @@ std::string apply(const SourceMap& sources, std::uint32_t base, std::vector<Text
     return out += text.substr(at - base);
 }
 
-void replace_value(const SourceMap& sources, const Json& old_value, const ValueText& new_value,
+void replace_value(const SourceMap& sources, const json::Json& old_value, const ValueText& new_value,
                    std::vector<TextEdit>& edits) {
     const std::string_view before = sources.text_before(old_value.span.begin);
     const std::string_view line = before.substr(before.rfind('\n') + 1);
     std::size_t indent = 0;
     while (indent < line.size() && is_blank(line[indent])) ++indent;
-    edits.push_back({old_value.span, layout_value(new_value.json, new_value.sources, indent, line.size())});
+    edits.push_back({old_value.span, format::layout_value(new_value.json, new_value.sources, indent, line.size())});
 }
 
-void edit_children(const SourceMap& sources, const Json& container, const ChildEdits& changes,
+void edit_children(const SourceMap& sources, const json::Json& container, const ChildEdits& changes,
                    std::vector<TextEdit>& edits) {
     const Text text(sources, container);
-    const bool is_object = container.kind == Json::Kind::Object;
+    const bool is_object = container.kind == json::Json::Kind::Object;
     const std::vector<Child>& children = text.children();
     const Style style = style_of(text, is_object);
     std::vector<bool> stays(children.size(), true);
@@ -291,7 +291,7 @@ void edit_children(const SourceMap& sources, const Json& container, const ChildE
     }
 }
 
-void replace_comments(const SourceMap& sources, const Json& container, const std::vector<ChildComments>& comments,
+void replace_comments(const SourceMap& sources, const json::Json& container, const std::vector<ChildComments>& comments,
                       std::vector<TextEdit>& edits) {
     const Text text(sources, container);
     for (const ChildComments& each : comments) {
@@ -314,7 +314,7 @@ void replace_comments(const SourceMap& sources, const Json& container, const std
     }
 }
 
-void reorder_children(const SourceMap& sources, const Json& container, const std::vector<std::size_t>& order,
+void reorder_children(const SourceMap& sources, const json::Json& container, const std::vector<std::size_t>& order,
                       std::vector<TextEdit>& edits) {
     const Text text(sources, container);
     const std::vector<Child>& children = text.children();
@@ -328,4 +328,4 @@ void reorder_children(const SourceMap& sources, const Json& container, const std
     }
 }
 
-}  // namespace patina::graph
+}  // namespace patina::edit

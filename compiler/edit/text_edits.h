@@ -17,7 +17,7 @@
 #include "compiler/base/source.h"
 #include "compiler/json/json.h"
 
-namespace patina::graph {
+namespace patina::edit {
 
 struct TextEdit {
     Span span;  // the text that is replaced; empty: an insertion
@@ -30,12 +30,12 @@ std::string apply(const SourceMap& sources, std::uint32_t base, std::vector<Text
 
 // A JSON value of this or another text.
 struct ValueText {
-    const Json& json;
+    const json::Json& json;
     const SourceMap& sources;
 };
 
 // Puts a value in the place of another one. Comments around the old one stay.
-void replace_value(const SourceMap& sources, const Json& old_value, const ValueText& new_value,
+void replace_value(const SourceMap& sources, const json::Json& old_value, const ValueText& new_value,
                    std::vector<TextEdit>& edits);
 
 // A child of an object or of an array that is added, with its comments.
@@ -51,7 +51,7 @@ struct ChildEdits {
     std::vector<NewChild> added{};       // those of one place in their order
 };
 // Removes children with their comments, and adds others. The edits of children that stay can be made in addition.
-void edit_children(const SourceMap& sources, const Json& container, const ChildEdits& changes,
+void edit_children(const SourceMap& sources, const json::Json& container, const ChildEdits& changes,
                    std::vector<TextEdit>& edits);
 
 // The comments of a child: those on the lines above it, and the one behind it. Nothing: they stay as they are.
@@ -61,12 +61,12 @@ struct ChildComments {
     std::optional<std::string> trailing{};
 };
 // Gives children other comments, where these have lines of their own and the end of a line.
-void replace_comments(const SourceMap& sources, const Json& container, const std::vector<ChildComments>& comments,
+void replace_comments(const SourceMap& sources, const json::Json& container, const std::vector<ChildComments>& comments,
                       std::vector<TextEdit>& edits);
 
 // Puts the children into another order: `order[i]` is the index of the child that comes to the place i. Comments move
 // with their child.
-void reorder_children(const SourceMap& sources, const Json& container, const std::vector<std::size_t>& order,
+void reorder_children(const SourceMap& sources, const json::Json& container, const std::vector<std::size_t>& order,
                       std::vector<TextEdit>& edits);
 
-}  // namespace patina::graph
+}  // namespace patina::edit

@@ -7,7 +7,7 @@
 namespace patina::engines {
 namespace {
 
-using graph::Json;
+using json::Json;
 
 constexpr std::array kGroups = {Word<ir::Group>{"engine", ir::Group::Engine},
                                 Word<ir::Group>{"material", ir::Group::Material},
@@ -16,11 +16,11 @@ constexpr int kMostNumber = 1 << 20;  // of sets, bindings and locations
 
 class Reader {
 public:
-    Reader(graph::Reading& reading, const FindFile& find_file, const Printable& printable, Engine& engine)
+    Reader(format::Reading& reading, const FindFile& find_file, const Printable& printable, Engine& engine)
         : reading_(reading), find_file_(find_file), printable_(printable), engine_(engine) {}
 
     void engine(const Json& json) {
-        using enum graph::ObjectKind;
+        using enum format::ObjectKind;
         check_keys(reading_, json, Engine);
         engine_.title = text(json, "name");
         engine_.help = text(json, "help");
@@ -47,7 +47,7 @@ public:
         word(json, "matrices", "an order of matrices", engine_.matrices);
         word(json, "uvOrigin", "an origin of texture coordinates", engine_.uv_origin);
         engine_.storage = map(json, "storage");
-        graph::read_bool(reading_, json, "sharedSamplers", engine_.shares_samplers);
+        format::read_bool(reading_, json, "sharedSamplers", engine_.shares_samplers);
         engine_.texture_sizes = text(json, "textureSizes");
         if (const Json* limits = object(json, "limits", EngineLimits)) {
             number(*limits, "varyings", engine_.most_varyings);
@@ -65,7 +65,7 @@ private:
 
     template <class E>
     void word(const Json& json, std::string_view key, std::string_view what, E& into) {
-        graph::read_word(reading_, json, key, what, into);
+        format::read_word(reading_, json, key, what, into);
     }
 
     template <class Number>
@@ -76,7 +76,7 @@ private:
         if (read) into = static_cast<std::uint32_t>(*read);
     }
 
-    const Json* object(const Json& json, std::string_view key, graph::ObjectKind kind) {
+    const Json* object(const Json& json, std::string_view key, format::ObjectKind kind) {
         const Json* value = json.find(key);
         if (!value || !expect(reading_, *value, Json::Kind::Object, fmt::format("'{}'", key))) return nullptr;
         check_keys(reading_, *value, kind);
@@ -116,7 +116,7 @@ private:
         std::map<std::string, std::string, std::less<>> made;
         const Json* value = json.find(key);
         if (!value || !expect(reading_, *value, Json::Kind::Object, fmt::format("'{}'", key))) return made;
-        for (const graph::JsonMember& each : value->members) {
+        for (const json::JsonMember& each : value->members) {
             if (const std::string* word = read_string(reading_, each.value, fmt::format("'{}'", each.key)))
                 made.emplace(each.key, *word);
         }
@@ -133,7 +133,7 @@ private:
 
     void read_sets(const Json& json) {
         for (const Word<ir::Group>& group : kGroups) {
-            const Json* value = object(json, group.text, graph::ObjectKind::EngineSet);
+            const Json* value = object(json, group.text, format::ObjectKind::EngineSet);
             if (!value) continue;
             Places& places = engine_.places[static_cast<std::size_t>(group.value)];
             number(*value, "set", places.set);
@@ -147,7 +147,7 @@ private:
         if (!expect(reading_, json, Json::Kind::Array, "'vertexInputs'")) return;
         for (const Json& each : json.elements) {
             if (!expect(reading_, each, Json::Kind::Object, "a vertex input")) continue;
-            check_keys(reading_, each, graph::ObjectKind::EngineVertexInput);
+            check_keys(reading_, each, format::ObjectKind::EngineVertexInput);
             VertexInput& made = engine_.vertex_inputs.emplace_back();
             made.semantic = text(each, "semantic");
             made.hlsl = text(each, "hlsl");
@@ -164,7 +164,7 @@ private:
                          .instead = map(json, "instead")};
     }
 
-    graph::Reading& reading_;
+    format::Reading& reading_;
     const FindFile& find_file_;
     const Printable& printable_;
     Engine& engine_;
@@ -176,10 +176,10 @@ Engine read_engine(const SourceMap& sources, std::uint32_t base, std::string fol
                    const Printable& printable, Diagnostics& diagnostics) {
     Engine engine;
     engine.name = std::move(folder);
-    const std::unique_ptr<Json> json = graph::parse_json(sources, base, diagnostics);
+    const std::unique_ptr<Json> json = json::parse_json(sources, base, diagnostics);
     if (!json) return engine;
     nodelang::Ast unused;
-    graph::Reading reading{.sources = sources, .ast = unused, .diagnostics = diagnostics};
+    format::Reading reading{.sources = sources, .ast = unused, .diagnostics = diagnostics};
     if (expect(reading, *json, Json::Kind::Object, "an engine"))
         Reader(reading, find_file, printable, engine).engine(*json);
     return engine;

@@ -13,7 +13,7 @@ constexpr const output::Writer* kFormats[] = {&shaderlab::kWriter};
 
 }  // namespace
 
-const output::Writer& writer_of(const graph::Session& session) {
+const output::Writer& writer_of(const resolve::Session& session) {
     if (session.request.functions) return output::kFunctions;
     const auto* const found = std::find_if(std::begin(kFormats), std::end(kFormats), [&](const output::Writer* each) {
         return each->format == session.engine.file;

@@ -7,7 +7,7 @@
 namespace patina::engines {
 
 // The writer that the options and the engine require.
-const output::Writer& writer_of(const graph::Session& session);
+const output::Writer& writer_of(const resolve::Session& session);
 
 // All languages and formats.
 Printable printable();

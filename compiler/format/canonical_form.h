@@ -8,7 +8,7 @@
 
 #include "compiler/json/json.h"
 
-namespace patina::graph {
+namespace patina::format {
 
 struct FormattedText {
     bool ok = false;
@@ -19,8 +19,8 @@ struct FormattedText {
 FormattedText format_graph(const SourceMap& sources, std::uint32_t base, Diagnostics& diagnostics);
 
 // Lays out any JSON in the same way, with the keys in the order that they have.
-std::string layout_json(const Json& root, const SourceMap& sources);
+std::string layout_json(const json::Json& root, const SourceMap& sources);
 // The same for a value in a file: it starts at `column` of a line that is indented by `indent`.
-std::string layout_value(const Json& value, const SourceMap& sources, std::size_t indent, std::size_t column);
+std::string layout_value(const json::Json& value, const SourceMap& sources, std::size_t indent, std::size_t column);
 
-}  // namespace patina::graph
+}  // namespace patina::format

@@ -6,7 +6,7 @@
 
 #include "compiler/format/graph.h"
 
-namespace patina::graph {
+namespace patina::format {
 
 // [static("surface", "clipped")]: true if the surface is such a one.
 inline constexpr std::string_view kClippedKind = "clipped";
@@ -20,4 +20,4 @@ inline bool is_clipped_blend(const Graph& graph) {
                        [](const PortValue& each) { return each.name == "alphaClip"; });
 }
 
-}  // namespace patina::graph
+}  // namespace patina::format

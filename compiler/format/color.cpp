@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace patina::graph {
+namespace patina::format {
 namespace {
 
 int hex_digit(char c) {
@@ -34,4 +34,4 @@ std::optional<LinearColor> parse_color(std::string_view text) {
     return color;
 }
 
-}  // namespace patina::graph
+}  // namespace patina::format

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string_view>
 
-namespace patina::graph {
+namespace patina::format {
 
 struct LinearColor {
     std::array<double, 4> value{};
@@ -19,4 +19,4 @@ std::optional<LinearColor> parse_color(std::string_view text);
 // Converts an sRGB component, 0 to 1, to linear light (IEC 61966-2-1).
 double srgb_to_linear(double encoded);
 
-}  // namespace patina::graph
+}  // namespace patina::format

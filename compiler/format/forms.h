@@ -7,7 +7,7 @@
 #include "compiler/format/keys.h"
 #include "compiler/format/words.h"
 
-namespace patina::graph {
+namespace patina::format {
 
 constexpr Form text() {
     return {.of = Form::Of::Text};
@@ -75,4 +75,4 @@ constexpr Form values() {
     return schema(R"({"type":"object","additionalProperties":{"$ref":"#/$defs/value"}})");
 }
 
-}  // namespace patina::graph
+}  // namespace patina::format

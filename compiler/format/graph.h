@@ -16,7 +16,7 @@
 #include "patina/reflection.h"
 #include "patina/words.h"
 
-namespace patina::graph {
+namespace patina::format {
 
 enum class GraphKind { Material, Subgraph, Lighting, Workflow };
 
@@ -195,4 +195,4 @@ struct Graph {
     bool is_lit() const { return preview_input.empty(); }  // of a workflow
 };
 
-}  // namespace patina::graph
+}  // namespace patina::format

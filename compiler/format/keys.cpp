@@ -8,7 +8,7 @@
 #include "patina/scene.h"
 #include "patina/segments.h"
 
-namespace patina::graph {
+namespace patina::format {
 namespace {
 
 constexpr std::string_view kVariants =
@@ -570,15 +570,15 @@ bool is_ordered(ObjectKind kind) {
     return kind == ObjectKind::Property || kind == ObjectKind::ExtraPass;
 }
 
-ObjectKind top_level_kind(const Json& root) {
-    const Json* kind = root.find("kind");
+ObjectKind top_level_kind(const json::Json& root) {
+    const json::Json* kind = root.find("kind");
     if (!kind) return ObjectKind::Material;
     return from_word<ObjectKind>(kind->string).value_or(ObjectKind::Material);
 }
 
-ObjectKind value_kind(const KeyInfo& key, const Json& value) {
+ObjectKind value_kind(const KeyInfo& key, const json::Json& value) {
     if (key.holds() == ObjectKind::LightingUse && !value.find("use")) return ObjectKind::Lighting;
     return key.holds();
 }
 
-}  // namespace patina::graph
+}  // namespace patina::format

@@ -12,7 +12,7 @@
 
 #include "compiler/json/json.h"
 
-namespace patina::graph {
+namespace patina::format {
 
 // Free: the author chooses the keys of the object (ports, "meta", "ui").
 enum class ObjectKind {
@@ -130,8 +130,8 @@ std::string_view identity_of(ObjectKind kind);
 bool is_ordered(ObjectKind kind);
 
 // The kind of a file's top-level object, by its "kind"; a material if that is absent or unknown.
-ObjectKind top_level_kind(const Json& root);
+ObjectKind top_level_kind(const json::Json& root);
 // The kind of a key's value. It distinguishes a lighting graph from a { "use": ... }.
-ObjectKind value_kind(const KeyInfo& key, const Json& value);
+ObjectKind value_kind(const KeyInfo& key, const json::Json& value);
 
-}  // namespace patina::graph
+}  // namespace patina::format

@@ -15,7 +15,7 @@
 #include "compiler/format/words.h"
 #include "compiler/json/json.h"
 
-namespace patina::graph {
+namespace patina::format {
 
 // What every reader needs.
 struct Reading {
@@ -28,7 +28,7 @@ struct Reading {
 class UniqueNames {
 public:
     // Reports a name that was added before.
-    void add(Reading& reading, const Json& name, std::string_view what);
+    void add(Reading& reading, const json::Json& name, std::string_view what);
 
 private:
     std::unordered_map<std::string_view, Span> first_;
@@ -39,42 +39,42 @@ inline Span inside(Span quoted) {
     return {quoted.begin + 1, quoted.end - 1};
 }
 // The opening bracket of an object or array: the place for an error about something that is missing in it.
-inline Span opening(const Json& json) {
+inline Span opening(const json::Json& json) {
     return {json.span.begin, json.span.begin + 1};
 }
-const JsonMember* find_member(const Json& object, std::string_view key);
+const json::JsonMember* find_member(const json::Json& object, std::string_view key);
 
 // These functions report a value of another type; `what` names the value in the message: "'default'".
-bool expect(Reading& reading, const Json& json, Json::Kind kind, std::string_view what);
-void report_type(Reading& reading, const Json& json, std::string_view what, std::string_view wanted);
+bool expect(Reading& reading, const json::Json& json, json::Json::Kind kind, std::string_view what);
+void report_type(Reading& reading, const json::Json& json, std::string_view what, std::string_view wanted);
 // Null after an error.
-const std::string* read_string(Reading& reading, const Json& json, std::string_view what);
-std::optional<bool> read_bool(Reading& reading, const Json& json, std::string_view what);
+const std::string* read_string(Reading& reading, const json::Json& json, std::string_view what);
+std::optional<bool> read_bool(Reading& reading, const json::Json& json, std::string_view what);
 // A number that a 32-bit float holds.
-std::optional<double> read_float(Reading& reading, const Json& json, std::string_view what);
+std::optional<double> read_float(Reading& reading, const json::Json& json, std::string_view what);
 // A whole number from `low` to `high`.
-std::optional<int> read_int(Reading& reading, const Json& json, std::string_view what, int low, int high);
-std::optional<int> read_int(Reading& reading, const Json& json, std::string_view what, const Form& form);
+std::optional<int> read_int(Reading& reading, const json::Json& json, std::string_view what, int low, int high);
+std::optional<int> read_int(Reading& reading, const json::Json& json, std::string_view what, const Form& form);
 // These read the value of a key of an object. `target` stays as it is if the key is absent or its value is wrong. The
 // limits of a number are those of the table of keys.
-void read_int(Reading& reading, const Json& object, ObjectKind kind, std::string_view key, int& target);
-void read_bool(Reading& reading, const Json& object, std::string_view key, bool& target);
+void read_int(Reading& reading, const json::Json& object, ObjectKind kind, std::string_view key, int& target);
+void read_bool(Reading& reading, const json::Json& object, std::string_view key, bool& target);
 // The text at a key; empty if the key is absent.
-std::string read_text(Reading& reading, const Json& object, std::string_view key);
+std::string read_text(Reading& reading, const json::Json& object, std::string_view key);
 // Reports a text that is not an identifier. Empty if the value is not a string.
-std::string read_identifier(Reading& reading, const Json& json, std::string_view what);
+std::string read_identifier(Reading& reading, const json::Json& json, std::string_view what);
 
 // Reads the "name" of a property or an input and its place, and adds it to the names that `$` reads.
-void read_name(Reading& reading, const Json& object, std::string_view what, std::string& name, Span& span,
+void read_name(Reading& reading, const json::Json& object, std::string_view what, std::string& name, Span& span,
                UniqueNames& names);
 // "range" and "hard".
-void read_limits(Reading& reading, const Json& object, std::optional<std::array<double, 2>>& range, bool& hard);
+void read_limits(Reading& reading, const json::Json& object, std::optional<std::array<double, 2>>& range, bool& hard);
 
 // Reports each key that an object of this kind cannot have, and each missing key that it requires. The keys in `unfit`
 // are not suggested, because they have no use in this place.
-void check_keys(Reading& reading, const Json& object, ObjectKind kind, std::span<const std::string_view> unfit = {});
+void check_keys(Reading& reading, const json::Json& object, ObjectKind kind, std::span<const std::string_view> unfit = {});
 // Reports a key of the format that `what` cannot use, because it belongs to `owner`.
-void refuse_key(Reading& reading, const Json& object, std::string_view key, std::string_view what,
+void refuse_key(Reading& reading, const json::Json& object, std::string_view key, std::string_view what,
                 std::string_view owner);
 // Adds the note "did you mean", or the list of words.
 void suggest(Reading& reading, DiagnosticRecord& record, std::string_view word,
@@ -84,16 +84,16 @@ void check_range(Reading& reading, Span span, double value, const std::array<dou
                  std::string_view name);
 
 // The keys of a property that is a texture: "usage", "sampler" and so on (read_texture_keys.cpp).
-void read_texture_keys(Reading& reading, const Json& json, Property& property);
+void read_texture_keys(Reading& reading, const json::Json& json, Property& property);
 // The name of a sampler: of a property that is one, or of one that textures share.
-void read_named_sampler(Reading& reading, const Json& json, Property& property);
+void read_named_sampler(Reading& reading, const json::Json& json, Property& property);
 
 // The numbers of a value that is more than a vector (read_keys.cpp). Those of a gradient or a curve are what the array
 // in the struct of the node library holds, and those of a matrix go row by row. Nothing after an error.
-std::optional<std::vector<double>> read_array_value(Reading& reading, const Json& json, PropertyType type);
+std::optional<std::vector<double>> read_array_value(Reading& reading, const json::Json& json, PropertyType type);
 // What the value is by its form; nothing if it is none of them.
-std::optional<PropertyType> array_type(const Json& json);
-bool has_rows(const Json& json);
+std::optional<PropertyType> array_type(const json::Json& json);
+bool has_rows(const json::Json& json);
 // Of a property without a default: the unit matrix; from black to white, opaque; a line from (0, 0) to (1, 1).
 std::vector<double> implied_array_value(PropertyType type);
 
@@ -102,20 +102,20 @@ std::string_view meant_by(std::string_view word, std::span<const std::string_vie
 
 // The value of a word of `E`; nothing after an error.
 template <HasWords E>
-std::optional<E> read_word(Reading& reading, const Json& json, std::string_view key, std::string_view what) {
+std::optional<E> read_word(Reading& reading, const json::Json& json, std::string_view key, std::string_view what) {
     const std::string* text = read_string(reading, json, fmt::format("'{}'", key));
     if (!text) return std::nullopt;
     if (const std::optional<E> known = from_word<E>(*text)) return known;
     constexpr auto kTexts = texts<E>();
-    suggest(reading, reading.diagnostics.report(Code::UnknownWord, inside(json.span), shown(*text), what),
+    suggest(reading, reading.diagnostics.report(Code::UnknownWord, inside(json.span), json::shown(*text), what),
             meant_by(*text, kTexts), kTexts);
     return std::nullopt;
 }
 
 // The same for a key of an object, as read_int(). Returns the value; null if the key is absent.
 template <HasWords E>
-const Json* read_word(Reading& reading, const Json& object, std::string_view key, std::string_view what, E& target) {
-    const Json* json = object.find(key);
+const json::Json* read_word(Reading& reading, const json::Json& object, std::string_view key, std::string_view what, E& target) {
+    const json::Json* json = object.find(key);
     if (json) target = read_word<E>(reading, *json, key, what).value_or(target);
     return json;
 }
@@ -123,14 +123,14 @@ const Json* read_word(Reading& reading, const Json& object, std::string_view key
 // --- the readers of the parts
 // Reads the top of every file: its version and its kind, which must be one of `allowed`. Nothing if an error leaves no
 // file to read.
-std::optional<ObjectKind> read_header(Reading& reading, const Json& json, std::span<const ObjectKind> allowed);
-std::vector<PortValue> read_ports(Reading& reading, const Json& object, std::string_view what, std::string_view node);
-std::vector<Node> read_nodes(Reading& reading, const Json& array);
-RenderState read_render(Reading& reading, const Json& json);
+std::optional<ObjectKind> read_header(Reading& reading, const json::Json& json, std::span<const ObjectKind> allowed);
+std::vector<PortValue> read_ports(Reading& reading, const json::Json& object, std::string_view what, std::string_view node);
+std::vector<Node> read_nodes(Reading& reading, const json::Json& array);
+RenderState read_render(Reading& reading, const json::Json& json);
 // `names` collects the names that this graph can read as $name.
-std::vector<Property> read_properties(Reading& reading, const Json& array, UniqueNames& names);
-std::vector<Input> read_inputs(Reading& reading, const Json& array, UniqueNames& names, bool of_workflow);
+std::vector<Property> read_properties(Reading& reading, const json::Json& array, UniqueNames& names);
+std::vector<Input> read_inputs(Reading& reading, const json::Json& array, UniqueNames& names, bool of_workflow);
 // Reads the text of an expression, without its leading '='. Null after an error.
-const nodelang::Expr* read_expression(Reading& reading, const Json& json, std::size_t skip);
+const nodelang::Expr* read_expression(Reading& reading, const json::Json& json, std::size_t skip);
 
-}  // namespace patina::graph
+}  // namespace patina::format

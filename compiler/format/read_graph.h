@@ -6,21 +6,21 @@
 #include "compiler/format/graph.h"
 #include "compiler/json/json.h"
 
-namespace patina::graph {
+namespace patina::format {
 
 // "textures/wall.v1.graph.json" -> "wall.v1": the name of a graph that states none, and of the files made from it.
 std::string name_of_file(std::string_view path);
 
 // Returns a graph even after errors (the parts that could be read). `ast` owns the expressions. `expected`: the kind
 // that the place requires (a material file, a sub-graph at a node, ...), or nothing if every kind is allowed.
-std::shared_ptr<Graph> read_graph(const Json& json, std::string path, const SourceMap& sources, nodelang::Ast& ast,
+std::shared_ptr<Graph> read_graph(const json::Json& json, std::string path, const SourceMap& sources, nodelang::Ast& ast,
                                   Diagnostics& diagnostics, std::optional<GraphKind> expected);
 
 // Reads the value grammar: one JSON value at a port -> an expression. Null after an error.
-const nodelang::Expr* read_value(const Json& json, const SourceMap& sources, nodelang::Ast& ast,
+const nodelang::Expr* read_value(const json::Json& json, const SourceMap& sources, nodelang::Ast& ast,
                                  Diagnostics& diagnostics);
 
 // Where something stands in its file, for what only a renderer can check.
 FilePlace place_of(const SourceMap& sources, Span span);
 
-}  // namespace patina::graph
+}  // namespace patina::format

@@ -2,7 +2,7 @@
 
 #include "compiler/format/read_fields.h"
 
-namespace patina::graph {
+namespace patina::format {
 namespace {
 
 // "a graph", or the one kind that is allowed.
@@ -10,24 +10,24 @@ std::string_view describe(std::span<const ObjectKind> allowed) {
     return allowed.size() == 1 ? describe(allowed.front()) : "a graph";
 }
 
-bool check_version(Reading& reading, const Json& json, std::string_view what) {
-    const Json* version = json.find("patina");
+bool check_version(Reading& reading, const json::Json& json, std::string_view what) {
+    const json::Json* version = json.find("patina");
     if (!version) {
         reading.diagnostics.report(Code::MissingKey, opening(json), what, "patina")
             .note("add \"patina\": 1, the version of the graph format");
         return true;  // the rest is read all the same
     }
-    if (version->kind != Json::Kind::Number) {
+    if (version->kind != json::Json::Kind::Number) {
         report_type(reading, *version, "'patina'", "the number 1");
         return true;
     }
     if (version->number == 1) return true;
-    reading.diagnostics.report(Code::UnknownVersion, version->span, shown(reading.sources.text(version->span)));
+    reading.diagnostics.report(Code::UnknownVersion, version->span, json::shown(reading.sources.text(version->span)));
     return false;
 }
 
-std::optional<ObjectKind> check_kind(Reading& reading, const Json& json, std::span<const ObjectKind> allowed) {
-    const Json* word = json.find("kind");
+std::optional<ObjectKind> check_kind(Reading& reading, const json::Json& json, std::span<const ObjectKind> allowed) {
+    const json::Json* word = json.find("kind");
     ObjectKind kind = ObjectKind::Material;
     if (word) {
         const std::optional<ObjectKind> known = read_word<ObjectKind>(reading, *word, "kind", "a kind of graph");
@@ -51,10 +51,10 @@ std::optional<ObjectKind> check_kind(Reading& reading, const Json& json, std::sp
 
 }  // namespace
 
-std::optional<ObjectKind> read_header(Reading& reading, const Json& json, std::span<const ObjectKind> allowed) {
+std::optional<ObjectKind> read_header(Reading& reading, const json::Json& json, std::span<const ObjectKind> allowed) {
     const std::string_view what = allowed.front() == ObjectKind::Scene ? describe(ObjectKind::Scene) : "a graph";
-    if (!expect(reading, json, Json::Kind::Object, what) || !check_version(reading, json, what)) return std::nullopt;
+    if (!expect(reading, json, json::Json::Kind::Object, what) || !check_version(reading, json, what)) return std::nullopt;
     return check_kind(reading, json, allowed);
 }
 
-}  // namespace patina::graph
+}  // namespace patina::format

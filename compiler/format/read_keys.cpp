@@ -6,7 +6,7 @@
 #include "compiler/format/color.h"
 #include "compiler/format/read_fields.h"
 
-namespace patina::graph {
+namespace patina::format {
 namespace {
 
 constexpr std::size_t kMostGradientKeys = 8;
@@ -22,19 +22,19 @@ struct KeyList {
 };
 
 // Reads the keys of a list: their times, and by `read_rest` what follows the time. Nothing after an error.
-std::optional<std::vector<Row>> read_key_list(Reading& reading, const Json& json, const KeyList& list,
-                                              const std::function<std::optional<Row>(const Json&, double)>& read_rest) {
+std::optional<std::vector<Row>> read_key_list(Reading& reading, const json::Json& json, const KeyList& list,
+                                              const std::function<std::optional<Row>(const json::Json&, double)>& read_rest) {
     const std::size_t errors = reading.diagnostics.error_count();
     std::vector<Row> rows;
-    if (!expect(reading, json, Json::Kind::Array, fmt::format("'{}'", list.name))) return std::nullopt;
+    if (!expect(reading, json, json::Json::Kind::Array, fmt::format("'{}'", list.name))) return std::nullopt;
     if (json.elements.empty()) reading.diagnostics.report(Code::EmptyList, json.span, list.name);
     if (json.elements.size() > list.most)
         reading.diagnostics.report(Code::TooMany, json.elements[list.most].span, json.elements.size(),
                                    fmt::format("keys of '{}'", list.name), list.most);
     std::optional<double> before;
-    for (const Json& key : json.elements) {
+    for (const json::Json& key : json.elements) {
         if (reading.diagnostics.error_count() > errors + kMostCurveKeys) break;
-        if (key.kind != Json::Kind::Array || key.elements.size() < 2) {
+        if (key.kind != json::Json::Kind::Array || key.elements.size() < 2) {
             report_type(reading, key, fmt::format("a key of '{}'", list.name), list.form);
             continue;
         }
@@ -52,23 +52,23 @@ std::optional<std::vector<Row>> read_key_list(Reading& reading, const Json& json
     return rows;
 }
 
-std::optional<Row> read_color_key(Reading& reading, const Json& key, double time) {
+std::optional<Row> read_color_key(Reading& reading, const json::Json& key, double time) {
     if (key.elements.size() != 2) {
         report_type(reading, key, "a key of 'colors'", "an array [time, colour]");
         return std::nullopt;
     }
-    const Json& value = key.elements[1];
-    if (value.kind == Json::Kind::String) {
+    const json::Json& value = key.elements[1];
+    if (value.kind == json::Json::Kind::String) {
         const std::optional<LinearColor> color = parse_color(value.string);
         if (!color) {
-            reading.diagnostics.report(Code::BadColor, inside(value.span), shown(value.string));
+            reading.diagnostics.report(Code::BadColor, inside(value.span), json::shown(value.string));
             return std::nullopt;
         }
         if (color->has_alpha)
             reading.diagnostics.report(Code::NoEffect, inside(value.span), "alpha", "'alphas' has the keys of alpha");
         return Row{color->value[0], color->value[1], color->value[2], time};
     }
-    if (value.kind != Json::Kind::Array || value.elements.size() != 3) {
+    if (value.kind != json::Json::Kind::Array || value.elements.size() != 3) {
         report_type(reading, value, "the colour of a key", "\"#rrggbb\" or an array of 3 numbers");
         return std::nullopt;
     }
@@ -81,7 +81,7 @@ std::optional<Row> read_color_key(Reading& reading, const Json& key, double time
     return row;
 }
 
-std::optional<Row> read_alpha_key(Reading& reading, const Json& key, double time) {
+std::optional<Row> read_alpha_key(Reading& reading, const json::Json& key, double time) {
     if (key.elements.size() != 2) {
         report_type(reading, key, "a key of 'alphas'", "an array [time, alpha]");
         return std::nullopt;
@@ -94,7 +94,7 @@ std::optional<Row> read_alpha_key(Reading& reading, const Json& key, double time
 }
 
 // [time, value], or with the slopes before and after the key.
-std::optional<Row> read_curve_key(Reading& reading, const Json& key, double time) {
+std::optional<Row> read_curve_key(Reading& reading, const json::Json& key, double time) {
     if (key.elements.size() != 2 && key.elements.size() != 4) {
         report_type(reading, key, "a key of 'keys'", "an array of 2 or 4 numbers");
         return std::nullopt;
@@ -117,23 +117,23 @@ void append(std::vector<double>& numbers, const std::vector<Row>& rows, std::siz
     }
 }
 
-std::optional<std::vector<double>> read_gradient(Reading& reading, const Json& json) {
-    if (!expect(reading, json, Json::Kind::Object, "a gradient")) return std::nullopt;
+std::optional<std::vector<double>> read_gradient(Reading& reading, const json::Json& json) {
+    if (!expect(reading, json, json::Json::Kind::Object, "a gradient")) return std::nullopt;
     const std::size_t errors = reading.diagnostics.error_count();
     check_keys(reading, json, ObjectKind::Gradient);
     std::optional<std::vector<Row>> colors, alphas = std::vector<Row>{{1, 0, 0, 0}};
-    if (const Json* list = json.find("colors"))
+    if (const json::Json* list = json.find("colors"))
         colors = read_key_list(
             reading, *list,
             {.name = "colors", .form = "an array [time, colour]", .most = kMostGradientKeys, .times = {0, 1}},
-            [&](const Json& key, double time) { return read_color_key(reading, key, time); });
-    if (const Json* list = json.find("alphas"))
+            [&](const json::Json& key, double time) { return read_color_key(reading, key, time); });
+    if (const json::Json* list = json.find("alphas"))
         alphas = read_key_list(
             reading, *list,
             {.name = "alphas", .form = "an array [time, alpha]", .most = kMostGradientKeys, .times = {0, 1}},
-            [&](const Json& key, double time) { return read_alpha_key(reading, key, time); });
+            [&](const json::Json& key, double time) { return read_alpha_key(reading, key, time); });
     GradientBlend blend = GradientBlend::Linear;
-    if (const Json* word = json.find("blend"))
+    if (const json::Json* word = json.find("blend"))
         blend = read_word<GradientBlend>(reading, *word, "blend", "a blend of a gradient").value_or(blend);
     if (!colors || !alphas || reading.diagnostics.error_count() > errors) return std::nullopt;
     std::vector<double> numbers = {static_cast<double>(colors->size()), static_cast<double>(alphas->size()),
@@ -143,33 +143,33 @@ std::optional<std::vector<double>> read_gradient(Reading& reading, const Json& j
     return numbers;
 }
 
-std::optional<std::vector<double>> read_curve(Reading& reading, const Json& json) {
-    if (!expect(reading, json, Json::Kind::Object, "a curve")) return std::nullopt;
+std::optional<std::vector<double>> read_curve(Reading& reading, const json::Json& json) {
+    if (!expect(reading, json, json::Json::Kind::Object, "a curve")) return std::nullopt;
     const std::size_t errors = reading.diagnostics.error_count();
     check_keys(reading, json, ObjectKind::Curve);
-    const Json* list = json.find("keys");
+    const json::Json* list = json.find("keys");
     if (!list) return std::nullopt;
     constexpr double kAny = std::numeric_limits<double>::infinity();
     const std::optional<std::vector<Row>> keys = read_key_list(
         reading, *list,
         {.name = "keys", .form = "an array [time, value]", .most = kMostCurveKeys, .times = {-kAny, kAny}},
-        [&](const Json& key, double time) { return read_curve_key(reading, key, time); });
+        [&](const json::Json& key, double time) { return read_curve_key(reading, key, time); });
     if (!keys || reading.diagnostics.error_count() > errors) return std::nullopt;
     std::vector<double> numbers = {static_cast<double>(keys->size()), 0, 0, 0};
     append(numbers, *keys, kMostCurveKeys);
     return numbers;
 }
 
-std::optional<std::vector<double>> read_matrix(Reading& reading, const Json& json, std::size_t size) {
-    const auto refuse = [&](const Json& at) {
+std::optional<std::vector<double>> read_matrix(Reading& reading, const json::Json& json, std::size_t size) {
+    const auto refuse = [&](const json::Json& at) {
         report_type(reading, at, fmt::format("a float{0}x{0}", size), fmt::format("{0} rows of {0} numbers", size));
         return std::nullopt;
     };
-    if (json.kind != Json::Kind::Array || json.elements.size() != size) return refuse(json);
+    if (json.kind != json::Json::Kind::Array || json.elements.size() != size) return refuse(json);
     std::vector<double> numbers;
-    for (const Json& row : json.elements) {
-        if (row.kind != Json::Kind::Array || row.elements.size() != size) return refuse(row);
-        for (const Json& element : row.elements) {
+    for (const json::Json& row : json.elements) {
+        if (row.kind != json::Json::Kind::Array || row.elements.size() != size) return refuse(row);
+        for (const json::Json& element : row.elements) {
             const std::optional<double> number = read_float(reading, element, "an element of a matrix");
             if (!number) return std::nullopt;
             numbers.push_back(*number);
@@ -184,18 +184,18 @@ std::size_t rows_of(PropertyType type) {
 
 }  // namespace
 
-std::optional<std::vector<double>> read_array_value(Reading& reading, const Json& json, PropertyType type) {
+std::optional<std::vector<double>> read_array_value(Reading& reading, const json::Json& json, PropertyType type) {
     if (type == PropertyType::Gradient) return read_gradient(reading, json);
     if (type == PropertyType::Curve) return read_curve(reading, json);
     return read_matrix(reading, json, rows_of(type));
 }
 
-bool has_rows(const Json& json) {
+bool has_rows(const json::Json& json) {
     return std::any_of(json.elements.begin(), json.elements.end(),
-                       [](const Json& element) { return element.kind == Json::Kind::Array; });
+                       [](const json::Json& element) { return element.kind == json::Json::Kind::Array; });
 }
 
-std::optional<PropertyType> array_type(const Json& json) {
+std::optional<PropertyType> array_type(const json::Json& json) {
     if (json.find("colors")) return PropertyType::Gradient;
     if (json.find("keys")) return PropertyType::Curve;
     constexpr PropertyType kMatrices[] = {PropertyType::Float2x2, PropertyType::Float3x3, PropertyType::Float4x4};
@@ -219,4 +219,4 @@ std::vector<double> implied_array_value(PropertyType type) {
     return numbers;
 }
 
-}  // namespace patina::graph
+}  // namespace patina::format

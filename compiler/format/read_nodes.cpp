@@ -1,13 +1,13 @@
 #include "compiler/format/read_fields.h"
 #include "compiler/format/read_graph.h"
 
-namespace patina::graph {
+namespace patina::format {
 namespace {
 
-void read_expression_node(Reading& reading, const Json& json, const Json& expr, Node& node) {
+void read_expression_node(Reading& reading, const json::Json& json, const json::Json& expr, Node& node) {
     node.is_expression = true;
     node.expr_span = expr.span;
-    if (const JsonMember* in = find_member(json, "in")) {
+    if (const json::JsonMember* in = find_member(json, "in")) {
         reading.diagnostics.report(Code::UnknownKey, in->key_span, "in", "an expression")
             .note("an expression reads other nodes by their ids");
     }
@@ -23,30 +23,30 @@ void read_expression_node(Reading& reading, const Json& json, const Json& expr, 
     }
 }
 
-void read_library_node(Reading& reading, const Json& json, const Json& type, Node& node) {
+void read_library_node(Reading& reading, const json::Json& json, const json::Json& type, Node& node) {
     if (const std::string* text = read_string(reading, type, "'node'")) node.type = *text;
-    node.type_span = type.kind == Json::Kind::String ? inside(type.span) : type.span;
-    if (const Json* in = json.find("in")) node.inputs = read_ports(reading, *in, "'in'", node.id);
+    node.type_span = type.kind == json::Json::Kind::String ? inside(type.span) : type.span;
+    if (const json::Json* in = json.find("in")) node.inputs = read_ports(reading, *in, "'in'", node.id);
 }
 
 // The id comes first: every later message names the node by it.
-void read_id(Reading& reading, const Json& json, Node& node, UniqueNames& ids) {
-    const Json* id = json.find("id");
+void read_id(Reading& reading, const json::Json& json, Node& node, UniqueNames& ids) {
+    const json::Json* id = json.find("id");
     if (!id) return;
     node.id = read_identifier(reading, *id, "'id'");
-    node.id_span = id->kind == Json::Kind::String ? inside(id->span) : id->span;
+    node.id_span = id->kind == json::Json::Kind::String ? inside(id->span) : id->span;
     reading.diagnostics.set_context(node.id, {});
-    if (id->kind == Json::Kind::String) ids.add(reading, *id, "node");
+    if (id->kind == json::Json::Kind::String) ids.add(reading, *id, "node");
 }
 
-Node read_node(Reading& reading, const Json& json, UniqueNames& ids) {
+Node read_node(Reading& reading, const json::Json& json, UniqueNames& ids) {
     Node node;
     node.span = json.span;
     read_id(reading, json, node, ids);
     check_keys(reading, json, ObjectKind::Node);
 
-    const JsonMember* type = find_member(json, "node");
-    const JsonMember* expr = find_member(json, "expr");
+    const json::JsonMember* type = find_member(json, "node");
+    const json::JsonMember* expr = find_member(json, "expr");
     if (type && expr) {
         reading.diagnostics.report(Code::ConflictingInputs, expr->key_span, "node", "expr");
     } else if (expr) {
@@ -54,12 +54,12 @@ Node read_node(Reading& reading, const Json& json, UniqueNames& ids) {
     } else if (type) {
         read_library_node(reading, json, type->value, node);
     } else {
-        const std::string what = node.id.empty() ? "a node" : fmt::format("the node '{}'", shown(node.id));
+        const std::string what = node.id.empty() ? "a node" : fmt::format("the node '{}'", json::shown(node.id));
         reading.diagnostics.report(Code::MissingKey, opening(json), what, "node")
             .note("or the key 'expr', with an expression");
     }
 
-    if (const Json* stage = read_word(reading, json, "stage", "a stage", node.stage)) node.stage_span = stage->span;
+    if (const json::Json* stage = read_word(reading, json, "stage", "a stage", node.stage)) node.stage_span = stage->span;
     read_word(reading, json, "precision", "a precision", node.precision);
     node.note = read_text(reading, json, "note");
     return node;
@@ -67,16 +67,16 @@ Node read_node(Reading& reading, const Json& json, UniqueNames& ids) {
 
 }  // namespace
 
-std::vector<Node> read_nodes(Reading& reading, const Json& array) {
+std::vector<Node> read_nodes(Reading& reading, const json::Json& array) {
     std::vector<Node> nodes;
-    if (!expect(reading, array, Json::Kind::Array, "'nodes'")) return nodes;
+    if (!expect(reading, array, json::Json::Kind::Array, "'nodes'")) return nodes;
     UniqueNames ids;
     nodes.reserve(array.elements.size());
-    for (const Json& element : array.elements) {
-        if (expect(reading, element, Json::Kind::Object, "a node")) nodes.push_back(read_node(reading, element, ids));
+    for (const json::Json& element : array.elements) {
+        if (expect(reading, element, json::Json::Kind::Object, "a node")) nodes.push_back(read_node(reading, element, ids));
         reading.diagnostics.set_context({}, {});
     }
     return nodes;
 }
 
-}  // namespace patina::graph
+}  // namespace patina::format

@@ -9,7 +9,7 @@
 #include "compiler/format/color.h"
 #include "compiler/format/read_fields.h"
 
-namespace patina::graph {
+namespace patina::format {
 namespace {
 
 // Whoever reads a property looks for its name, and for the value of an enum, among all of them.
@@ -42,7 +42,7 @@ std::size_t ranged_count(PropertyType type) {
 }
 
 // Reports keys of the format that this type of property cannot use.
-void check_keys_of_type(Reading& reading, const Json& json, const Property& property) {
+void check_keys_of_type(Reading& reading, const json::Json& json, const Property& property) {
     const std::string what = fmt::format("a property of type {}", to_string(property.type));
     if (!is_texture(property.type)) {
         for (const std::string_view key : {"usage", "swizzle", "sampler"})
@@ -62,17 +62,17 @@ void check_keys_of_type(Reading& reading, const Json& json, const Property& prop
 
 // --- defaults
 
-void read_vector_default(Reading& reading, const Json& json, Property& property) {
+void read_vector_default(Reading& reading, const json::Json& json, Property& property) {
     const std::size_t count = component_count(property.type);
     const bool is_color = property.type == PropertyType::Color;
-    if (json.kind == Json::Kind::Number && !is_color) {  // a scalar splats
+    if (json.kind == json::Json::Kind::Number && !is_color) {  // a scalar splats
         if (const std::optional<double> value = read_float(reading, json, "'default'")) {
             std::fill_n(property.value.begin(), count, *value);
         }
         return;
     }
     const std::size_t given = json.elements.size();
-    if (json.kind != Json::Kind::Array || !(given == count || (is_color && given == 3))) {
+    if (json.kind != json::Json::Kind::Array || !(given == count || (is_color && given == 3))) {
         report_type(
             reading, json, fmt::format("the default of a {}", to_string(property.type)),
             is_color ? "\"#rrggbb\" or an array of 3 or 4 numbers" : fmt::format("an array of {} numbers", count));
@@ -83,16 +83,16 @@ void read_vector_default(Reading& reading, const Json& json, Property& property)
     }
 }
 
-void read_color_default(Reading& reading, const Json& json, Property& property) {
-    if (json.kind != Json::Kind::String) return read_vector_default(reading, json, property);
+void read_color_default(Reading& reading, const json::Json& json, Property& property) {
+    if (json.kind != json::Json::Kind::String) return read_vector_default(reading, json, property);
     if (const std::optional<LinearColor> color = parse_color(json.string)) {
         property.value = color->value;
     } else {
-        reading.diagnostics.report(Code::BadColor, inside(json.span), shown(json.string));
+        reading.diagnostics.report(Code::BadColor, inside(json.span), json::shown(json.string));
     }
 }
 
-void read_enum_default(Reading& reading, const Json& json, Property& property) {
+void read_enum_default(Reading& reading, const json::Json& json, Property& property) {
     const std::string* text = read_string(reading, json, "the default of an enum");
     if (!text) return;
     const auto found = std::find(property.values.begin(), property.values.end(), *text);
@@ -102,12 +102,12 @@ void read_enum_default(Reading& reading, const Json& json, Property& property) {
     }
     const std::vector<std::string_view> words(property.values.begin(), property.values.end());
     suggest(reading,
-            reading.diagnostics.report(Code::UnknownEnumerator, inside(json.span), shown(*text),
-                                       fmt::format("'{}'", shown(property.name))),
+            reading.diagnostics.report(Code::UnknownEnumerator, inside(json.span), json::shown(*text),
+                                       fmt::format("'{}'", json::shown(property.name))),
             *text, words);
 }
 
-void read_texture_default(Reading& reading, const Json& json, Property& property) {
+void read_texture_default(Reading& reading, const json::Json& json, Property& property) {
     const std::string* text = read_string(reading, json, fmt::format("the default of a {}", to_string(property.type)));
     if (!text) return;
     const bool is_file = is_file_name(*text);
@@ -117,7 +117,7 @@ void read_texture_default(Reading& reading, const Json& json, Property& property
         return;
     }
     DiagnosticRecord& record =
-        reading.diagnostics.report(Code::UnknownWord, inside(json.span), shown(*text), "a default texture");
+        reading.diagnostics.report(Code::UnknownWord, inside(json.span), json::shown(*text), "a default texture");
     if (text->find_first_of("./\\") != std::string::npos) {
         record.note("a file name starts with './'");
     } else {
@@ -125,7 +125,7 @@ void read_texture_default(Reading& reading, const Json& json, Property& property
     }
 }
 
-void read_default(Reading& reading, const Json& json, Property& property) {
+void read_default(Reading& reading, const json::Json& json, Property& property) {
     property.default_span = json.span;
     switch (property.type) {
         case PropertyType::Float:
@@ -183,14 +183,14 @@ void check_default_range(Reading& reading, const Property& property) {
 
 // --- the other keys
 
-void read_enum_values(Reading& reading, const Json& json, Property& property) {
-    const Json* values = json.find("values");
+void read_enum_values(Reading& reading, const json::Json& json, Property& property) {
+    const json::Json* values = json.find("values");
     const char* const kExample = "\"values\": [\"Dry\", \"Wet\"]";
     if (!values) {
         reading.diagnostics.report(Code::MissingKey, opening(json), "an enum", "values").note(kExample);
         return;
     }
-    if (!expect(reading, *values, Json::Kind::Array, "'values'")) return;
+    if (!expect(reading, *values, json::Json::Kind::Array, "'values'")) return;
     if (values->elements.size() > kMostValues) {
         reading.diagnostics.report(Code::TooMany, values->elements[kMostValues].span, values->elements.size(),
                                    "values of an enum", kMostValues);
@@ -198,27 +198,27 @@ void read_enum_values(Reading& reading, const Json& json, Property& property) {
     }
     if (values->elements.empty()) reading.diagnostics.report(Code::EmptyList, values->span, "values").note(kExample);
     UniqueNames names;
-    for (const Json& value : values->elements) {
+    for (const json::Json& value : values->elements) {
         property.values.push_back(read_identifier(reading, value, "a value of an enum"));
         property.value_spans.push_back(value.span);
-        if (value.kind == Json::Kind::String) names.add(reading, value, "value");
+        if (value.kind == json::Json::Kind::String) names.add(reading, value, "value");
     }
 }
 
-Property read_property(Reading& reading, const Json& json, UniqueNames& names) {
+Property read_property(Reading& reading, const json::Json& json, UniqueNames& names) {
     Property property;
     property.span = json.span;
     check_keys(reading, json, ObjectKind::Property);
     read_name(reading, json, "property", property.name, property.name_span, names);
-    if (const Json* binding = read_word(reading, json, "as", "a binding time", property.binding))
+    if (const json::Json* binding = read_word(reading, json, "as", "a binding time", property.binding))
         property.binding_span = binding->span;
     property.label = read_text(reading, json, "label");
-    if (const Json* label = json.find("label")) property.label_span = label->span;
+    if (const json::Json* label = json.find("label")) property.label_span = label->span;
     property.group = read_text(reading, json, "group");
-    if (const Json* group = json.find("group")) property.group_span = group->span;
+    if (const json::Json* group = json.find("group")) property.group_span = group->span;
     property.help = read_text(reading, json, "help");
 
-    const Json* type = json.find("type");
+    const json::Json* type = json.find("type");
     if (!type) return property;
     const std::optional<PropertyType> known = read_word<PropertyType>(reading, *type, "type", "a property type");
     if (!known) return property;  // the type decides what the other keys must hold
@@ -226,13 +226,13 @@ Property read_property(Reading& reading, const Json& json, UniqueNames& names) {
     check_keys_of_type(reading, json, property);
     const bool is_choice = property.type == PropertyType::Bool || property.type == PropertyType::Enum;
     if (is_keyword(property.binding) && !is_choice) {
-        reading.diagnostics.report(Code::TypeMismatch, property.binding_span, fmt::format("'{}'", shown(property.name)),
+        reading.diagnostics.report(Code::TypeMismatch, property.binding_span, fmt::format("'{}'", json::shown(property.name)),
                                    to_string(property.type), "a bool or an enum");
     }
     const bool is_number =
         !is_texture(property.type) && !is_array(property.type) && property.type != PropertyType::Sampler;
     if (property.binding == Binding::Instance && !is_number) {
-        reading.diagnostics.report(Code::TypeMismatch, property.binding_span, fmt::format("'{}'", shown(property.name)),
+        reading.diagnostics.report(Code::TypeMismatch, property.binding_span, fmt::format("'{}'", json::shown(property.name)),
                                    to_string(property.type), "a number, a vector, a color, a bool or an enum");
     }
     if (property.type == PropertyType::Enum) read_enum_values(reading, json, property);
@@ -240,23 +240,23 @@ Property read_property(Reading& reading, const Json& json, UniqueNames& names) {
     if (ranged_count(property.type) > 0) read_limits(reading, json, property.range, property.hard);
     set_implied_default(property);
     const std::size_t errors_before = reading.diagnostics.error_count();
-    if (const Json* value = json.find("default")) read_default(reading, *value, property);
+    if (const json::Json* value = json.find("default")) read_default(reading, *value, property);
     if (reading.diagnostics.error_count() == errors_before) check_default_range(reading, property);
     return property;
 }
 
 }  // namespace
 
-std::vector<Property> read_properties(Reading& reading, const Json& array, UniqueNames& names) {
+std::vector<Property> read_properties(Reading& reading, const json::Json& array, UniqueNames& names) {
     std::vector<Property> properties;
-    if (!expect(reading, array, Json::Kind::Array, "'properties'")) return properties;
+    if (!expect(reading, array, json::Json::Kind::Array, "'properties'")) return properties;
     if (array.elements.size() > kMostProperties) {
         reading.diagnostics.report(Code::TooMany, array.elements[kMostProperties].span, array.elements.size(),
                                    "properties", kMostProperties);
     }
     std::set<std::string> known;
-    for (const Json& element : std::span(array.elements).first(std::min(array.elements.size(), kMostProperties))) {
-        if (!expect(reading, element, Json::Kind::Object, "a property")) continue;
+    for (const json::Json& element : std::span(array.elements).first(std::min(array.elements.size(), kMostProperties))) {
+        if (!expect(reading, element, json::Json::Kind::Object, "a property")) continue;
         Property property = read_property(reading, element, names);
         // A second one has been reported, and so has one without a name.
         if (!property.name.empty() && known.insert(property.name).second) properties.push_back(std::move(property));
@@ -264,4 +264,4 @@ std::vector<Property> read_properties(Reading& reading, const Json& array, Uniqu
     return properties;
 }
 
-}  // namespace patina::graph
+}  // namespace patina::format

@@ -4,7 +4,7 @@
 #include "compiler/base/text.h"
 #include "compiler/format/read_fields.h"
 
-namespace patina::graph {
+namespace patina::format {
 namespace {
 
 // The factor counts the change of depth from pixel to pixel, and no render target is wider than this number of pixels.
@@ -14,9 +14,9 @@ constexpr double kMostFactor = 16384, kMostUnits = 16777216;
 
 // Reads `count` numbers; nothing after an error.
 template <std::size_t count>
-std::optional<std::array<double, count>> read_numbers(Reading& reading, const Json& json, std::string_view what,
+std::optional<std::array<double, count>> read_numbers(Reading& reading, const json::Json& json, std::string_view what,
                                                       std::string_view wanted) {
-    if (json.kind != Json::Kind::Array || json.elements.size() != count) {
+    if (json.kind != json::Json::Kind::Array || json.elements.size() != count) {
         report_type(reading, json, what, wanted);
         return std::nullopt;
     }
@@ -31,13 +31,13 @@ std::optional<std::array<double, count>> read_numbers(Reading& reading, const Js
     return is_good ? std::optional(numbers) : std::nullopt;
 }
 
-StencilState read_stencil(Reading& reading, const Json& json) {
+StencilState read_stencil(Reading& reading, const json::Json& json) {
     StencilState stencil;
     stencil.span = json.span;
-    if (!expect(reading, json, Json::Kind::Object, "'stencil'")) return stencil;
+    if (!expect(reading, json, json::Json::Kind::Object, "'stencil'")) return stencil;
     check_keys(reading, json, ObjectKind::Stencil);
     const auto number = [&](std::string_view key, int& value) {
-        if (const Json* found = json.find(key))
+        if (const json::Json* found = json.find(key))
             value = read_int(reading, *found, fmt::format("'stencil.{}'", key),
                              form_of(ObjectKind::Stencil, key, Form::Of::Integer))
                         .value_or(value);
@@ -52,14 +52,14 @@ StencilState read_stencil(Reading& reading, const Json& json) {
     return stencil;
 }
 
-std::optional<Bounds> read_bounds(Reading& reading, const Json& json) {
-    if (json.kind == Json::Kind::Number) {
+std::optional<Bounds> read_bounds(Reading& reading, const json::Json& json) {
+    if (json.kind == json::Json::Kind::Number) {
         if (json.number >= 0 && json.number <= kFarthest) return Bounds{.margin = json.number};
         reading.diagnostics.report(Code::OutOfRange, json.span, reading.sources.text(json.span), 0, kFarthest,
                                    "bounds");
         return std::nullopt;
     }
-    if (json.kind != Json::Kind::Array || json.elements.size() != 2) {
+    if (json.kind != json::Json::Kind::Array || json.elements.size() != 2) {
         report_type(reading, json, "'bounds'", "a number of metres, or the lowest and the highest corner of a box");
         return std::nullopt;
     }
@@ -69,8 +69,8 @@ std::optional<Bounds> read_bounds(Reading& reading, const Json& json) {
         read_numbers<3>(reading, json.elements[1], "the highest corner of 'bounds'", "an array of three numbers");
     if (!lowest || !highest) return std::nullopt;
     const std::size_t errors = reading.diagnostics.error_count();
-    for (const Json& corner : json.elements) {
-        for (const Json& number : corner.elements) {
+    for (const json::Json& corner : json.elements) {
+        for (const json::Json& number : corner.elements) {
             if (std::fabs(number.number) <= kFarthest) continue;
             reading.diagnostics.report(Code::OutOfRange, number.span, reading.sources.text(number.span), -kFarthest,
                                        kFarthest, "bounds");
@@ -79,7 +79,7 @@ std::optional<Bounds> read_bounds(Reading& reading, const Json& json) {
     if (reading.diagnostics.error_count() > errors) return std::nullopt;
     for (std::size_t i = 0; i < 3; ++i) {
         if ((*lowest)[i] <= (*highest)[i]) continue;
-        const Json& number = json.elements[1].elements[i];
+        const json::Json& number = json.elements[1].elements[i];
         reading.diagnostics.report(Code::ImpossibleValue, number.span, "bounds",
                                    "a box whose highest corner is not below its lowest on any axis");
         return std::nullopt;
@@ -87,7 +87,7 @@ std::optional<Bounds> read_bounds(Reading& reading, const Json& json) {
     return Bounds{.box = std::array{*lowest, *highest}};
 }
 
-std::optional<std::array<double, 2>> read_depth_offset(Reading& reading, const Json& json) {
+std::optional<std::array<double, 2>> read_depth_offset(Reading& reading, const json::Json& json) {
     const auto numbers = read_numbers<2>(reading, json, "'depthOffset'", "an array of two numbers, factor and units");
     if (!numbers) return std::nullopt;
     const std::size_t errors = reading.diagnostics.error_count();
@@ -106,27 +106,27 @@ std::optional<std::array<double, 2>> read_depth_offset(Reading& reading, const J
 
 }  // namespace
 
-RenderState read_render(Reading& reading, const Json& json) {
+RenderState read_render(Reading& reading, const json::Json& json) {
     RenderState render;
     render.span = json.span;
-    if (!expect(reading, json, Json::Kind::Object, "'render'")) return render;
+    if (!expect(reading, json, json::Json::Kind::Object, "'render'")) return render;
     check_keys(reading, json, ObjectKind::Render);
-    if (const Json* surface = read_word(reading, json, "surface", "a surface kind", render.surface))
+    if (const json::Json* surface = read_word(reading, json, "surface", "a surface kind", render.surface))
         render.surface_span = surface->span;
     read_word(reading, json, "cull", "a cull mode", render.cull);
-    if (const Json* write = json.find("depthWrite")) render.depth_write = read_bool(reading, *write, "'depthWrite'");
-    if (const Json* test = json.find("depthTest")) {
+    if (const json::Json* write = json.find("depthWrite")) render.depth_write = read_bool(reading, *write, "'depthWrite'");
+    if (const json::Json* test = json.find("depthTest")) {
         render.depth_test = read_word<Compare>(reading, *test, "depthTest", "a depth test");
     }
-    if (const Json* offset = json.find("depthOffset")) {
+    if (const json::Json* offset = json.find("depthOffset")) {
         render.depth_offset = read_depth_offset(reading, *offset);
     }
-    if (const Json* stencil = json.find("stencil")) render.stencil = read_stencil(reading, *stencil);
-    if (const Json* queue = json.find("queue"))
+    if (const json::Json* stencil = json.find("stencil")) render.stencil = read_stencil(reading, *stencil);
+    if (const json::Json* queue = json.find("queue"))
         render.queue = read_int(reading, *queue, "'queue'", form_of(ObjectKind::Render, "queue", Form::Of::Integer));
-    if (const Json* bounds = json.find("bounds")) render.bounds = read_bounds(reading, *bounds);
+    if (const json::Json* bounds = json.find("bounds")) render.bounds = read_bounds(reading, *bounds);
     read_bool(reading, json, "materialOverride", render.allows_override);
     return render;
 }
 
-}  // namespace patina::graph
+}  // namespace patina::format

@@ -3,12 +3,12 @@
 #include "compiler/format/read_fields.h"
 #include "compiler/format/words.h"
 
-namespace patina::graph {
+namespace patina::format {
 namespace {
 
-void read_sampler(Reading& reading, const Json& json, Property& property) {
-    if (json.kind == Json::Kind::String) return read_named_sampler(reading, json, property);
-    if (json.kind != Json::Kind::Object) {
+void read_sampler(Reading& reading, const json::Json& json, Property& property) {
+    if (json.kind == json::Json::Kind::String) return read_named_sampler(reading, json, property);
+    if (json.kind != json::Json::Kind::Object) {
         report_type(reading, json, "'sampler'", "an object, or the name of a shared sampler: \"trilinearRepeat\"");
         return;
     }
@@ -20,8 +20,8 @@ void read_sampler(Reading& reading, const Json& json, Property& property) {
 }
 
 // "grid": [4, 2]: the picture holds 2 rows of 4 layers.
-void read_grid(Reading& reading, const Json& json, Property& property) {
-    if (json.kind != Json::Kind::Array || json.elements.size() != 2) {
+void read_grid(Reading& reading, const json::Json& json, Property& property) {
+    if (json.kind != json::Json::Kind::Array || json.elements.size() != 2) {
         report_type(reading, json, "'grid'", "[columns, rows] of its layers in the picture, such as [4, 2]");
         return;
     }
@@ -33,7 +33,7 @@ void read_grid(Reading& reading, const Json& json, Property& property) {
 
 // "bgra", or shorter, as a file of fewer channels is read: "r" is a grey, "ra" a grey and alpha, "bgr" has an alpha
 // of 1.
-void read_swizzle(Reading& reading, const Json& json, Property& property) {
+void read_swizzle(Reading& reading, const json::Json& json, Property& property) {
     const std::string* const text = read_string(reading, json, "'swizzle'");
     if (!text) return;
     property.swizzle_span = json.span;
@@ -57,11 +57,11 @@ void read_swizzle(Reading& reading, const Json& json, Property& property) {
 }  // namespace
 
 void report_no_sampler(Diagnostics& diagnostics, Span span, std::string_view word) {
-    DiagnosticRecord& record = diagnostics.report(Code::UnknownWord, span, shown(word), "a sampler");
+    DiagnosticRecord& record = diagnostics.report(Code::UnknownWord, span, json::shown(word), "a sampler");
     record.note(Diagnostics::suggestion(meant_by(word, kSamplerNames), kSamplerNames));
 }
 
-void read_named_sampler(Reading& reading, const Json& json, Property& property) {
+void read_named_sampler(Reading& reading, const json::Json& json, Property& property) {
     const std::string* const text = read_string(reading, json, "a sampler");
     if (!text) return;
     const NamedSampler* const named = find_sampler(*text);
@@ -73,15 +73,15 @@ void read_named_sampler(Reading& reading, const Json& json, Property& property) 
     property.shared_sampler = named->name;
 }
 
-void read_texture_keys(Reading& reading, const Json& json, Property& property) {
-    if (const Json* usage = read_word(reading, json, "usage", "a texture's usage", property.usage))
+void read_texture_keys(Reading& reading, const json::Json& json, Property& property) {
+    if (const json::Json* usage = read_word(reading, json, "usage", "a texture's usage", property.usage))
         property.usage_span = usage->span;
     read_bool(reading, json, "tiling", property.tiling);
     if (property.usage == TextureUsage::Normal && property.type != PropertyType::Texture2D) {
         reading.diagnostics.report(Code::ImpossibleValue, property.usage_span.value_or(json.span), "usage",
                                    fmt::format("color or data: a {} holds no normal map", to_string(property.type)));
     }
-    if (const Json* handedness = json.find("handedness")) {
+    if (const json::Json* handedness = json.find("handedness")) {
         property.handedness_span = handedness->span;
         property.handedness = read_word<Handedness>(reading, *handedness, "handedness", "a handedness of normal maps")
                                   .value_or(Handedness::OpenGL);
@@ -89,12 +89,12 @@ void read_texture_keys(Reading& reading, const Json& json, Property& property) {
             refuse_key(reading, json, "handedness", fmt::format("a texture of the usage {}", to_string(property.usage)),
                        "a texture2d of the usage normal");
     }
-    if (const Json* swizzle = json.find("swizzle")) read_swizzle(reading, *swizzle, property);
-    if (const Json* grid = json.find("grid")) read_grid(reading, *grid, property);
-    if (const Json* sampler = json.find("sampler")) {
+    if (const json::Json* swizzle = json.find("swizzle")) read_swizzle(reading, *swizzle, property);
+    if (const json::Json* grid = json.find("grid")) read_grid(reading, *grid, property);
+    if (const json::Json* sampler = json.find("sampler")) {
         property.sampler_span = sampler->span;
         read_sampler(reading, *sampler, property);
     }
 }
 
-}  // namespace patina::graph
+}  // namespace patina::format

@@ -9,7 +9,7 @@
 #include "compiler/format/words.h"
 #include "compiler/nodelang/parse.h"
 
-namespace patina::graph {
+namespace patina::format {
 namespace {
 
 using nodelang::Expr;
@@ -32,7 +32,7 @@ Expr number_expr(Span span, double value, NumberKind kind) {
     return expr;
 }
 
-const Expr* read_number(Reading& reading, const Json& json, std::string_view what) {
+const Expr* read_number(Reading& reading, const json::Json& json, std::string_view what) {
     const std::optional<double> value = read_float(reading, json, what);
     if (!value) return nullptr;
     const bool is_written_whole = reading.sources.text(json.span).find_first_of(".eE") == std::string_view::npos;
@@ -57,12 +57,12 @@ const Expr* rows_expr(Reading& reading, Span span, std::span<const double> numbe
 }
 
 // As a property of a texture has it. A value has a name.
-bool is_sampler(const Json& json) {
-    return json.kind == Json::Kind::Object && (json.find("wrap") || json.find("filter") || json.find("anisotropy"));
+bool is_sampler(const json::Json& json) {
+    return json.kind == json::Json::Kind::Object && (json.find("wrap") || json.find("filter") || json.find("anisotropy"));
 }
 
 // A matrix; or a gradient or a curve: a struct of the node library with one member, an array of float4.
-const Expr* read_array(Reading& reading, const Json& json) {
+const Expr* read_array(Reading& reading, const json::Json& json) {
     const std::optional<PropertyType> type = array_type(json);
     if (is_sampler(json)) {
         report_type(reading, json, "a sampler that is a value", "one of the names " + enumerate(kSamplerNames));
@@ -74,7 +74,7 @@ const Expr* read_array(Reading& reading, const Json& json) {
     }
     const std::optional<std::vector<double>> numbers = read_array_value(reading, json, *type);
     if (!numbers) return nullptr;
-    if (json.kind == Json::Kind::Array) return rows_expr(reading, json.span, *numbers, json.elements.size());
+    if (json.kind == json::Json::Kind::Array) return rows_expr(reading, json.span, *numbers, json.elements.size());
     Expr object;
     object.kind = Expr::Kind::Object;
     object.span = json.span;
@@ -83,7 +83,7 @@ const Expr* read_array(Reading& reading, const Json& json) {
     return add(reading, std::move(object));
 }
 
-const Expr* read_list(Reading& reading, const Json& json) {
+const Expr* read_list(Reading& reading, const json::Json& json) {
     if (has_rows(json) && array_type(json)) return read_array(reading, json);
     if (json.elements.size() < 2 || json.elements.size() > 4) {
         report_type(reading, json, "a vector", "an array of 2 to 4 numbers");
@@ -92,16 +92,16 @@ const Expr* read_list(Reading& reading, const Json& json) {
     Expr list;
     list.kind = Expr::Kind::List;
     list.span = json.span;
-    for (const Json& element : json.elements) {
+    for (const json::Json& element : json.elements) {
         if (const Expr* number = read_number(reading, element, "a component of a vector")) list.args.push_back(number);
     }
     return list.args.size() == json.elements.size() ? add(reading, std::move(list)) : nullptr;
 }
 
-const Expr* read_color(Reading& reading, const Json& json) {
+const Expr* read_color(Reading& reading, const json::Json& json) {
     const std::optional<LinearColor> color = parse_color(json.string);
     if (!color) {
-        reading.diagnostics.report(Code::BadColor, inside(json.span), shown(json.string));
+        reading.diagnostics.report(Code::BadColor, inside(json.span), json::shown(json.string));
         return nullptr;
     }
     Expr expr;
@@ -115,7 +115,7 @@ const Expr* read_color(Reading& reading, const Json& json) {
     return add(reading, std::move(expr));
 }
 
-const Expr* read_file(Reading& reading, const Json& json) {
+const Expr* read_file(Reading& reading, const json::Json& json) {
     Expr expr;
     expr.kind = Expr::Kind::File;
     expr.span = json.span;
@@ -127,10 +127,10 @@ const Expr* read_file(Reading& reading, const Json& json) {
 // A decoded string and where its bytes come from, for the parsers of the node language.
 class SourceText {
 public:
-    SourceText(Reading& reading, const Json& json, std::size_t skip)
+    SourceText(Reading& reading, const json::Json& json, std::size_t skip)
         : text_(keep(reading, json.string.substr(skip))),
           base_(json.span.begin + 1 + static_cast<std::uint32_t>(skip)),
-          offsets_(string_offsets(json, reading.sources)) {
+          offsets_(json::string_offsets(json, reading.sources)) {
         if (!offsets_.empty()) offsets_.erase(offsets_.begin(), offsets_.begin() + static_cast<std::ptrdiff_t>(skip));
     }
     nodelang::Text text() const { return {text_, base_, offsets_.empty() ? nullptr : &offsets_}; }
@@ -159,12 +159,12 @@ void report_no_link(Reading& reading, const nodelang::Text& text, std::size_t ba
                       : "a link is node.port.swizzle; an expression starts with '='");
 }
 
-const Expr* read_link(Reading& reading, const Json& json) {
+const Expr* read_link(Reading& reading, const json::Json& json) {
     const SourceText source(reading, json, 0);
     const nodelang::Text text = source.text();
     const char first = text.text.front();
     if ((first >= '0' && first <= '9') || first == '-' || first == '+') {
-        reading.diagnostics.report(Code::Syntax, inside(json.span), "a link", fmt::format("'{}'", shown(text.text)))
+        reading.diagnostics.report(Code::Syntax, inside(json.span), "a link", fmt::format("'{}'", json::shown(text.text)))
             .note("write a number without quotes; start an expression with '='");
         return nullptr;
     }
@@ -177,7 +177,7 @@ const Expr* read_link(Reading& reading, const Json& json) {
     return nodelang::parse_link(text, reading.ast, reading.diagnostics);
 }
 
-const Expr* read_string_value(Reading& reading, const Json& json) {
+const Expr* read_string_value(Reading& reading, const json::Json& json) {
     const std::string& text = json.string;
     if (text.empty()) {
         reading.diagnostics.report(Code::Syntax, json.span, "a value", "an empty string");
@@ -191,28 +191,28 @@ const Expr* read_string_value(Reading& reading, const Json& json) {
 
 }  // namespace
 
-const Expr* read_expression(Reading& reading, const Json& json, std::size_t skip) {
+const Expr* read_expression(Reading& reading, const json::Json& json, std::size_t skip) {
     const SourceText source(reading, json, skip);
     return nodelang::parse_expression(source.text(), reading.ast, reading.diagnostics);
 }
 
-const Expr* read_value(const Json& json, const SourceMap& sources, nodelang::Ast& ast, Diagnostics& diagnostics) {
+const Expr* read_value(const json::Json& json, const SourceMap& sources, nodelang::Ast& ast, Diagnostics& diagnostics) {
     Reading reading{sources, ast, diagnostics};
     switch (json.kind) {
-        case Json::Kind::Bool: {
+        case json::Json::Kind::Bool: {
             Expr expr = number_expr(json.span, json.boolean ? 1 : 0, NumberKind::Int);
             expr.kind = Expr::Kind::Bool;
             return add(reading, std::move(expr));
         }
-        case Json::Kind::Number: return read_number(reading, json, "a value");
-        case Json::Kind::Array: return read_list(reading, json);
-        case Json::Kind::String: return read_string_value(reading, json);
-        case Json::Kind::Object: return read_array(reading, json);
-        case Json::Kind::Null:
+        case json::Json::Kind::Number: return read_number(reading, json, "a value");
+        case json::Json::Kind::Array: return read_list(reading, json);
+        case json::Json::Kind::String: return read_string_value(reading, json);
+        case json::Json::Kind::Object: return read_array(reading, json);
+        case json::Json::Kind::Null:
             report_type(reading, json, "a value", "a number, true or false, an array or a string");
             return nullptr;
     }
     return nullptr;
 }
 
-}  // namespace patina::graph
+}  // namespace patina::format

@@ -13,7 +13,7 @@
 #include "patina/reflection.h"
 #include "patina/words.h"
 
-namespace patina::graph {
+namespace patina::format {
 
 // A word of another program or API, and our word for it, which a message then suggests.
 struct Synonym {
@@ -97,37 +97,37 @@ constexpr std::optional<PropertyType> texture_type(std::string_view word) {
     return type && is_texture(*type) ? type : std::nullopt;
 }
 
-}  // namespace patina::graph
+}  // namespace patina::format
 
 namespace patina {
 
 // Words that only graphs use.
 template <>
-inline constexpr auto kWords<graph::ObjectKind> = std::to_array<Word<graph::ObjectKind>>({
-    {"material", graph::ObjectKind::Material},
-    {"subgraph", graph::ObjectKind::Subgraph},
-    {"lighting", graph::ObjectKind::Lighting},
-    {"workflow", graph::ObjectKind::Workflow},
-    {"scene", graph::ObjectKind::Scene},
+inline constexpr auto kWords<format::ObjectKind> = std::to_array<Word<format::ObjectKind>>({
+    {"material", format::ObjectKind::Material},
+    {"subgraph", format::ObjectKind::Subgraph},
+    {"lighting", format::ObjectKind::Lighting},
+    {"workflow", format::ObjectKind::Workflow},
+    {"scene", format::ObjectKind::Scene},
 });
 
 template <>
-inline constexpr auto kWords<graph::Precision> = std::to_array<Word<graph::Precision>>({
-    {"float", graph::Precision::Float},
-    {"half", graph::Precision::Half},
+inline constexpr auto kWords<format::Precision> = std::to_array<Word<format::Precision>>({
+    {"float", format::Precision::Float},
+    {"half", format::Precision::Half},
 });
 
 template <>
-inline constexpr auto kWords<graph::GradientBlend> = std::to_array<Word<graph::GradientBlend>>({
-    {"linear", graph::GradientBlend::Linear},
-    {"fixed", graph::GradientBlend::Fixed},
-    {"perceptual", graph::GradientBlend::Perceptual},
+inline constexpr auto kWords<format::GradientBlend> = std::to_array<Word<format::GradientBlend>>({
+    {"linear", format::GradientBlend::Linear},
+    {"fixed", format::GradientBlend::Fixed},
+    {"perceptual", format::GradientBlend::Perceptual},
 });
 
 template <>
-inline constexpr auto kWords<graph::NodeStage> = std::to_array<Word<graph::NodeStage>>({
-    {"fragment", graph::NodeStage::Fragment},
-    {"vertex", graph::NodeStage::Vertex},
+inline constexpr auto kWords<format::NodeStage> = std::to_array<Word<format::NodeStage>>({
+    {"fragment", format::NodeStage::Fragment},
+    {"vertex", format::NodeStage::Vertex},
 });
 
 }  // namespace patina

@@ -163,14 +163,14 @@ std::string camel_case(std::string_view name) {
             starts_word = !made.empty();
             continue;
         }
-        made += starts_word ? upper(c) : c;
+        made += starts_word ? to_upper(c) : c;
         starts_word = false;
     }
     // The first word in small letters: "UV" -> "uv", "HSVShift" -> "hsvShift", "MainTex" -> "mainTex".
     std::size_t capitals = 0;
     while (capitals < made.size() && is_upper(made[capitals])) ++capitals;
     if (capitals > 1 && capitals < made.size() && is_letter(made[capitals])) --capitals;
-    for (std::size_t i = 0; i < std::max<std::size_t>(capitals, 1) && i < made.size(); ++i) made[i] = lower(made[i]);
+    for (std::size_t i = 0; i < std::max<std::size_t>(capitals, 1) && i < made.size(); ++i) made[i] = to_lower(made[i]);
     if (!made.empty() && is_digit(made[0])) made = "n" + made;
     return made;
 }
@@ -179,7 +179,7 @@ std::string pascal_case(std::string_view name) {
     std::string made;
     bool starts_word = true;
     for (const char c : name) {
-        if (is_letter(c) || is_digit(c)) made += starts_word ? upper(c) : c;
+        if (is_letter(c) || is_digit(c)) made += starts_word ? to_upper(c) : c;
         starts_word = !is_letter(c) && !is_digit(c);
     }
     return made;

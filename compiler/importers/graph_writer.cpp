@@ -30,7 +30,7 @@ public:
         if (value.json.empty()) return;
         separate();
         comment(lines);
-        graph::append_quoted(out_, key);
+        json::append_quoted(out_, key);
         out_ += ": " + value.json;
     }
     void members(std::span<const Member> members) {
@@ -128,7 +128,7 @@ std::string in_canonical_form(std::string text) {
     SourceMap sources;
     Diagnostics diagnostics;
     const std::uint32_t begin = sources.add("graph", std::move(text));
-    return graph::format_graph(sources, begin, diagnostics).text;
+    return format::format_graph(sources, begin, diagnostics).text;
 }
 
 Value number(double value) {
@@ -145,7 +145,7 @@ Value flag(bool value) {
 
 Value text(std::string_view value) {
     Value made;
-    graph::append_quoted(made.json, value);
+    json::append_quoted(made.json, value);
     return made;
 }
 

@@ -17,7 +17,7 @@
 #include "compiler/json/json_memory.h"
 #include "compiler/json/other_file.h"
 
-namespace patina::graph {
+namespace patina::json {
 namespace {
 
 // To read so many bytes takes about as long as to make an instruction.
@@ -492,4 +492,4 @@ std::vector<std::uint32_t> string_offsets(const Json& string, const SourceMap& s
     return offsets;
 }
 
-}  // namespace patina::graph
+}  // namespace patina::json

@@ -10,7 +10,7 @@
 
 #include "compiler/base/diagnostics.h"
 
-namespace patina::graph {
+namespace patina::json {
 
 struct JsonMember;
 
@@ -62,4 +62,4 @@ enum class JsonOf { Patina, OtherProgram };
 std::unique_ptr<Json> parse_json(const SourceMap& sources, std::uint32_t base, Diagnostics& diagnostics,
                                  JsonOf whose = JsonOf::Patina);
 
-}  // namespace patina::graph
+}  // namespace patina::json

@@ -7,7 +7,7 @@
 #include "compiler/base/text.h"
 #include "compiler/json/json.h"
 
-namespace patina::graph {
+namespace patina::json {
 namespace {
 
 bool is_word_byte(char c) {
@@ -264,4 +264,4 @@ std::size_t skip_between_tokens(std::string_view text, std::size_t from) {
     return i;
 }
 
-}  // namespace patina::graph
+}  // namespace patina::json

@@ -10,7 +10,7 @@
 
 #include "compiler/base/diagnostics.h"
 
-namespace patina::graph {
+namespace patina::json {
 
 // How far the parser came. Offsets are into the text.
 struct JsonBreak {
@@ -27,4 +27,4 @@ void report_json_break(std::string_view text, std::uint32_t base, const JsonBrea
 // The first byte at or after `from` that is not white space, a comma, a colon or part of a comment.
 std::size_t skip_between_tokens(std::string_view text, std::size_t from);
 
-}  // namespace patina::graph
+}  // namespace patina::json

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-namespace patina::graph {
+namespace patina::json {
 namespace {
 
 // Writes `[` or `{`, the items and the closing bracket.
@@ -85,4 +85,4 @@ bool append_one_line(std::string& out, const Json& json, const SourceMap& source
     return out.size() <= limit;
 }
 
-}  // namespace patina::graph
+}  // namespace patina::json

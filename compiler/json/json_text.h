@@ -6,7 +6,7 @@
 
 #include "compiler/json/json.h"
 
-namespace patina::graph {
+namespace patina::json {
 
 // Appends the text of `json`. Stops and returns false as soon as `out` is longer than `limit` bytes.
 bool append_one_line(std::string& out, const Json& json, const SourceMap& sources,
@@ -18,4 +18,4 @@ void append_quoted(std::string& out, std::string_view text);
 // The shortest spelling of the same JSON number: "1.50E+02" -> "1.5e2".
 std::string canonical_number(std::string_view raw);
 
-}  // namespace patina::graph
+}  // namespace patina::json

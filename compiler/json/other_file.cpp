@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-namespace patina::graph {
+namespace patina::json {
 namespace {
 
 // The first whose ending fits. {} in a note is the file's name as a graph writes it.
@@ -63,4 +63,4 @@ std::string_view binary_kind(std::string_view bytes) {
     return {};
 }
 
-}  // namespace patina::graph
+}  // namespace patina::json

@@ -8,7 +8,7 @@
 
 #include "compiler/base/diagnostics.h"
 
-namespace patina::graph {
+namespace patina::json {
 
 // By the ending of its name: false if the file may be JSON, else an error.
 bool report_other_file(std::string_view file, std::uint32_t base, Diagnostics& diagnostics);
@@ -16,4 +16,4 @@ bool report_other_file(std::string_view file, std::uint32_t base, Diagnostics& d
 // A note on a file that is no text, by its first bytes; empty: they are unknown.
 std::string_view binary_kind(std::string_view bytes);
 
-}  // namespace patina::graph
+}  // namespace patina::json

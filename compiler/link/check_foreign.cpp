@@ -58,7 +58,7 @@ void report(Diagnostics& diagnostics, const ir::Module& stage, const Found& foun
 
 }  // namespace
 
-void check_foreign(graph::Session& session, std::span<const ir::Module* const> stages, Span at) {
+void check_foreign(resolve::Session& session, std::span<const ir::Module* const> stages, Span at) {
     for (const Target& target : session.options.targets) {
         if (languages::find_language(target.language)->takes_foreign) continue;
         for (const ir::Module* stage : stages) {

@@ -9,16 +9,16 @@ namespace patina::link {
 namespace {
 
 // A block that some devices do not take; that of the instances is one only if a single instance is so large.
-void check_guaranteed(graph::Session& session, const graph::Material& material, const graph::Lowered& lowered) {
+void check_guaranteed(resolve::Session& session, const resolve::Material& material, const lower::Lowered& lowered) {
     const std::uint32_t most = session.engine.guaranteed_block_bytes;
     for (std::size_t i = 0; i < material.properties.size(); ++i) {
-        const graph::PropertyGlobals& own = lowered.property_globals[i];
+        const lower::PropertyGlobals& own = lowered.property_globals[i];
         const ir::GlobalId value = own.value ? own.value : own.tiling;
         if (!value || !lowered.module.globals[value.index].in_block()) continue;
         const ir::Global& global = lowered.module.globals[value.index];
         const ir::UniformBlock& block = lowered.module.blocks[global.block];
         const ir::BlockMember& member = block.members[global.member];
-        if (member.offset + graph::extent(lowered.module, member.type).size <= most) continue;
+        if (member.offset + lower::extent(lowered.module, member.type).size <= most) continue;
         session.diagnostics
             .report(Code::LargeBlock, material.properties[i].property->name_span, block.name, block.size, most)
             .note(
@@ -29,11 +29,11 @@ void check_guaranteed(graph::Session& session, const graph::Material& material, 
     }
 }
 
-void check_block(graph::Session& session, const graph::Material& material, const graph::Lowered& lowered) {
+void check_block(resolve::Session& session, const resolve::Material& material, const lower::Lowered& lowered) {
     const std::uint32_t most = session.engine.most_block_bytes;
     if (most == 0) return;
     for (std::size_t i = 0; i < material.properties.size(); ++i) {
-        const graph::PropertyGlobals& own = lowered.property_globals[i];
+        const lower::PropertyGlobals& own = lowered.property_globals[i];
         const ir::GlobalId value = own.value ? own.value : own.tiling;
         if (!value || lowered.instance_globals.contains(value.index)) continue;  // instances.cpp fits those
         const ir::Global& global = lowered.module.globals[value.index];
@@ -68,12 +68,12 @@ std::vector<std::string_view> samplers_of(const ir::Module& stage) {
     return names;
 }
 
-void check_samplers(graph::Session& session, const graph::Material& material, const LinkedPass& pass) {
+void check_samplers(resolve::Session& session, const resolve::Material& material, const LinkedPass& pass) {
     const std::uint32_t most = session.engine.most_samplers;
     for (const ir::Module* stage : {&pass.vertex, &pass.fragment}) {
         const std::vector<std::string_view> samplers = samplers_of(*stage);
         if (samplers.size() <= most) continue;
-        const auto is_over = [&](const graph::MaterialProperty& entry) {
+        const auto is_over = [&](const resolve::MaterialProperty& entry) {
             const auto found = std::find(samplers.begin(), samplers.end(), entry.property->name);
             return found != samplers.end() && std::size_t(found - samplers.begin()) >= most;
         };
@@ -90,7 +90,7 @@ void check_samplers(graph::Session& session, const graph::Material& material, co
 
 }  // namespace
 
-void check_limits(graph::Session& session, const graph::Material& material, const graph::Lowered& lowered,
+void check_limits(resolve::Session& session, const resolve::Material& material, const lower::Lowered& lowered,
                   std::span<const LinkedPass> passes) {
     const std::size_t errors = session.diagnostics.error_count();
     check_block(session, material, lowered);

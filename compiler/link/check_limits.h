@@ -8,7 +8,7 @@ namespace patina::link {
 
 // Reports the first property that is over a limit of the engine. The samplers of a file with all passes are the
 // business of its writer, because its own text needs some, too.
-void check_limits(graph::Session& session, const graph::Material& material, const graph::Lowered& lowered,
+void check_limits(resolve::Session& session, const resolve::Material& material, const lower::Lowered& lowered,
                   std::span<const LinkedPass> passes);
 
 }  // namespace patina::link

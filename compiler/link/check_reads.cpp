@@ -10,8 +10,8 @@ namespace {
 
 using nodelang::FunctionDecl;
 
-bool is_per_object(const graph::PathDeclarations& paths, const ir::Global& global) {
-    return std::any_of(paths.externs.begin(), paths.externs.end(), [&](const graph::ExternDecl& each) {
+bool is_per_object(const paths::PathDeclarations& paths, const ir::Global& global) {
+    return std::any_of(paths.externs.begin(), paths.externs.end(), [&](const paths::ExternDecl& each) {
         return each.variable->span == global.span && each.is_per_object;
     });
 }
@@ -27,13 +27,13 @@ std::set<std::uint32_t> globals_of(const ir::Module& stage) {
 }
 
 // The render targets of the path, and of passes that switches add.
-std::set<std::string_view> drawn_targets(const graph::PathDeclarations& paths, const std::string& path) {
-    std::vector<const graph::PassDecl*> passes = paths.passes_of(path);
-    for (const graph::SwitchDecl& each : paths.switches) {
-        if (const graph::PassDecl* brought = paths.pass(each.brings)) passes.push_back(brought);
+std::set<std::string_view> drawn_targets(const paths::PathDeclarations& paths, const std::string& path) {
+    std::vector<const paths::PassDecl*> passes = paths.passes_of(path);
+    for (const paths::SwitchDecl& each : paths.switches) {
+        if (const paths::PassDecl* brought = paths.pass(each.brings)) passes.push_back(brought);
     }
     std::set<std::string_view> names = {"color"};  // every frame has the picture
-    for (const graph::PassDecl* each : passes) {
+    for (const paths::PassDecl* each : passes) {
         names.insert(each->state.depth_target);
         for (const RenderTarget& target : each->state.targets) names.insert(target.name);
     }
@@ -124,7 +124,7 @@ private:
 
 }  // namespace
 
-bool has_all(graph::Session& session, const Linked& linked, const LinkedPass& pass) {
+bool has_all(resolve::Session& session, const Linked& linked, const LinkedPass& pass) {
     for (const ir::Module* stage : {&pass.vertex, &pass.fragment}) {
         std::optional<Missing> missing = missing_in(*stage);
         if (!missing) continue;
@@ -132,10 +132,10 @@ bool has_all(graph::Session& session, const Linked& linked, const LinkedPass& pa
         const Missing named = Reads(linked, missing->name).named();
         if (!missing->where.span.end) missing->where = named.where;
         const bool is_at_node = missing->where.span.begin != missing->where.span.end;
-        const graph::PassDecl& declaration = *pass.pass->declaration;
+        const paths::PassDecl& declaration = *pass.pass->declaration;
         DiagnosticRecord& record = session.diagnostics.report(
             declaration.is_optional ? Code::PassLeftOut : Code::PassRefused,
-            is_at_node ? missing->where.span : Span{graph.begin, graph.begin + 1}, graph::known_as(declaration),
+            is_at_node ? missing->where.span : Span{graph.begin, graph.begin + 1}, lower::known_as(declaration),
             fmt::format("its {} reads '{}', which '{}' does not provide there",
                         stage == &pass.vertex ? "vertex stage" : "fragment stage", named.name,
                         session.options.targets[0].name()));
@@ -146,11 +146,11 @@ bool has_all(graph::Session& session, const Linked& linked, const LinkedPass& pa
     return true;
 }
 
-void check_reads(graph::Session& session, const graph::Lowered& lowered, std::span<const LinkedPass> passes) {
+void check_reads(resolve::Session& session, const lower::Lowered& lowered, std::span<const LinkedPass> passes) {
     if (!session.pass_file || session.engine.has_own_passes() || lowered.path != session.path) return;
-    const graph::PathDeclarations& paths = *session.paths;
+    const paths::PathDeclarations& paths = *session.paths;
     const std::set<std::string_view> drawn = drawn_targets(paths, lowered.path);
-    const auto check = [&](const graph::PassDecl& pass, const ir::Module& stage, const FunctionDecl& function) {
+    const auto check = [&](const paths::PassDecl& pass, const ir::Module& stage, const FunctionDecl& function) {
         for (const std::uint32_t read : globals_of(stage)) {
             const ir::Global& global = lowered.module.globals[read];
             if (const auto target = lowered.reads.find(read); target != lowered.reads.end()) {
@@ -169,7 +169,7 @@ void check_reads(graph::Session& session, const graph::Lowered& lowered, std::sp
         }
     };
     for (const LinkedPass& each : passes) {
-        const graph::PassDecl& pass = *each.pass->declaration;
+        const paths::PassDecl& pass = *each.pass->declaration;
         if (pass.path != session.path || each.material->pass) continue;
         check(pass, each.vertex, *pass.vertex);
         check(pass, each.fragment, *pass.fragment);

@@ -39,10 +39,10 @@ void name_all(ir::Module& module, std::string_view prefix) {
 }
 
 // Describes a parameter, from the semantic of its name.
-std::string doc_of(const graph::Lowered& lowered, std::string_view param) {
+std::string doc_of(const lower::Lowered& lowered, std::string_view param) {
     for (std::size_t i = 0; i < lowered.semantics.size(); ++i) {
         if (lowered.module.semantics[i].name != param) continue;
-        const graph::SemanticDecl* declared = lowered.semantics[i].declaration;
+        const paths::SemanticDecl* declared = lowered.semantics[i].declaration;
         if (!declared)
             return lowered.semantics[i].recipe ? fmt::format("interpolated, from {}()", joined("vertex", param)) : "";
         const std::string doc =
@@ -52,7 +52,7 @@ std::string doc_of(const graph::Lowered& lowered, std::string_view param) {
     return {};
 }
 
-void tell_about(ir::Function& function, const graph::Lowered& lowered) {
+void tell_about(ir::Function& function, const lower::Lowered& lowered) {
     for (const ir::Param& param : function.params) {
         const std::string doc = param.is_semantic ? doc_of(lowered, param.name) : "";
         if (!doc.empty()) function.comment += fmt::format("\n  {}: {}", param.name, doc);
@@ -76,7 +76,7 @@ ir::Module link_functions(const Linked& linked, Stage stage, std::string_view pr
     ir::Module module = linked.lowered.module;
     module.functions = linked.functions;
     bool is_empty = true;
-    for (const graph::LoweredFunction& function : linked.lowered.functions) {
+    for (const lower::LoweredFunction& function : linked.lowered.functions) {
         if (function.is_vertex != (stage == Stage::Vertex)) continue;
         module[function.id].linkage = ir::Linkage::Exported;
         is_empty = false;

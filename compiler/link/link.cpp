@@ -13,7 +13,7 @@
 
 namespace patina::link {
 
-using graph::SemanticSource;
+using paths::SemanticSource;
 using ir::Op;
 using ir::SemanticId;
 using ir::Type;
@@ -44,7 +44,7 @@ std::vector<SemanticId> needs_of(const ir::Function& function, const std::vector
 
 // The needs of every function. A function that a pass replaces also has the needs of its replacement, so that callers
 // pass on the same values in every pass. Parameters that a stage does not read are pruned later.
-std::vector<std::vector<SemanticId>> all_needs(const graph::Lowered& lowered, std::span<const ir::Function> functions) {
+std::vector<std::vector<SemanticId>> all_needs(const lower::Lowered& lowered, std::span<const ir::Function> functions) {
     std::vector<std::vector<SemanticId>> needs(functions.size());
     for (std::uint32_t i = 0; i < functions.size(); ++i) needs[i] = needs_of(functions[i], needs);
     const auto join = [&](ir::FunctionId into, ir::FunctionId from) {
@@ -57,7 +57,7 @@ std::vector<std::vector<SemanticId>> all_needs(const graph::Lowered& lowered, st
     };
     for (bool grows = true; grows;) {
         grows = false;
-        for (const graph::LoweredPass& pass : lowered.passes) {
+        for (const lower::LoweredPass& pass : lowered.passes) {
             for (const auto& given : pass.replaced) grows |= join(given.what, given.by) || join(given.by, given.what);
         }
         if (!grows) break;
@@ -112,7 +112,7 @@ constexpr std::uint32_t kNumberedLater = 0xffffffffu;  // a location
 
 class EntryBuilder {
 public:
-    EntryBuilder(const Linked& linked, const graph::LoweredPass& pass, ir::StageKind stage, ir::BuildOptions options)
+    EntryBuilder(const Linked& linked, const lower::LoweredPass& pass, ir::StageKind stage, ir::BuildOptions options)
         : linked_(linked),
           pass_(pass),
           module_(linked.lowered.module),
@@ -136,7 +136,7 @@ public:
 
     // A node that is pinned to the vertex stage has one value, from the unchanged mesh, for readers in both stages.
     Value value(SemanticId semantic, bool original = false) {
-        const graph::SemanticRecipe& recipe = linked_.lowered.semantics[semantic.index];
+        const lower::SemanticRecipe& recipe = linked_.lowered.semantics[semantic.index];
         original = original || (recipe.source == SemanticSource::Vertex && !recipe.declaration);
         std::vector<Value>& known = original ? originals_ : values_;
         known.resize(module_.semantics.size());
@@ -215,7 +215,7 @@ private:
     bool in_vertex_stage() const { return module_.stage.kind == ir::StageKind::Vertex; }
 
     Value make(SemanticId semantic, bool original) {
-        const graph::SemanticRecipe& recipe = linked_.lowered.semantics[semantic.index];
+        const lower::SemanticRecipe& recipe = linked_.lowered.semantics[semantic.index];
         const bool is_of_mesh = original && recipe.source == SemanticSource::Attribute;
         if (const auto made = is_of_mesh ? std::nullopt : given(semantic, original)) return *made;
         switch (recipe.source) {
@@ -248,7 +248,7 @@ private:
         if (const std::optional<ir::GlobalId> global = pass_.attribute_of(semantic))
             return originals_[semantic.index] =
                        builder_.emit(Op::Global, module_.semantics[semantic.index].type, {}, global->index);
-        const graph::SemanticRecipe& recipe = linked_.lowered.semantics[semantic.index];
+        const lower::SemanticRecipe& recipe = linked_.lowered.semantics[semantic.index];
         const ir::Semantic& info = module_.semantics[semantic.index];
         const Value made = input({.name = info.name,
                                   .type = info.type,
@@ -285,7 +285,7 @@ private:
     }
 
     const Linked& linked_;
-    const graph::LoweredPass& pass_;
+    const lower::LoweredPass& pass_;
     std::vector<SemanticId> giving_;
     std::vector<ir::FunctionId> replacing_;
     ir::Module module_;
@@ -297,18 +297,18 @@ private:
 };
 
 // Finds the semantics that are unit vectors whatever pass reads them.
-void note_unit_semantics(graph::Lowered& lowered) {
+void note_unit_semantics(lower::Lowered& lowered) {
     ir::Module& module = lowered.module;
     const auto gives_unit = [&](ir::FunctionId function) {
         return function && ir::returns_unit(module, module[function]);
     };
     for (std::uint32_t i = 0; i < module.semantics.size(); ++i) {
-        const graph::SemanticRecipe& semantic = lowered.semantics[i];
+        const lower::SemanticRecipe& semantic = lowered.semantics[i];
         // What is interpolated does not keep its length.
         if (semantic.source != SemanticSource::Pixel && semantic.source != SemanticSource::Uniform) continue;
         module.semantics[i].is_unit =
             gives_unit(semantic.recipe) &&
-            std::all_of(lowered.passes.begin(), lowered.passes.end(), [&](const graph::LoweredPass& pass) {
+            std::all_of(lowered.passes.begin(), lowered.passes.end(), [&](const lower::LoweredPass& pass) {
                 return std::all_of(pass.recipes.begin(), pass.recipes.end(),
                                    [&](const auto& given) { return given.what.index != i || gives_unit(given.by); });
             });
@@ -317,16 +317,16 @@ void note_unit_semantics(graph::Lowered& lowered) {
 
 // Makes the functions that passes share as short as they can be for all of them: members that are always the same, and
 // those that no function that an entry may call reads.
-void tidy_shared(graph::Lowered& lowered) {
+void tidy_shared(lower::Lowered& lowered) {
     std::vector<ir::FunctionId> entries, called;
     const auto add = [&](ir::FunctionId function) {
         if (function) called.push_back(function);
     };
-    for (const graph::SemanticRecipe& semantic : lowered.semantics) {
+    for (const lower::SemanticRecipe& semantic : lowered.semantics) {
         add(semantic.recipe);
         add(semantic.override);
     }
-    for (const graph::LoweredPass& pass : lowered.passes) {
+    for (const lower::LoweredPass& pass : lowered.passes) {
         entries.insert(entries.end(), {pass.vertex, pass.fragment});
         for (const auto& given : pass.recipes) add(given.by);
         for (const auto& given : pass.replaced) add(given.by);
@@ -348,7 +348,7 @@ std::vector<ir::OriginId> readers_of(const ir::Module& module) {
 
 }  // namespace
 
-Linked link(graph::Lowered lowered) {
+Linked link(lower::Lowered lowered) {
     if (lowered.keeps_functions) tidy_shared(lowered);
     std::vector<ir::OriginId> readers = readers_of(lowered.module);
     std::vector<ir::Function> functions = std::move(lowered.module.functions);
@@ -365,14 +365,14 @@ Linked link(graph::Lowered lowered) {
 
 namespace {
 
-std::vector<ir::StageText> texts_of(const graph::PassDecl& pass) {
+std::vector<ir::StageText> texts_of(const paths::PassDecl& pass) {
     std::vector<ir::StageText> texts = pass.vertex_texts;
     texts.insert(texts.end(), pass.fragment_texts.begin(), pass.fragment_texts.end());
     return texts;
 }
 
 // True if the pass, or a function that its fragment stage calls, has lines at the end of the vertex stage.
-bool reads_mesh_at_end(const graph::PassDecl& pass, const ir::Module& fragment) {
+bool reads_mesh_at_end(const paths::PassDecl& pass, const ir::Module& fragment) {
     const auto is_at_end = [](const ir::StageText& text) { return text.place == "vertex end"; };
     const auto has_line = [&](const std::vector<ir::StageText>& texts) {
         return std::any_of(texts.begin(), texts.end(), is_at_end);
@@ -384,7 +384,7 @@ bool reads_mesh_at_end(const graph::PassDecl& pass, const ir::Module& fragment) 
 
 }  // namespace
 
-ir::Module link_fragment(const Linked& linked, const graph::LoweredPass& pass, ir::BuildOptions options,
+ir::Module link_fragment(const Linked& linked, const lower::LoweredPass& pass, ir::BuildOptions options,
                          std::uint32_t left_out) {
     EntryBuilder entry(linked, pass, ir::StageKind::Fragment, options);
     const Value result = entry.call(pass.fragment);
@@ -412,7 +412,7 @@ ir::Module link_fragment(const Linked& linked, const graph::LoweredPass& pass, i
     return made;
 }
 
-ir::Module link_vertex(const Linked& linked, const graph::LoweredPass& pass, const ir::Module& fragment,
+ir::Module link_vertex(const Linked& linked, const lower::LoweredPass& pass, const ir::Module& fragment,
                        ir::BuildOptions options) {
     EntryBuilder entry(linked, pass, ir::StageKind::Vertex, options);
     std::vector<ir::StageVariable> outputs;

@@ -15,27 +15,27 @@
 namespace patina::link {
 
 struct Linked {
-    graph::Lowered lowered;               // its module has no functions any more: each stage copies those that it calls
+    lower::Lowered lowered;               // its module has no functions any more: each stage copies those that it calls
     std::vector<ir::Function> functions;  // every `semantic` is a parameter now, which the entry function passes down
     std::vector<std::vector<ir::SemanticId>> needs;  // by function: the semantics of its last parameters
     std::vector<ir::OriginId> readers;               // by semantic: a place in a graph that reads it; may be none
 };
-Linked link(graph::Lowered lowered);
+Linked link(lower::Lowered lowered);
 
 // A pass of a material as its two stages.
 struct LinkedPass {
-    const graph::LoweredPass* pass = nullptr;
-    const graph::Material* material = nullptr;  // differs for each extra pass
-    const graph::Lowered* lowered = nullptr;
+    const lower::LoweredPass* pass = nullptr;
+    const resolve::Material* material = nullptr;  // differs for each extra pass
+    const lower::Lowered* lowered = nullptr;
     ir::Module vertex{}, fragment{};
     bool reads_elsewhere = false;  // it reads a target of the picture at another place than its own pixel
     std::uint32_t left_out = 0;    // of its targets, the last ones: no pass of the material reads them (target_reads.h)
 };
 
-ir::Module link_fragment(const Linked& linked, const graph::LoweredPass& pass, ir::BuildOptions options,
+ir::Module link_fragment(const Linked& linked, const lower::LoweredPass& pass, ir::BuildOptions options,
                          std::uint32_t left_out = 0);
 // `fragment`: the finished fragment stage, with its inputs numbered. The vertex stage computes them, except builtins.
-ir::Module link_vertex(const Linked& linked, const graph::LoweredPass& pass, const ir::Module& fragment,
+ir::Module link_vertex(const Linked& linked, const lower::LoweredPass& pass, const ir::Module& fragment,
                        ir::BuildOptions options);
 // If the finished vertex stage outputs a constant, the fragment stage gets that constant instead. True if there was
 // one: then the fragment stage must be tidied again, and the vertex stage linked again.

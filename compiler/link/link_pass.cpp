@@ -44,8 +44,8 @@ void add_places(Program& program, const ir::Module& stage, const SourceMap& sour
 // Finishes the fragment stage first, because the vertex stage computes only the inputs that remain. Constant inputs are
 // dropped, and so is the second of two equal inputs; then both stages are tidied again. The order of the inputs comes
 // last, when it is known what each of them computes.
-LinkedPass link_tidied(const graph::Material& material, const Linked& linked, const graph::LoweredPass& pass,
-                       const graph::Session& session, Result& result, std::uint32_t left_out) {
+LinkedPass link_tidied(const resolve::Material& material, const Linked& linked, const lower::LoweredPass& pass,
+                       const resolve::Session& session, Result& result, std::uint32_t left_out) {
     const CompileOptions& options = session.options;
     const ir::BuildOptions build{.fold = true};
     LinkedPass made{.pass = &pass, .material = &material, .lowered = &linked.lowered, .left_out = left_out};
@@ -85,7 +85,7 @@ LinkedPass link_tidied(const graph::Material& material, const Linked& linked, co
 }
 
 // Links the stages without folding, as lowering made them.
-LinkedPass link_plainly(const graph::Material& material, const Linked& linked, const graph::LoweredPass& pass) {
+LinkedPass link_plainly(const resolve::Material& material, const Linked& linked, const lower::LoweredPass& pass) {
     const ir::BuildOptions build{.fold = false};
     LinkedPass made{.pass = &pass, .material = &material, .lowered = &linked.lowered};
     made.fragment = link_fragment(linked, pass, build);
@@ -124,8 +124,8 @@ void add_texts_of(const ir::Module& stage, std::vector<ir::StageText>& into) {
 
 }  // namespace
 
-LinkedPass link_pass(const graph::Material& material, const Linked& linked, const graph::LoweredPass& pass,
-                     const graph::Session& session, Result& result, std::uint32_t left_out) {
+LinkedPass link_pass(const resolve::Material& material, const Linked& linked, const lower::LoweredPass& pass,
+                     const resolve::Session& session, Result& result, std::uint32_t left_out) {
     LinkedPass made = link_tidied(material, linked, pass, session, result, left_out);
     check(made);
     return made;
@@ -153,7 +153,7 @@ Varyings varyings_of(const LinkedPass& pass) {
     return made;
 }
 
-void check_varyings(const LinkedPass& pass, graph::Session& session) {
+void check_varyings(const LinkedPass& pass, resolve::Session& session) {
     const Varyings vectors = varyings_of(pass);
     const std::size_t count = vectors.numbered + vectors.others;
     const engines::Engine& engine = session.engine;
@@ -168,14 +168,14 @@ void check_varyings(const LinkedPass& pass, graph::Session& session) {
     if (!engine.varyings_note.empty()) report.note(engine.varyings_note);
 }
 
-std::shared_ptr<const Program> keep_program(graph::Session& session, const Materials& materials) {
+std::shared_ptr<const Program> keep_program(resolve::Session& session, const Materials& materials) {
     auto program = std::make_shared<Program>();
-    for (const graph::Material* material : materials) {
-        graph::Lowered lowered = graph::lower(session, *material, {.fold = false});
+    for (const resolve::Material* material : materials) {
+        lower::Lowered lowered = lower::lower(session, *material, {.fold = false});
         if (session.diagnostics.has_errors()) return nullptr;
         const Span graph = material->graph->graph->span;
         const Linked linked = link(std::move(lowered));
-        for (const graph::LoweredPass& pass : linked.lowered.passes) {
+        for (const lower::LoweredPass& pass : linked.lowered.passes) {
             LinkedPass made = link_plainly(*material, linked, pass);
             check(made);
             for (const ir::Module* stage : {&made.fragment, &made.vertex})

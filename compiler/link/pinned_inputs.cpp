@@ -21,8 +21,8 @@ bool is_pinned(const Linked& linked, const ir::StageVariable& input) {
     const auto found =
         std::find_if(semantics.begin(), semantics.end(), [&](const ir::Semantic& s) { return s.name == input.name; });
     if (found == semantics.end()) return false;
-    const graph::SemanticRecipe& recipe = linked.lowered.semantics[static_cast<std::size_t>(found - semantics.begin())];
-    return recipe.source == graph::SemanticSource::Vertex && !recipe.declaration;
+    const lower::SemanticRecipe& recipe = linked.lowered.semantics[static_cast<std::size_t>(found - semantics.begin())];
+    return recipe.source == paths::SemanticSource::Vertex && !recipe.declaration;
 }
 
 // In the order of the fragment stage's inputs. Empty if there is only one, which needs no comparison.

@@ -64,7 +64,7 @@ bool counts_texels(const ir::Module& stage, const Globals& globals) {
 // Follows coordinates back to the semantic that they are, through the calls of one fragment stage.
 class OwnPixel {
 public:
-    OwnPixel(const Linked& linked, const graph::LoweredPass& pass)
+    OwnPixel(const Linked& linked, const lower::LoweredPass& pass)
         : linked_(linked), pass_(pass), needed_(linked.functions.size()) {
         reach(pass.fragment);
     }
@@ -144,7 +144,7 @@ private:
     }
 
     const Linked& linked_;
-    const graph::LoweredPass& pass_;
+    const lower::LoweredPass& pass_;
     // By function: the instructions that its result needs, if the stage may call it. Nodes that nothing reads are
     // among the others.
     std::vector<std::optional<std::vector<ir::Inst>>> needed_;
@@ -178,7 +178,7 @@ void wrap_reads(ir::Function& function, const Globals& globals, ir::FunctionId w
     }
 }
 
-bool reads_elsewhere(const Linked& linked, const graph::LoweredPass& pass, const ir::Module& fragment,
+bool reads_elsewhere(const Linked& linked, const lower::LoweredPass& pass, const ir::Module& fragment,
                      const ir::Module& vertex) {
     const Globals& globals = linked.lowered.picture_reads;
     if (globals.empty()) return false;
@@ -187,7 +187,7 @@ bool reads_elsewhere(const Linked& linked, const graph::LoweredPass& pass, const
     return counts_texels(fragment, globals) || !OwnPixel(linked, pass).is_everywhere();
 }
 
-std::uint32_t unread_targets(const graph::LoweredPass& pass, std::span<const LinkedPass> passes) {
+std::uint32_t unread_targets(const lower::LoweredPass& pass, std::span<const LinkedPass> passes) {
     const std::uint32_t most = pass.declaration->optional_targets;
     if (most == 0) return 0;
     std::set<std::string_view> read;

@@ -18,10 +18,10 @@ void wrap_reads(ir::Function& function, const std::set<std::uint32_t>& globals, 
 
 // True if the pass may read a target of the picture at another place than its own pixel, or asks for its size.
 // `fragment`, `vertex`: its tidied stages.
-bool reads_elsewhere(const Linked& linked, const graph::LoweredPass& pass, const ir::Module& fragment,
+bool reads_elsewhere(const Linked& linked, const lower::LoweredPass& pass, const ir::Module& fragment,
                      const ir::Module& vertex);
 
 // How many of the last [optional] targets of a pass none of the material's linked passes reads.
-std::uint32_t unread_targets(const graph::LoweredPass& pass, std::span<const LinkedPass> passes);
+std::uint32_t unread_targets(const lower::LoweredPass& pass, std::span<const LinkedPass> passes);
 
 }  // namespace patina::link

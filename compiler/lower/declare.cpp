@@ -4,7 +4,7 @@
 
 #include "compiler/ir/texture_kinds.h"
 
-namespace patina::graph {
+namespace patina::lower {
 
 using ir::Type;
 
@@ -31,15 +31,15 @@ ir::GlobalId add_resource(ir::Module& module, std::string name, ir::Kind kind, i
 }
 
 // True if the value depends on no switch or path, or on one that is on.
-bool is_wanted(const ExternDecl& value, std::span<const std::string_view> on) {
+bool is_wanted(const paths::ExternDecl& value, std::span<const std::string_view> on) {
     return value.with.empty() ||
            std::find_first_of(value.with.begin(), value.with.end(), on.begin(), on.end()) != value.with.end();
 }
 
 // The values that are declared: those that are wanted, and in a block those before them, which hold their places. So no
 // switch moves a value, and an engine fills its blocks in one way for all shaders.
-std::set<const ExternDecl*> held(std::span<const ExternDecl* const> externs, std::span<const std::string_view> on) {
-    std::set<const ExternDecl*> declared;
+std::set<const paths::ExternDecl*> held(std::span<const paths::ExternDecl* const> externs, std::span<const std::string_view> on) {
+    std::set<const paths::ExternDecl*> declared;
     std::set<std::string_view> followed;  // blocks
     for (auto each = externs.rbegin(); each != externs.rend(); ++each) {
         const bool is_before_another = !(*each)->block.empty() && followed.contains((*each)->block);
@@ -51,23 +51,23 @@ std::set<const ExternDecl*> held(std::span<const ExternDecl* const> externs, std
 }
 
 // What is read only with a switch or path comes last.
-std::vector<const ExternDecl*> in_order(const PathDeclarations& paths) {
-    std::vector<const ExternDecl*> externs;
-    for (const ExternDecl& each : paths.externs) externs.push_back(&each);
-    std::stable_partition(externs.begin(), externs.end(), [](const ExternDecl* each) { return each->with.empty(); });
+std::vector<const paths::ExternDecl*> in_order(const paths::PathDeclarations& paths) {
+    std::vector<const paths::ExternDecl*> externs;
+    for (const paths::ExternDecl& each : paths.externs) externs.push_back(&each);
+    std::stable_partition(externs.begin(), externs.end(), [](const paths::ExternDecl* each) { return each->with.empty(); });
     return externs;
 }
 
-ir::Group group_of(const ExternDecl& value) {
+ir::Group group_of(const paths::ExternDecl& value) {
     return value.is_target() ? ir::Group::Targets : ir::Group::Engine;
 }
 
-Numbering numbering_of(const engines::Engine& engine, std::span<const ExternDecl* const> externs) {
+Numbering numbering_of(const engines::Engine& engine, std::span<const paths::ExternDecl* const> externs) {
     Numbering made;
     const auto add = [](auto& numbers, std::string_view name) {
         numbers.try_emplace(std::string(name), static_cast<std::uint32_t>(numbers.size()));
     };
-    for (const ExternDecl* each : externs) {
+    for (const paths::ExternDecl* each : externs) {
         if (ir::texture_kind(each->variable->type.name))
             add(made.textures[static_cast<std::size_t>(group_of(*each))], each->variable->name);
         else
@@ -77,7 +77,7 @@ Numbering numbering_of(const engines::Engine& engine, std::span<const ExternDecl
 }
 
 // The sampler of a texture: its own, or the one that textures before it have declared under the name that it shares.
-ir::GlobalId add_sampler(ir::Module& module, const engines::Engine& engine, const Property& property,
+ir::GlobalId add_sampler(ir::Module& module, const engines::Engine& engine, const format::Property& property,
                          std::map<std::string, ir::GlobalId>& shared) {
     const bool is_shared = engine.shares_samplers && !property.shared_sampler.empty();
     ir::GlobalId& known = shared[is_shared ? property.shared_sampler : std::string()];
@@ -87,8 +87,8 @@ ir::GlobalId add_sampler(ir::Module& module, const engines::Engine& engine, cons
 }
 
 // Keywords stay bools, because they are not in a uniform block.
-ir::GlobalId add_keyword(ir::Module& module, const MaterialProperty& entry) {
-    const Property& property = *entry.property;
+ir::GlobalId add_keyword(ir::Module& module, const resolve::MaterialProperty& entry) {
+    const format::Property& property = *entry.property;
     module.globals.push_back({.name = property.name,
                               .type = property.type == PropertyType::Bool ? ir::kBool : ir::kInt,
                               .keyword = static_cast<std::uint32_t>(module.keywords.size()),
@@ -161,10 +161,10 @@ void add_member(ir::UniformBlock& block, const ir::Module& module, std::string n
 namespace {
 
 // Declares the values of included files, and the values that each of them replaces.
-void declare_foreign(const PathDeclarations& paths, const nodelang::Declarations& declarations,
+void declare_foreign(const paths::PathDeclarations& paths, const nodelang::Declarations& declarations,
                      emit::Emitter& emitter) {
     const emit::Scope scope{.declarations = &declarations};
-    for (const ForeignDecl& foreign : paths.foreign) {
+    for (const paths::ForeignDecl& foreign : paths.foreign) {
         const nodelang::VariableDecl& variable = *foreign.variable;
         emitter.module.globals.push_back({.name = std::string(variable.name),
                                           .type = emit::type(emitter, variable.type, scope),
@@ -173,9 +173,9 @@ void declare_foreign(const PathDeclarations& paths, const nodelang::Declarations
                                           .spelling = std::string(foreign.spelling)});
         emitter.known.externs[&variable] = {static_cast<std::uint32_t>(emitter.module.globals.size() - 1)};
     }
-    for (const GivenDecl& given : paths.given) {
+    for (const paths::GivenDecl& given : paths.given) {
         const nodelang::VariableDecl* replaced = given.variable ? declarations.variable(given.what) : nullptr;
-        const ExternDecl* value = replaced ? paths.extern_of(replaced) : nullptr;
+        const paths::ExternDecl* value = replaced ? paths.extern_of(replaced) : nullptr;
         if (!value) continue;
         emit::share_extern(emitter.known, *replaced, *given.variable);
         if (value->is_per_object)
@@ -185,23 +185,23 @@ void declare_foreign(const PathDeclarations& paths, const nodelang::Declarations
 
 }  // namespace
 
-EngineGlobals declare_engine(const engines::Engine& engine, const PathDeclarations& paths,
+EngineGlobals declare_engine(const engines::Engine& engine, const paths::PathDeclarations& paths,
                              const nodelang::Declarations& declarations, emit::Emitter& emitter,
                              std::span<const std::string_view> on) {
     EngineGlobals made;
     ir::Module& module = emitter.module;
     const emit::Scope scope{.declarations = &declarations};
-    for (const StaticDecl& asked : paths.statics) {
+    for (const paths::StaticDecl& asked : paths.statics) {
         if (!asked.is_of_engine()) continue;
-        const bool is_clip = asked.about == StaticDecl::About::Clip;
+        const bool is_clip = asked.about == paths::StaticDecl::About::Clip;
         const std::string_view word = is_clip ? to_string(engine.clip_depth) : to_string(engine.uv_origin);
         const bool is_so = std::find(asked.words.begin(), asked.words.end(), word) != asked.words.end();
         emitter.known.statics[asked.variable] = is_so ? 1 : 0;
     }
-    const std::vector<const ExternDecl*> externs = in_order(paths);
+    const std::vector<const paths::ExternDecl*> externs = in_order(paths);
     made.numbering = numbering_of(engine, externs);
-    const std::set<const ExternDecl*> declared = held(externs, on);
-    for (const ExternDecl* each : externs) {
+    const std::set<const paths::ExternDecl*> declared = held(externs, on);
+    for (const paths::ExternDecl* each : externs) {
         if (!declared.contains(each)) continue;
         const nodelang::VariableDecl& variable = *each->variable;
         if (const ir::TextureKind* kind = ir::texture_kind(variable.type.name)) {
@@ -234,7 +234,7 @@ EngineGlobals declare_engine(const engines::Engine& engine, const PathDeclaratio
     return made;
 }
 
-std::vector<PropertyGlobals> declare_material(const engines::Engine& engine, const Material& material,
+std::vector<PropertyGlobals> declare_material(const engines::Engine& engine, const resolve::Material& material,
                                               ir::Module& module, bool keep_variants,
                                               std::optional<std::uint32_t> instances) {
     std::vector<PropertyGlobals> globals;
@@ -246,7 +246,7 @@ std::vector<PropertyGlobals> declare_material(const engines::Engine& engine, con
     // A sampler that nodes name follows no texture (place.cpp). Textures share those that have no other name.
     globals.resize(material.properties.size());
     for (std::size_t i = 0; i < globals.size(); ++i) {
-        const Property& property = *material.properties[i].property;
+        const format::Property& property = *material.properties[i].property;
         if (property.type != PropertyType::Sampler) continue;
         // An engine whose textures bring their samplers cannot set others: equal ones are the same.
         const bool is_fixed = material.properties[i].is_at_port || !engine.shares_samplers;
@@ -258,11 +258,11 @@ std::vector<PropertyGlobals> declare_material(const engines::Engine& engine, con
         if (is_fixed) shared[property.shared_sampler] = globals[i].sampler;
     }
     for (std::size_t i = 0; i < globals.size(); ++i) {
-        const MaterialProperty& entry = material.properties[i];
-        const Property& property = *entry.property;
+        const resolve::MaterialProperty& entry = material.properties[i];
+        const format::Property& property = *entry.property;
         PropertyGlobals& made = globals[i];
         if (property.type == PropertyType::Sampler) continue;
-        if (is_keyword(property.binding)) {
+        if (format::is_keyword(property.binding)) {
             const bool is_variant = property.binding == Binding::Variant;
             if (!is_variant || (keep_variants && !entry.is_chosen)) made.keyword = add_keyword(module, entry);
             if (!is_variant) module.keywords.back().constant_id = constant_id++;
@@ -288,4 +288,4 @@ std::vector<PropertyGlobals> declare_material(const engines::Engine& engine, con
     return globals;
 }
 
-}  // namespace patina::graph
+}  // namespace patina::lower

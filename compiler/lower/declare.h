@@ -12,7 +12,7 @@
 #include "compiler/ir/ir.h"
 #include "compiler/resolve/material.h"
 
-namespace patina::graph {
+namespace patina::lower {
 
 struct PropertyGlobals {
     ir::GlobalId value;       // numeric properties
@@ -46,12 +46,12 @@ struct EngineGlobals {
     std::set<std::uint32_t> per_object;          // those of the drawn object
     std::map<std::uint32_t, std::string> reads;  // textures that are targets of other passes
 };
-EngineGlobals declare_engine(const engines::Engine& engine, const PathDeclarations& paths,
+EngineGlobals declare_engine(const engines::Engine& engine, const paths::PathDeclarations& paths,
                              const nodelang::Declarations& declarations, emit::Emitter& emitter,
                              std::span<const std::string_view> on = {});
 // One entry per Material::properties. `keep_variants`: variants without a chosen value become globals instead of
 // constants. `instances`: the block of the properties that each instance has; nothing: the material's.
-std::vector<PropertyGlobals> declare_material(const engines::Engine& engine, const Material& material,
+std::vector<PropertyGlobals> declare_material(const engines::Engine& engine, const resolve::Material& material,
                                               ir::Module& module, bool keep_variants,
                                               std::optional<std::uint32_t> instances = {});
 
@@ -63,4 +63,4 @@ struct Extent {
 };
 Extent extent(const ir::Module& module, ir::Type type);
 
-}  // namespace patina::graph
+}  // namespace patina::lower

@@ -12,22 +12,22 @@
 #include "compiler/ir/linear/linear_part.h"
 #include "compiler/lower/lowering.h"
 
-namespace patina::graph {
+namespace patina::lower {
 namespace {
 
 using ir::Type;
 using ir::Value;
 using nodelang::FunctionDecl;
 
-using Making = SlotDecl::Making;
+using Making = paths::SlotDecl::Making;
 
-const SlotDecl* find_slot(const Lowering& lowering, std::string_view name) {
+const paths::SlotDecl* find_slot(const Lowering& lowering, std::string_view name) {
     return lowering.session.paths->slot(name);
 }
 
 // The slot's function; the slot may itself be derived.
 const emit::Slot* slot_named(Lowering& lowering, std::string_view name) {
-    const SlotDecl* slot = find_slot(lowering, name);
+    const paths::SlotDecl* slot = find_slot(lowering, name);
     if (slot && slot->is_derived()) return &derived_slot(lowering, *slot).slot;
     return emit::find_slot(lowering.emitter.known, name);
 }
@@ -83,7 +83,7 @@ ir::Origin origin_of(const ir::Module& module, ir::OriginId id) {
 
 // The graph's own slot at the end of the chain of derived slots.
 std::string_view root_of(const Lowering& lowering, std::string_view of) {
-    for (const SlotDecl* slot = find_slot(lowering, of); slot; slot = find_slot(lowering, of)) {
+    for (const paths::SlotDecl* slot = find_slot(lowering, of); slot; slot = find_slot(lowering, of)) {
         if (slot->making != Making::Part && slot->making != Making::Without) break;
         of = slot->of;
     }
@@ -96,11 +96,11 @@ DerivedSlot not_linear(const Lowering& lowering, std::string_view of, std::strin
             .where = origin_of(lowering.out.module, found.origin)};
 }
 
-DerivedSlot linear_slot(Lowering& lowering, const SlotDecl& slot) {
+DerivedSlot linear_slot(Lowering& lowering, const paths::SlotDecl& slot) {
     ir::Module& module = lowering.out.module;
     const std::string_view of = slot.of;
     const emit::Slot* whole = slot_named(lowering, of);
-    const SlotDecl* declared = find_slot(lowering, of);
+    const paths::SlotDecl* declared = find_slot(lowering, of);
     if (declared && declared->is_derived() && !derived_slot(lowering, *declared).slot.function) {
         DerivedSlot missing = derived_slot(lowering, *declared);
         missing.is_of_missing = true;
@@ -124,11 +124,11 @@ DerivedSlot linear_slot(Lowering& lowering, const SlotDecl& slot) {
             .is_zero = !made.depends};
 }
 
-DerivedSlot slot_without(Lowering& lowering, const SlotDecl& slot) {
+DerivedSlot slot_without(Lowering& lowering, const paths::SlotDecl& slot) {
     ir::Module& module = lowering.out.module;
     const std::string_view of = slot.of;
     const emit::Slot* whole = slot_named(lowering, of);
-    const SlotDecl* declared = find_slot(lowering, of);
+    const paths::SlotDecl* declared = find_slot(lowering, of);
     if (!whole || !whole->function || !declared) return {.why_not = fmt::format("there is no '{}'", of)};
     const std::string_view name = slot.source;
     const LinearIn source = source_named(lowering, *declared->function, whole->function, name);
@@ -150,7 +150,7 @@ struct Packing {
     std::string why_not;
 };
 
-Packing packing_of(Lowering& lowering, const SlotDecl& slot, Type surface) {
+Packing packing_of(Lowering& lowering, const paths::SlotDecl& slot, Type surface) {
     const ir::Module& module = lowering.out.module;
     const std::vector<ir::Member>& members = module.structs[surface.ref].members;
     std::vector<bool> is_read(members.size(), false);
@@ -196,7 +196,7 @@ ir::Function slot_shell(Lowering& lowering, const FunctionDecl& slot) {
     return function;
 }
 
-DerivedSlot pack_slot(Lowering& lowering, const SlotDecl& slot) {
+DerivedSlot pack_slot(Lowering& lowering, const paths::SlotDecl& slot) {
     ir::Module& module = lowering.out.module;
     ir::Function function = slot_shell(lowering, *slot.function);
     const Packing packing = packing_of(lowering, slot, function.params[0].type);
@@ -223,9 +223,9 @@ DerivedSlot pack_slot(Lowering& lowering, const SlotDecl& slot) {
     return {.slot = {.function = add_function(module, std::move(function)), .result = result}};
 }
 
-DerivedSlot unpack_slot(Lowering& lowering, const SlotDecl& slot) {
+DerivedSlot unpack_slot(Lowering& lowering, const paths::SlotDecl& slot) {
     ir::Module& module = lowering.out.module;
-    const SlotDecl* packer = find_slot(lowering, slot.of);
+    const paths::SlotDecl* packer = find_slot(lowering, slot.of);
     if (!packer || !packer->packs()) return {.why_not = "nothing packs what it unpacks"};
     ir::Function function = slot_shell(lowering, *slot.function);
     const Packing packing = packing_of(lowering, *packer, function.result);
@@ -249,7 +249,7 @@ DerivedSlot unpack_slot(Lowering& lowering, const SlotDecl& slot) {
 
 }  // namespace
 
-const DerivedSlot& derived_slot(Lowering& lowering, const SlotDecl& slot) {
+const DerivedSlot& derived_slot(Lowering& lowering, const paths::SlotDecl& slot) {
     const auto known = lowering.derived_slots.find(slot.name());
     if (known != lowering.derived_slots.end()) return known->second;
     DerivedSlot made;
@@ -265,7 +265,7 @@ const DerivedSlot& derived_slot(Lowering& lowering, const SlotDecl& slot) {
 
 std::vector<std::string_view> packed_members(Lowering& lowering, std::string_view slot) {
     std::vector<std::string_view> names;
-    const SlotDecl* packer = find_slot(lowering, slot);
+    const paths::SlotDecl* packer = find_slot(lowering, slot);
     if (!packer || !packer->packs()) return names;
     const emit::Scope scope{.declarations = lowering.session.declarations};
     const Type surface = emit::type(lowering.emitter, packer->function->params[0].type, scope);
@@ -274,4 +274,4 @@ std::vector<std::string_view> packed_members(Lowering& lowering, std::string_vie
     return names;
 }
 
-}  // namespace patina::graph
+}  // namespace patina::lower

@@ -10,7 +10,7 @@
 #include "compiler/lower/lowering.h"
 #include "compiler/nodelang/other_names.h"
 
-namespace patina::graph {
+namespace patina::lower {
 
 using emit::Typed;
 using ir::Op;
@@ -18,7 +18,7 @@ using ir::Type;
 using ir::Value;
 using nodelang::Expr;
 
-GraphScope::GraphScope(Lowering& lowering, const CheckedGraph& graph, ir::Builder& builder, bool in_vertex_stage)
+GraphScope::GraphScope(Lowering& lowering, const resolve::CheckedGraph& graph, ir::Builder& builder, bool in_vertex_stage)
     : lowering_(lowering), graph_(graph), values_(graph.nodes.size()), emitted_(graph.nodes.size(), false) {
     scope_.builder = &builder;
     scope_.declarations = &lowering.session.library.declarations;
@@ -34,10 +34,10 @@ std::string GraphScope::id_path(std::string_view id) const {
 
 std::string_view GraphScope::what_graph() const {
     switch (graph_.graph->kind) {
-        case GraphKind::Material: return "a material";
-        case GraphKind::Subgraph: return "a sub-graph";
-        case GraphKind::Lighting: return "this output of a lighting graph";
-        case GraphKind::Workflow: return "a workflow";
+        case format::GraphKind::Material: return "a material";
+        case format::GraphKind::Subgraph: return "a sub-graph";
+        case format::GraphKind::Lighting: return "this output of a lighting graph";
+        case format::GraphKind::Workflow: return "a workflow";
     }
     return {};
 }
@@ -45,10 +45,10 @@ std::string_view GraphScope::what_graph() const {
 std::string_view GraphScope::outermost_kind() const {
     if (outer_) return outer_->outermost_kind();
     switch (graph_.graph->kind) {
-        case GraphKind::Material:
-        case GraphKind::Subgraph: return "material";
-        case GraphKind::Lighting: return "lighting";
-        case GraphKind::Workflow: return "workflow";
+        case format::GraphKind::Material:
+        case format::GraphKind::Subgraph: return "material";
+        case format::GraphKind::Lighting: return "lighting";
+        case format::GraphKind::Workflow: return "workflow";
     }
     return {};
 }
@@ -69,9 +69,9 @@ void GraphScope::watch(ir::Probe::Kind kind, std::string id, std::string_view po
     scope_.builder->function().probes.push_back(std::move(probe));
 }
 
-bool GraphScope::uses_half(const Node& node) const {
-    if (node.precision != Precision::Inherit) return node.precision == Precision::Half;
-    return graph_.graph->precision == Precision::Half;
+bool GraphScope::uses_half(const format::Node& node) const {
+    if (node.precision != format::Precision::Inherit) return node.precision == format::Precision::Half;
+    return graph_.graph->precision == format::Precision::Half;
 }
 
 // --- nodes
@@ -89,34 +89,34 @@ void GraphScope::announce(const Expr& expr) {
 void GraphScope::emit_nodes(const std::vector<bool>& wanted) {
     for (std::size_t i = 0; scope_.in_vertex_stage && i < wanted.size(); ++i) {
         if (!wanted[i]) continue;
-        const Node& node = graph_.graph->nodes[i];
+        const format::Node& node = graph_.graph->nodes[i];
         if (node.expr) announce(*node.expr);
-        for (const PortValue& port : node.inputs) {
+        for (const format::PortValue& port : node.inputs) {
             if (port.value) announce(*port.value);
         }
     }
     for (std::uint32_t index : graph_.order) {
         if (!wanted[index] || emitted_[index]) continue;
-        if (must_stop(lowering_.session)) return;
+        if (resolve::must_stop(lowering_.session)) return;
         emit_node(index);
     }
 }
 
 void GraphScope::emit_node(std::uint32_t index) {
     emitted_[index] = true;
-    const Node& node = graph_.graph->nodes[index];
+    const format::Node& node = graph_.graph->nodes[index];
     emit::grow(lowering_.emitter, node.id_span);
-    const ResolvedNode& resolved = graph_.nodes[index];
+    const resolve::ResolvedNode& resolved = graph_.nodes[index];
     if (!resolved.ok) return;
     at_ = index;
-    if (node.stage == NodeStage::Fragment && scope_.in_vertex_stage) {
+    if (node.stage == format::NodeStage::Fragment && scope_.in_vertex_stage) {
         Diagnostics& diagnostics = lowering_.session.diagnostics;
         diagnostics.set_context(id_path(node.id), {});
         tell_reader(diagnostics.report(Code::WrongStage, node.stage_span, fmt::format("'{}'", node.id),
                                        "it is pinned to the fragment stage"));
         return;
     }
-    if (node.stage == NodeStage::Vertex && !scope_.in_vertex_stage) {
+    if (node.stage == format::NodeStage::Vertex && !scope_.in_vertex_stage) {
         values_[index] = interpolated(index);
         watch(ir::Probe::Kind::Node, id_path(node.id), {}, values_[index], node.span);
         return;
@@ -127,7 +127,7 @@ void GraphScope::emit_node(std::uint32_t index) {
     const ir::OriginId outer_origin = b.origin();
     module.origins.push_back({.label = node.is_expression  ? node.note
                                        : resolved.function ? std::string(resolved.function->name)
-                                       : resolved.subgraph ? file_stem(resolved.subgraph->graph->path)
+                                       : resolved.subgraph ? resolve::file_stem(resolved.subgraph->graph->path)
                                                            : node.type,
                               .is_note = node.is_expression,
                               .id = path,
@@ -161,10 +161,10 @@ void GraphScope::emit_node(std::uint32_t index) {
     b.set_origin(outer_origin);
 }
 
-Typed GraphScope::call_node(const Node& node, const ResolvedNode& resolved) {
+Typed GraphScope::call_node(const format::Node& node, const resolve::ResolvedNode& resolved) {
     const nodelang::FunctionDecl& function = *resolved.function;
     std::vector<const Expr*> arguments(function.params.size(), nullptr);
-    for (const PortValue& port : node.inputs) {
+    for (const format::PortValue& port : node.inputs) {
         if (!port.value) return {};
         for (std::size_t i = 0; i < function.params.size(); ++i) {
             if (function.params[i].name == port.name) arguments[i] = port.value;
@@ -196,7 +196,7 @@ Typed GraphScope::value_as(const Expr& expr, Type type, std::string_view what, b
 }
 
 // Instructions that belong to no node belong to the port.
-Typed GraphScope::value_as(const PortValue& port, Type type, std::string_view what, bool is_color) {
+Typed GraphScope::value_as(const format::PortValue& port, Type type, std::string_view what, bool is_color) {
     if (!port.value) return {};
     ir::Module& module = lowering_.out.module;
     ir::Builder& b = *scope_.builder;
@@ -214,7 +214,7 @@ Typed GraphScope::value_as(const PortValue& port, Type type, std::string_view wh
 
 Typed GraphScope::sampler(const Expr& expr, emit::Scope& scope) {
     if (graph_.by_id.contains(expr.text) || find_sampler(expr.text)) return name(expr, scope);
-    report_no_sampler(lowering_.session.diagnostics, expr.span, expr.text);
+    format::report_no_sampler(lowering_.session.diagnostics, expr.span, expr.text);
     return {};
 }
 
@@ -228,7 +228,7 @@ Typed GraphScope::name(const Expr& expr, emit::Scope&) {
     DiagnosticRecord& record = diagnostics.report(Code::DanglingLink, expr.span, expr.text);
     if (diagnostics.is_full()) return {};
     std::vector<std::string_view> known;
-    for (const Node& node : graph_.graph->nodes) known.push_back(node.id);
+    for (const format::Node& node : graph_.graph->nodes) known.push_back(node.id);
     if (inputs_.contains(expr.text) || lowering_.material.property_index.contains(expr.text)) {
         record.note(fmt::format("read an input or property as '${}'", expr.text));
     } else if (lowering_.session.paths->semantic_index.contains(expr.text)) {
@@ -242,20 +242,20 @@ Typed GraphScope::name(const Expr& expr, emit::Scope&) {
 
 Typed GraphScope::property(const Expr& expr, emit::Scope&) {
     if (const auto input = inputs_.find(expr.text); input != inputs_.end()) return input->second;
-    for (const PortValue& port : property_values_) {
+    for (const format::PortValue& port : property_values_) {
         if (port.name == expr.text) return bound_property(port);
     }
     const auto& own = graph_.graph->properties;
-    const auto declared = std::find_if(own.begin(), own.end(), [&](const Property& p) { return p.name == expr.text; });
+    const auto declared = std::find_if(own.begin(), own.end(), [&](const format::Property& p) { return p.name == expr.text; });
     if (declared != own.end()) {
         const auto variant = lowering_.material.variants.find(&*declared);
         if (variant != lowering_.material.variants.end())
             return keyword(*declared, known_value(*declared, variant->second));
     }
-    const bool is_own = graph_.graph->kind == GraphKind::Material || declared != own.end();
+    const bool is_own = graph_.graph->kind == format::GraphKind::Material || declared != own.end();
     const auto index = lowering_.material.property_index.find(expr.text);
     if (is_own && index != lowering_.material.property_index.end()) {
-        const Property& joined = *lowering_.material.properties[index->second].property;
+        const format::Property& joined = *lowering_.material.properties[index->second].property;
         const bool is_same =
             declared == own.end() || (declared->type == joined.type && declared->values == joined.values);
         return is_same ? material_property(index->second) : stand_in(*declared);
@@ -263,10 +263,10 @@ Typed GraphScope::property(const Expr& expr, emit::Scope&) {
     DiagnosticRecord& record = lowering_.session.diagnostics.report(Code::UnknownProperty, expr.span, expr.text);
     if (lowering_.session.diagnostics.is_full()) return {};
     std::vector<std::string> written;
-    for (const Property& property : own) written.push_back("$" + property.name);
+    for (const format::Property& property : own) written.push_back("$" + property.name);
     for (const auto& [name, value] : inputs_) written.push_back("$" + std::string(name));
     const std::vector<std::string_view> known(written.begin(), written.end());
-    const std::string_view none = graph_.graph->kind == GraphKind::Lighting
+    const std::string_view none = graph_.graph->kind == format::GraphKind::Lighting
                                       ? "the lighting graph has no properties: it declares each one that it reads"
                                       : "the graph has no properties";
     record.note(known.empty() ? std::string(none) : Diagnostics::suggestion("$" + std::string(expr.text), known));
@@ -274,7 +274,7 @@ Typed GraphScope::property(const Expr& expr, emit::Scope&) {
 }
 
 // The type of a property where a graph reads it.
-Type GraphScope::type_of(const Property& property) {
+Type GraphScope::type_of(const format::Property& property) {
     if (property.type == PropertyType::Bool) return ir::kBool;
     if (!is_texture(property.type) && !is_array(property.type))
         return property_type(lowering_.out.module, property.type);
@@ -284,7 +284,7 @@ Type GraphScope::type_of(const Property& property) {
 namespace {
 
 // The words of an enum, once for all who read it.
-const std::vector<std::string_view>* words_of(Lowering& lowering, const Property& property) {
+const std::vector<std::string_view>* words_of(Lowering& lowering, const format::Property& property) {
     for (const std::vector<std::string_view>& known : lowering.enumerators) {
         if (!known.empty() && !property.values.empty() && known.front().data() == property.values.front().data())
             return &known;
@@ -296,9 +296,9 @@ const std::vector<std::string_view>* words_of(Lowering& lowering, const Property
 
 // A lighting graph's property that the material has bound to a value of its own. The value is read in the material's
 // scope, but emitted into this function.
-Typed GraphScope::bound_property(const PortValue& port) {
+Typed GraphScope::bound_property(const format::PortValue& port) {
     const auto& own = graph_.graph->properties;
-    const auto property = std::find_if(own.begin(), own.end(), [&](const Property& p) { return p.name == port.name; });
+    const auto property = std::find_if(own.begin(), own.end(), [&](const format::Property& p) { return p.name == port.name; });
     if (property == own.end() || !port.value) return {};
     GraphScope reader(lowering_, property_scope_->graph_, *scope_.builder, false);
     reader.emit_nodes(reader.graph_.reachable(std::span(&port, 1)));
@@ -310,17 +310,17 @@ Typed GraphScope::bound_property(const PortValue& port) {
 }
 
 // A bool, or an enum as an int.
-Typed GraphScope::keyword(const Property& property, Value value) {
+Typed GraphScope::keyword(const format::Property& property, Value value) {
     if (property.type == PropertyType::Bool) return {.value = value, .type = ir::kBool};
     return {.value = value, .type = ir::kInt, .enumerators = words_of(lowering_, property)};
 }
 
-Value GraphScope::known_value(const Property& property, double value) {
+Value GraphScope::known_value(const format::Property& property, double value) {
     return scope_.builder->constant(property.type == PropertyType::Bool ? ir::kBool : ir::kInt, {value});
 }
 
 // A value for a property that another graph declares differently, which has been reported.
-Typed GraphScope::stand_in(const Property& property) {
+Typed GraphScope::stand_in(const format::Property& property) {
     if (is_texture(property.type) || property.type == PropertyType::Sampler) return {};
     if (property.type == PropertyType::Bool || property.type == PropertyType::Enum)
         return keyword(property, known_value(property, property.value[0]));
@@ -331,7 +331,7 @@ Typed GraphScope::stand_in(const Property& property) {
 
 namespace {
 
-emit::TextureView view_of(const Property& property) {
+emit::TextureView view_of(const format::Property& property) {
     emit::TextureView view{.green_is_down = property.handedness == Handedness::DirectX};
     std::copy(property.swizzle.begin(), property.swizzle.end(), view.channels.begin());
     return view;
@@ -341,7 +341,7 @@ emit::TextureView view_of(const Property& property) {
 
 // A matrix is the first rows and columns of the one in the block; a gradient and a curve are structs around their
 // array.
-Typed GraphScope::array_property(const Property& property, Value stored) {
+Typed GraphScope::array_property(const format::Property& property, Value stored) {
     ir::Builder& b = *scope_.builder;
     const Type type = type_of(property);
     if (type == b.type(stored)) return {.value = stored, .type = type};
@@ -358,12 +358,12 @@ Typed GraphScope::array_property(const Property& property, Value stored) {
 
 Typed GraphScope::material_property(std::size_t index) {
     const PropertyGlobals& globals = lowering_.out.property_globals[index];
-    const Property& property = *lowering_.material.properties[index].property;
+    const format::Property& property = *lowering_.material.properties[index].property;
     const double chosen = lowering_.material.properties[index].chosen;
     ir::Module& module = lowering_.out.module;
     ir::Builder& b = *scope_.builder;
     const auto read = [&](ir::GlobalId id) { return b.emit(Op::Global, module.globals[id.index].type, {}, id.index); };
-    if (is_keyword(property.binding))
+    if (format::is_keyword(property.binding))
         return keyword(property, globals.keyword ? read(globals.keyword) : known_value(property, chosen));
     if (property.type == PropertyType::Sampler)
         return {.value = read(globals.sampler), .type = Type::of(ir::Kind::Sampler)};
@@ -394,13 +394,13 @@ Typed GraphScope::material_property(std::size_t index) {
 namespace {
 
 // True if a semantic depends on the pixel's position. The visible side does not count, because vertices see the front.
-bool reads_pixel(const PathDeclarations& paths, const SemanticDecl& semantic) {
-    if (semantic.source == SemanticSource::Builtin) return semantic.builtin == ir::Builtin::FragCoord;
+bool reads_pixel(const paths::PathDeclarations& paths, const paths::SemanticDecl& semantic) {
+    if (semantic.source == paths::SemanticSource::Builtin) return semantic.builtin == ir::Builtin::FragCoord;
     if (!semantic.function) return false;
     return std::any_of(semantic.function->params.begin(), semantic.function->params.end(), [&](const auto& param) {
         const nodelang::Expr* read = param.initial;
         while (read && read->kind == nodelang::Expr::Kind::Member) read = read->args[0];
-        const SemanticDecl* found = read ? paths.semantic(read->text) : nullptr;
+        const paths::SemanticDecl* found = read ? paths.semantic(read->text) : nullptr;
         return found && reads_pixel(paths, *found);
     });
 }
@@ -409,7 +409,7 @@ bool reads_pixel(const PathDeclarations& paths, const SemanticDecl& semantic) {
 
 Typed GraphScope::semantic(std::string_view name, Span span, emit::Scope& scope) {
     if (const auto given = given_.find(name); given != given_.end()) return given->second;
-    const PathDeclarations& paths = *lowering_.session.paths;
+    const paths::PathDeclarations& paths = *lowering_.session.paths;
     const auto found = paths.semantic_index.find(name);
     if (shadow_.ok()) {
         const auto& members = lowering_.out.module.structs[shadow_.type.ref].members;
@@ -420,7 +420,7 @@ Typed GraphScope::semantic(std::string_view name, Span span, emit::Scope& scope)
     }
     if (found == paths.semantic_index.end() || paths.semantics[found->second].is_of_pass) {
         std::vector<std::string_view> known;
-        for (const SemanticDecl& semantic : paths.semantics) {
+        for (const paths::SemanticDecl& semantic : paths.semantics) {
             if (!semantic.is_of_pass) known.push_back(semantic.name);
         }
         DiagnosticRecord& record = lowering_.session.diagnostics.report(Code::UnknownSemantic, span, name);
@@ -431,7 +431,7 @@ Typed GraphScope::semantic(std::string_view name, Span span, emit::Scope& scope)
             record.note("'patina values' lists them");
         return {};
     }
-    const SemanticDecl& semantic = paths.semantics[found->second];
+    const paths::SemanticDecl& semantic = paths.semantics[found->second];
     // A default of a port stands in a node file, but the error is that the graph left the port open.
     const emit::OpenPort* open = scope.open_port;
     const auto report = [&](Code code, std::string_view where) -> DiagnosticRecord& {
@@ -440,9 +440,9 @@ Typed GraphScope::semantic(std::string_view name, Span span, emit::Scope& scope)
                           fmt::format("'{}' of {} has no value, and its default reads it", open->port, open->function))
                     : record;
     };
-    const bool per_light = graph_.graph->kind == GraphKind::Lighting && name == "light";
-    if (semantic.source == SemanticSource::Given || per_light) {
-        const bool is_lighting = graph_.graph->kind == GraphKind::Lighting;
+    const bool per_light = graph_.graph->kind == format::GraphKind::Lighting && name == "light";
+    if (semantic.source == paths::SemanticSource::Given || per_light) {
+        const bool is_lighting = graph_.graph->kind == format::GraphKind::Lighting;
         const bool is_pinned = is_lighting && scope_.in_vertex_stage;
         report(Code::SemanticNotHere, is_pinned ? "a node of the vertex stage" : what_graph())
             .note(is_pinned     ? "lighting is computed for each pixel: remove \"stage\": \"vertex\" from the node"
@@ -451,11 +451,11 @@ Typed GraphScope::semantic(std::string_view name, Span span, emit::Scope& scope)
                                 : "only a lighting graph has it");
         return {};
     }
-    if (semantic.source == SemanticSource::Extern)
+    if (semantic.source == paths::SemanticSource::Extern)
         return emit::extern_value(lowering_.emitter, *semantic.variable, scope);
     const Type type = lowering_.out.module.semantics[found->second].type;
     if (type.is_error()) return {};
-    if (scope_.in_vertex_stage && (semantic.source == SemanticSource::Builtin || reads_pixel(paths, semantic))) {
+    if (scope_.in_vertex_stage && (semantic.source == paths::SemanticSource::Builtin || reads_pixel(paths, semantic))) {
         DiagnosticRecord& record = report(Code::NoSuchStageValue, "vertex");
         record.note(
             "the vertex stage runs before the fragment stage, and reads only the mesh and values that are the same for "
@@ -467,9 +467,9 @@ Typed GraphScope::semantic(std::string_view name, Span span, emit::Scope& scope)
 }
 
 Typed GraphScope::file(const Expr& expr, emit::Scope&) {
-    const auto index = lowering_.material.property_index.find(file_texture_name(expr.text));
+    const auto index = lowering_.material.property_index.find(resolve::file_texture_name(expr.text));
     if (index == lowering_.material.property_index.end()) return {};  // not found on disk, which has been reported
     return material_property(index->second);
 }
 
-}  // namespace patina::graph
+}  // namespace patina::lower

@@ -10,7 +10,7 @@
 #include "compiler/lower/lower.h"
 #include "compiler/lower/subgraph_uses.h"
 
-namespace patina::graph {
+namespace patina::lower {
 
 // A slot that is derived from others (derived_slots.cpp): made when a pass first asks for it.
 struct DerivedSlot {
@@ -24,7 +24,7 @@ struct DerivedSlot {
 // What tells the functions of sub-graphs apart. Inputs that a function cannot take (textures and samplers), or that
 // decide what it computes (bools), are part of it where their values are known.
 struct SubgraphKey {
-    const CheckedGraph* graph = nullptr;
+    const resolve::CheckedGraph* graph = nullptr;
     bool in_vertex_stage = false;
     std::vector<bool> outputs{};         // those that are emitted
     std::vector<std::uint64_t> known{};  // the values of these inputs, as what they are computed from
@@ -43,8 +43,8 @@ struct SubgraphFunction {
 
 // Shared by all scopes of one lowering.
 struct Lowering {
-    Session& session;
-    const Material& material;
+    resolve::Session& session;
+    const resolve::Material& material;
     Lowered& out;
     emit::Emitter emitter;
     std::deque<std::vector<std::string_view>> enumerators;  // of enum properties, by material property
@@ -62,7 +62,7 @@ struct Lowering {
         std::string name;  // id path, or the output's
         Span span;
         bool is_interpolator = false;
-        const CheckedGraph* graph = nullptr;
+        const resolve::CheckedGraph* graph = nullptr;
         std::vector<std::uint32_t> reads{};  // the node, or those that the output reads
     };
     std::vector<VertexReader> vertex_readers;               // the innermost last
@@ -84,7 +84,7 @@ class GraphScope : public emit::Environment {
 public:
     using Typed = emit::Typed;
 
-    GraphScope(Lowering& lowering, const CheckedGraph& graph, ir::Builder& builder, bool in_vertex_stage);
+    GraphScope(Lowering& lowering, const resolve::CheckedGraph& graph, ir::Builder& builder, bool in_vertex_stage);
 
     // --- what the surrounding graph adds
     void give(std::string_view semantic, Typed value) { given_[std::string(semantic)] = value; }
@@ -92,7 +92,7 @@ public:
     // In a lighting graph: a semantic that is also a member of the lighting surface means that member.
     void shadow_by(Typed surface) { shadow_ = surface; }
     // Values that the material gives to a lighting graph's properties, read in the material's own scope.
-    void set_property_values(std::span<const PortValue> values, GraphScope& scope) {
+    void set_property_values(std::span<const format::PortValue> values, GraphScope& scope) {
         property_values_ = values;
         property_scope_ = &scope;
     }
@@ -109,7 +109,7 @@ public:
     void announce(const nodelang::Expr& expr);
     // A port's value, converted; nodes that it reads must have been emitted. Three numbers are an opaque colour, as
     // "#ff8800" is.
-    Typed value_as(const PortValue& port, ir::Type type, std::string_view what, bool is_color = false);
+    Typed value_as(const format::PortValue& port, ir::Type type, std::string_view what, bool is_color = false);
     Typed value_as(const nodelang::Expr& expr, ir::Type type, std::string_view what, bool is_color = false);
     Typed value(const nodelang::Expr& expr);
     emit::Scope& scope() { return scope_; }
@@ -125,12 +125,12 @@ public:
 
 private:
     void emit_node(std::uint32_t index);
-    Typed call_node(const Node& node, const ResolvedNode& resolved);
+    Typed call_node(const format::Node& node, const resolve::ResolvedNode& resolved);
     Typed subgraph_node(std::uint32_t index);
     std::vector<bool> read_of_outputs(std::uint32_t index) const;
     // Fills inputs of a sub-graph's scope from the node that uses it.
-    void fill_inputs(GraphScope& inner, const Node& node, const Graph& subgraph);
-    void fill_input(GraphScope& inner, const Node& node, const Input& input);
+    void fill_inputs(GraphScope& inner, const format::Node& node, const format::Graph& subgraph);
+    void fill_input(GraphScope& inner, const format::Node& node, const format::Input& input);
     // The outputs of this sub-graph, of which the marked ones are emitted.
     Typed subgraph_outputs(const std::vector<bool>& read);
     // The same by a call of a function that all nodes share which use the sub-graph; nothing if they cannot.
@@ -144,20 +144,20 @@ private:
     // The same graph in another function of the vertex stage, with only what `node` needs emitted.
     std::unique_ptr<GraphScope> vertex_twin(ir::Builder& builder, std::deque<std::unique_ptr<GraphScope>>& keep);
     Typed material_property(std::size_t index);
-    Typed array_property(const Property& property, ir::Value stored);
-    ir::Type type_of(const Property& property);
-    Typed stand_in(const Property& property);
-    Typed bound_property(const PortValue& port);
-    Typed keyword(const Property& property, ir::Value value);
-    ir::Value known_value(const Property& property, double value);
-    bool uses_half(const Node& node) const;
+    Typed array_property(const format::Property& property, ir::Value stored);
+    ir::Type type_of(const format::Property& property);
+    Typed stand_in(const format::Property& property);
+    Typed bound_property(const format::PortValue& port);
+    Typed keyword(const format::Property& property, ir::Value value);
+    ir::Value known_value(const format::Property& property, double value);
+    bool uses_half(const format::Node& node) const;
     std::string id_path(std::string_view id) const;
     std::string way_from(const Lowering::VertexReader& reader) const;
     std::string_view what_graph() const;
     std::string_view outermost_kind() const;
 
     Lowering& lowering_;
-    const CheckedGraph& graph_;
+    const resolve::CheckedGraph& graph_;
     emit::Scope scope_;
     bool needs_quad_ = false;
     std::vector<Typed> values_;
@@ -166,11 +166,11 @@ private:
     std::map<std::uint32_t, std::set<std::string_view>> read_outputs_;  // by sub-graph node; "": the node itself
     std::map<std::string, Typed, std::less<>> given_, inputs_;
     Typed shadow_;
-    std::span<const PortValue> property_values_;
+    std::span<const format::PortValue> property_values_;
     GraphScope* property_scope_ = nullptr;
     GraphScope* outer_ = nullptr;
     std::uint32_t outer_node_ = 0;
     std::size_t function_path_ = 0;  // how much of an id path leads to the function that this is emitted into
 };
 
-}  // namespace patina::graph
+}  // namespace patina::lower

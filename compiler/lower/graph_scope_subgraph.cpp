@@ -9,7 +9,7 @@
 #include "compiler/base/spelling.h"
 #include "compiler/lower/lowering.h"
 
-namespace patina::graph {
+namespace patina::lower {
 
 using emit::Typed;
 using ir::Type;
@@ -19,19 +19,19 @@ namespace {
 
 // --- how a sub-graph appears in a shader
 
-std::string function_name(const CheckedGraph& subgraph) {
-    const std::string name = camel_case(file_stem(subgraph.graph->path));
+std::string function_name(const resolve::CheckedGraph& subgraph) {
+    const std::string name = camel_case(resolve::file_stem(subgraph.graph->path));
     return name.empty() ? "subgraph" : name;
 }
 
-std::string struct_name(const CheckedGraph& subgraph) {
+std::string struct_name(const resolve::CheckedGraph& subgraph) {
     std::string name = function_name(subgraph) + "Outputs";
     name[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(name[0])));
     return name;
 }
 
 // "layers.subgraph.json: where rust sits"
-std::string comment_of(const Graph& graph) {
+std::string comment_of(const format::Graph& graph) {
     const std::string file = graph.path.substr(graph.path.find_last_of("/\\") + 1);
     const std::string says = !graph.help.empty() ? nodelang::first_sentence(graph.help)
                              : graph.name_span   ? graph.name
@@ -77,7 +77,7 @@ bool is_texture_or_sampler(const emit::Emitter& emitter, Type type) {
 constexpr std::size_t kMostUnfolded = 4096;
 
 // How the sub-graph is used, if it may be a function. A pinned node is an interpolator for each use, by its id path.
-const SubgraphUses* shared_uses(const Lowering& lowering, const CheckedGraph& subgraph, bool in_vertex_stage) {
+const SubgraphUses* shared_uses(const Lowering& lowering, const resolve::CheckedGraph& subgraph, bool in_vertex_stage) {
     if (!lowering.emitter.options.fold && lowering.subgraphs_in_place < kMostUnfolded) return nullptr;
     const auto found = lowering.subgraph_uses.find(&subgraph);
     if (found == lowering.subgraph_uses.end() || found->second.sites < 2) return nullptr;
@@ -88,9 +88,9 @@ const SubgraphUses* shared_uses(const Lowering& lowering, const CheckedGraph& su
 
 // --- inputs
 
-void GraphScope::fill_input(GraphScope& inner, const Node& node, const Input& input) {
+void GraphScope::fill_input(GraphScope& inner, const format::Node& node, const format::Input& input) {
     const auto port =
-        std::find_if(node.inputs.begin(), node.inputs.end(), [&](const PortValue& p) { return p.name == input.name; });
+        std::find_if(node.inputs.begin(), node.inputs.end(), [&](const format::PortValue& p) { return p.name == input.name; });
     const Type type = input_type(lowering_, input);
     if (type.is_error()) return;
     const std::string what = fmt::format("the input '{}'", input.name);
@@ -104,19 +104,19 @@ void GraphScope::fill_input(GraphScope& inner, const Node& node, const Input& in
     }
 }
 
-void GraphScope::fill_inputs(GraphScope& inner, const Node& node, const Graph& subgraph) {
-    for (const Input& input : subgraph.inputs) fill_input(inner, node, input);
+void GraphScope::fill_inputs(GraphScope& inner, const format::Node& node, const format::Graph& subgraph) {
+    for (const format::Input& input : subgraph.inputs) fill_input(inner, node, input);
 }
 
 // The outputs of a sub-graph node that are emitted here.
 std::vector<bool> GraphScope::read_of_outputs(std::uint32_t index) const {
-    const std::vector<PortValue>& outputs = graph_.nodes[index].subgraph->graph->outputs;
+    const std::vector<format::PortValue>& outputs = graph_.nodes[index].subgraph->graph->outputs;
     const auto read = read_outputs_.find(index);
     std::vector<bool> marks(outputs.size(), !scope_.in_vertex_stage || read == read_outputs_.end());
     if (marks.empty() || marks[0]) return marks;
     for (std::string_view name : read->second) {
         const auto output =
-            std::find_if(outputs.begin(), outputs.end(), [&](const PortValue& p) { return p.name == name; });
+            std::find_if(outputs.begin(), outputs.end(), [&](const format::PortValue& p) { return p.name == name; });
         // The node itself, or a swizzle of its only output.
         if (output == outputs.end()) return std::vector<bool>(outputs.size(), true);
         marks[static_cast<std::size_t>(output - outputs.begin())] = true;
@@ -125,18 +125,18 @@ std::vector<bool> GraphScope::read_of_outputs(std::uint32_t index) const {
 }
 
 Typed GraphScope::subgraph_node(std::uint32_t index) {
-    const Node& node = graph_.graph->nodes[index];
-    const CheckedGraph& subgraph = *graph_.nodes[index].subgraph;
+    const format::Node& node = graph_.graph->nodes[index];
+    const resolve::CheckedGraph& subgraph = *graph_.nodes[index].subgraph;
     const std::vector<bool> read = read_of_outputs(index);
     const std::unique_ptr<GraphScope> inner = subgraph_scope(index, *scope_.builder);
     const SubgraphUses* uses = shared_uses(lowering_, subgraph, scope_.in_vertex_stage);
-    const auto is_left_to_function = [&](const Input& input) { return uses && is_never_given(*uses, input); };
-    for (const Input& input : subgraph.graph->inputs) {
+    const auto is_left_to_function = [&](const format::Input& input) { return uses && is_never_given(*uses, input); };
+    for (const format::Input& input : subgraph.graph->inputs) {
         if (!is_left_to_function(input)) fill_input(*inner, node, input);
     }
     if (uses) {
         if (const std::optional<Typed> called = subgraph_call(*inner, read)) return *called;
-        for (const Input& input : subgraph.graph->inputs) {
+        for (const format::Input& input : subgraph.graph->inputs) {
             if (is_left_to_function(input)) fill_input(*inner, node, input);
         }
     }
@@ -147,8 +147,8 @@ Typed GraphScope::subgraph_node(std::uint32_t index) {
 }
 
 Typed GraphScope::subgraph_outputs(const std::vector<bool>& read) {
-    const std::vector<PortValue>& declared = graph_.graph->outputs;
-    std::vector<PortValue> roots;
+    const std::vector<format::PortValue>& declared = graph_.graph->outputs;
+    std::vector<format::PortValue> roots;
     for (std::size_t i = 0; i < read.size(); ++i) {
         if (!read[i] || !declared[i].value) continue;
         roots.push_back(declared[i]);
@@ -157,10 +157,10 @@ Typed GraphScope::subgraph_outputs(const std::vector<bool>& read) {
     emit_nodes(graph_.reachable(roots));
     std::vector<Value> values;
     ir::Struct made{.name = struct_name(graph_), .members = {}};
-    const bool is_shown = !declared.empty() && declared.back().name == kShown;
+    const bool is_shown = !declared.empty() && declared.back().name == resolve::kShown;
     emit::Outputs outputs{.names = {}, .has_primary = declared.size() == (is_shown ? 2 : 1)};
     for (std::size_t i = 0; i < read.size(); ++i) {
-        const PortValue& port = declared[i];
+        const format::PortValue& port = declared[i];
         if (!port.value) return {};
         outputs.names.push_back(port.name);
         if (!read[i]) {
@@ -191,7 +191,7 @@ Typed GraphScope::subgraph_outputs(const std::vector<bool>& read) {
 
 struct SubgraphArguments {
     struct Given {
-        const Input* input = nullptr;
+        const format::Input* input = nullptr;
         Typed value{};
         bool is_known = false;  // it is a part of the function, not a parameter
     };
@@ -202,7 +202,7 @@ struct SubgraphArguments {
 
 SubgraphArguments GraphScope::arguments_of(const GraphScope& inner) const {
     SubgraphArguments made;
-    for (const Input& input : inner.graph_.graph->inputs) {
+    for (const format::Input& input : inner.graph_.graph->inputs) {
         const auto found = inner.inputs_.find(input.name);
         if (found == inner.inputs_.end()) continue;
         SubgraphArguments::Given& given = made.given.emplace_back();
@@ -246,7 +246,7 @@ std::optional<Typed> GraphScope::subgraph_call(GraphScope& inner, const std::vec
 SubgraphFunction GraphScope::subgraph_function(const GraphScope& inner, const SubgraphArguments& arguments,
                                                const std::vector<bool>& read) {
     ir::Module& module = lowering_.out.module;
-    const Graph& graph = *inner.graph_.graph;
+    const format::Graph& graph = *inner.graph_.graph;
     ir::Function function{};
     function.name = function_name(inner.graph_);
     function.comment = comment_of(graph);
@@ -266,8 +266,8 @@ SubgraphFunction GraphScope::subgraph_function(const GraphScope& inner, const Su
         }
         scope->set_input(each.input->name, value);
     }
-    const Node nothing_given{};
-    for (const Input& input : graph.inputs) {
+    const format::Node nothing_given{};
+    for (const format::Input& input : graph.inputs) {
         if (!scope->inputs_.contains(input.name)) scope->fill_input(*scope, nothing_given, input);
     }
     const Typed outputs = scope->subgraph_outputs(read);
@@ -304,4 +304,4 @@ std::unique_ptr<GraphScope> GraphScope::subgraph_scope(std::uint32_t index, ir::
     return inner;
 }
 
-}  // namespace patina::graph
+}  // namespace patina::lower

@@ -9,7 +9,7 @@
 #include "compiler/base/text.h"
 #include "compiler/lower/graph_scope.h"
 
-namespace patina::graph {
+namespace patina::lower {
 
 using emit::Typed;
 using ir::Op;
@@ -84,7 +84,7 @@ std::unique_ptr<GraphScope> GraphScope::vertex_twin(ir::Builder& builder,
     GraphScope& outer = *keep.back();
     std::vector<bool> reads = outer.graph_.reachable(outer_node_);
     reads[outer_node_] = false;
-    for (const PortValue& port : outer.graph_.graph->nodes[outer_node_].inputs) {
+    for (const format::PortValue& port : outer.graph_.graph->nodes[outer_node_].inputs) {
         if (port.value) outer.announce(*port.value);
     }
     outer.emit_nodes(reads);
@@ -95,7 +95,7 @@ std::unique_ptr<GraphScope> GraphScope::vertex_twin(ir::Builder& builder,
 }
 
 Typed GraphScope::interpolated(std::uint32_t index) {
-    const Node& node = graph_.graph->nodes[index];
+    const format::Node& node = graph_.graph->nodes[index];
     const std::string path = id_path(node.id);
     ir::Module& module = lowering_.out.module;
     emit::Emitter& emitter = lowering_.emitter;
@@ -148,7 +148,7 @@ Typed GraphScope::interpolated(std::uint32_t index) {
             builder.ret(value.value);
             module.functions.push_back(std::move(function));
             module.semantics.push_back({.name = name, .type = value.type, .rate = ir::Rate::Pixel});
-            lowering_.out.semantics.push_back({.source = SemanticSource::Vertex,
+            lowering_.out.semantics.push_back({.source = paths::SemanticSource::Vertex,
                                                .recipe = {static_cast<std::uint32_t>(module.functions.size() - 1)}});
             made.semantics.push_back({static_cast<std::uint32_t>(module.semantics.size() - 1)});
         }
@@ -168,4 +168,4 @@ Typed GraphScope::interpolated(std::uint32_t index) {
     return {.value = scope_.builder->construct(type, values), .type = type, .outputs = made.outputs};
 }
 
-}  // namespace patina::graph
+}  // namespace patina::lower

@@ -6,7 +6,7 @@
 
 #include "compiler/base/spelling.h"
 
-namespace patina::graph {
+namespace patina::lower {
 namespace {
 
 using ir::Op;
@@ -139,9 +139,9 @@ void index_reads(ir::Module& module, ir::Function& function, const std::set<std:
 
 }  // namespace
 
-bool is_instanced(const Material& material) {
+bool is_instanced(const resolve::Material& material) {
     return std::any_of(material.properties.begin(), material.properties.end(),
-                       [](const MaterialProperty& each) { return each.property->binding == Binding::Instance; });
+                       [](const resolve::MaterialProperty& each) { return each.property->binding == Binding::Instance; });
 }
 
 bool reads_instance(const Lowered& lowered) {
@@ -172,4 +172,4 @@ std::uint32_t make_instanced(Lowered& lowered, const std::set<std::uint32_t>& gl
     return count;
 }
 
-}  // namespace patina::graph
+}  // namespace patina::lower

@@ -5,9 +5,9 @@
 
 #include "compiler/lower/lower.h"
 
-namespace patina::graph {
+namespace patina::lower {
 
-bool is_instanced(const Material& material);
+bool is_instanced(const resolve::Material& material);
 // Whether a pass of the material may read the index of the instance.
 bool reads_instance(const Lowered& lowered);
 
@@ -31,4 +31,4 @@ InstanceSize size_of_instance(const Lowered& lowered, const std::set<std::uint32
 std::uint32_t make_instanced(Lowered& lowered, const std::set<std::uint32_t>& globals, const OptionalValues& optional,
                              std::uint32_t most_bytes);
 
-}  // namespace patina::graph
+}  // namespace patina::lower

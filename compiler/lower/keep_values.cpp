@@ -4,7 +4,7 @@
 
 #include "compiler/lower/lowering.h"
 
-namespace patina::graph {
+namespace patina::lower {
 namespace {
 
 using nodelang::Expr;
@@ -14,17 +14,17 @@ bool reads(const Expr& expr, std::string_view property) {
     return std::any_of(expr.args.begin(), expr.args.end(), [&](const Expr* arg) { return reads(*arg, property); });
 }
 
-bool reads(std::span<const PortValue> ports, std::string_view property) {
+bool reads(std::span<const format::PortValue> ports, std::string_view property) {
     return std::any_of(ports.begin(), ports.end(),
-                       [&](const PortValue& port) { return port.value && reads(*port.value, property); });
+                       [&](const format::PortValue& port) { return port.value && reads(*port.value, property); });
 }
 
-bool node_reads(const Node& node, std::string_view property) {
+bool node_reads(const format::Node& node, std::string_view property) {
     return (node.expr && reads(*node.expr, property)) || reads(node.inputs, property);
 }
 
 // Marks the outputs of a node that the expression reads. The node's name alone may mean any of them.
-void mark_outputs(const Expr& expr, const Node& node, std::span<const PortValue> outputs, std::vector<bool>& read) {
+void mark_outputs(const Expr& expr, const format::Node& node, std::span<const format::PortValue> outputs, std::vector<bool>& read) {
     const bool is_member = expr.kind == Expr::Kind::Member && expr.args[0]->text == node.id;
     const bool is_node = expr.kind == Expr::Kind::Name && expr.text == node.id;
     for (std::size_t i = 0; i < outputs.size(); ++i) {
@@ -35,24 +35,24 @@ void mark_outputs(const Expr& expr, const Node& node, std::span<const PortValue>
 }
 
 // The outputs of a sub-graph's node that the ports read, and the other nodes that they read.
-std::vector<PortValue> outputs_read(const CheckedGraph& graph, std::span<const PortValue> ports,
+std::vector<format::PortValue> outputs_read(const resolve::CheckedGraph& graph, std::span<const format::PortValue> ports,
                                     const std::vector<bool>& nodes, std::uint32_t at) {
-    const std::vector<PortValue>& outputs = graph.nodes[at].subgraph->graph->outputs;
-    const Node& node = graph.graph->nodes[at];
+    const std::vector<format::PortValue>& outputs = graph.nodes[at].subgraph->graph->outputs;
+    const format::Node& node = graph.graph->nodes[at];
     std::vector<bool> read(outputs.size(), false);
-    const auto mark = [&](std::span<const PortValue> values) {
-        for (const PortValue& port : values) {
+    const auto mark = [&](std::span<const format::PortValue> values) {
+        for (const format::PortValue& port : values) {
             if (port.value) mark_outputs(*port.value, node, outputs, read);
         }
     };
     mark(ports);
     for (std::size_t i = 0; i < nodes.size(); ++i) {
         if (!nodes[i]) continue;
-        const Node& other = graph.graph->nodes[i];
+        const format::Node& other = graph.graph->nodes[i];
         if (other.expr) mark_outputs(*other.expr, node, outputs, read);
         mark(other.inputs);
     }
-    std::vector<PortValue> made;
+    std::vector<format::PortValue> made;
     for (std::size_t i = 0; i < outputs.size(); ++i) {
         if (read[i]) made.push_back(outputs[i]);
     }
@@ -60,13 +60,13 @@ std::vector<PortValue> outputs_read(const CheckedGraph& graph, std::span<const P
 }
 
 // True if the ports read the property, directly or through nodes.
-bool reaches(const CheckedGraph& graph, std::span<const PortValue> ports, std::string_view property) {
+bool reaches(const resolve::CheckedGraph& graph, std::span<const format::PortValue> ports, std::string_view property) {
     if (reads(ports, property)) return true;
     const std::vector<bool> nodes = graph.reachable(ports);
     for (std::uint32_t i = 0; i < nodes.size(); ++i) {
         if (!nodes[i]) continue;
         if (node_reads(graph.graph->nodes[i], property)) return true;
-        const CheckedGraph* inner = graph.nodes[i].subgraph;
+        const resolve::CheckedGraph* inner = graph.nodes[i].subgraph;
         if (inner && reaches(*inner, outputs_read(graph, ports, nodes, i), property)) return true;
     }
     return false;
@@ -74,21 +74,21 @@ bool reaches(const CheckedGraph& graph, std::span<const PortValue> ports, std::s
 
 // True for a colour that may be brighter than white: its range ends above 1, or its default is above 1, or only emitted
 // light reads it ([hdr] members of the lighting surface).
-bool is_hdr(const PathDeclarations& paths, const CheckedGraph& graph, const Property& property) {
+bool is_hdr(const paths::PathDeclarations& paths, const resolve::CheckedGraph& graph, const format::Property& property) {
     if (property.range && (*property.range)[1] > 1) return true;
     if (std::any_of(property.value.begin(), property.value.begin() + 3, [](double v) { return v > 1; })) return true;
-    std::vector<PortValue> light, others = graph.graph->vertex;
-    for (const PortValue& port : graph.graph->surface) (paths.is_hdr(port.name) ? light : others).push_back(port);
+    std::vector<format::PortValue> light, others = graph.graph->vertex;
+    for (const format::PortValue& port : graph.graph->surface) (paths.is_hdr(port.name) ? light : others).push_back(port);
     return reaches(graph, light, property.name) && !reaches(graph, others, property.name);
 }
 
-std::string_view stored_as(const engines::Engine& engine, const Property& property) {
+std::string_view stored_as(const engines::Engine& engine, const format::Property& property) {
     const bool is_within_one = property.type == PropertyType::Float && property.range && (*property.range)[0] >= -1 &&
                                (*property.range)[1] <= 1;
     return engine.stored_as(is_within_one ? "floatWithinOne" : to_string(property.type));
 }
 
-std::string_view usage_of(const PathDeclarations& paths, const CheckedGraph& graph, const Property& property) {
+std::string_view usage_of(const paths::PathDeclarations& paths, const resolve::CheckedGraph& graph, const format::Property& property) {
     if (property.type == PropertyType::Color) return is_hdr(paths, graph, property) ? "" : "color";
     if (!is_texture(property.type)) return {};
     // An engine's own normal maps keep only what a decoder makes of them: other channels are those of a plain texture.
@@ -97,9 +97,9 @@ std::string_view usage_of(const PathDeclarations& paths, const CheckedGraph& gra
 }
 
 // The included file that declares a value of materials with this name and type; empty if there is none.
-std::string declared_in(const Lowering& lowering, const Property& property) {
+std::string declared_in(const Lowering& lowering, const format::Property& property) {
     const auto& foreign = lowering.session.paths->foreign;
-    const auto found = std::find_if(foreign.begin(), foreign.end(), [&](const ForeignDecl& each) {
+    const auto found = std::find_if(foreign.begin(), foreign.end(), [&](const paths::ForeignDecl& each) {
         return each.variable->name == property.name && !each.include.empty();
     });
     if (found == foreign.end() || property.type != PropertyType::Color || property.binding == Binding::Instance)
@@ -108,7 +108,7 @@ std::string declared_in(const Lowering& lowering, const Property& property) {
 }
 
 // [decodes("normal", "f", "g")]: if f is called with the result, g replaces both.
-void decode_by(const DecoderDecl& decoder, ir::Global& global) {
+void decode_by(const paths::DecoderDecl& decoder, ir::Global& global) {
     global.decoder = decoder.function->name;
     if (decoder.at_once.empty()) return;
     global.follower = decoder.follower;
@@ -129,7 +129,7 @@ void keep_values(Lowering& lowering) {
     const engines::Engine& engine = lowering.session.engine;
     const auto& decoders = lowering.session.paths->decoders;
     for (std::size_t i = 0; i < lowering.material.properties.size(); ++i) {
-        const Property& property = *lowering.material.properties[i].property;
+        const format::Property& property = *lowering.material.properties[i].property;
         PropertyGlobals& globals = out.property_globals[i];
         if (!globals.texture && !globals.value) continue;  // it is a keyword
         if (globals.texture && !engine.texture_sizes.empty())
@@ -147,7 +147,7 @@ void keep_values(Lowering& lowering) {
 }
 
 void give_texts(Lowering& lowering) {
-    for (const ForeignFunctionDecl& foreign : lowering.session.paths->foreign_functions) {
+    for (const paths::ForeignFunctionDecl& foreign : lowering.session.paths->foreign_functions) {
         for (const emit::InstanceInfo& instance : lowering.emitter.instances.of(*foreign.function))
             lowering.out.module[instance.id].texts = foreign.texts;
     }
@@ -159,4 +159,4 @@ void give_texts(Lowering& lowering) {
     }
 }
 
-}  // namespace patina::graph
+}  // namespace patina::lower

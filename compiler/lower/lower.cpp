@@ -10,7 +10,7 @@
 #include "compiler/lower/instances.h"
 #include "compiler/lower/lowering.h"
 
-namespace patina::graph {
+namespace patina::lower {
 
 using emit::Typed;
 using ir::Op;
@@ -20,15 +20,15 @@ using nodelang::FunctionDecl;
 
 namespace {
 
-ir::Rate rate_of(SemanticSource source) {
+ir::Rate rate_of(paths::SemanticSource source) {
     switch (source) {
-        case SemanticSource::Attribute: return ir::Rate::Pixel;  // where a fragment reads it, it is interpolated
-        case SemanticSource::Builtin:
-        case SemanticSource::Vertex:
-        case SemanticSource::Pixel:
-        case SemanticSource::Given: return ir::Rate::Pixel;
-        case SemanticSource::Extern:
-        case SemanticSource::Uniform: return ir::Rate::Uniform;
+        case paths::SemanticSource::Attribute: return ir::Rate::Pixel;  // where a fragment reads it, it is interpolated
+        case paths::SemanticSource::Builtin:
+        case paths::SemanticSource::Vertex:
+        case paths::SemanticSource::Pixel:
+        case paths::SemanticSource::Given: return ir::Rate::Pixel;
+        case paths::SemanticSource::Extern:
+        case paths::SemanticSource::Uniform: return ir::Rate::Uniform;
     }
     return ir::Rate::Pixel;
 }
@@ -36,7 +36,7 @@ ir::Rate rate_of(SemanticSource source) {
 // The value of a property that chooses the kind of the surface ("materialOverride"): a bool, or an enum as an int.
 Value read_choice(const Lowering& lowering, std::string_view name, ir::Builder& builder) {
     const std::size_t index = lowering.material.property_index.find(name)->second;
-    const MaterialProperty& entry = lowering.material.properties[index];
+    const resolve::MaterialProperty& entry = lowering.material.properties[index];
     const Type type = entry.property->type == PropertyType::Bool ? ir::kBool : ir::kInt;
     const ir::GlobalId keyword = lowering.out.property_globals[index].keyword;
     return keyword ? builder.emit(Op::Global, type, {}, keyword.index) : builder.constant(type, {entry.chosen});
@@ -50,9 +50,9 @@ Value read_kind(const Lowering& lowering, std::span<const std::string_view> word
     const auto either = [&](Value a, Value b) { return a ? builder.emit(Op::Or, ir::kBool, {a, b}) : b; };
     Value blends{}, is_any{};
     bool asks_for_all = true;
-    for (int i = 0; const BlendingKind& each : kBlendingKinds) {
+    for (int i = 0; const resolve::BlendingKind& each : resolve::kBlendingKinds) {
         if (is_asked(each.kind)) {
-            const Value blend = read_choice(lowering, kBlendChoice, builder);
+            const Value blend = read_choice(lowering, resolve::kBlendChoice, builder);
             blends =
                 either(blends, builder.emit(Op::Equal, ir::kBool, {blend, builder.constant(ir::kInt, {double(i)})}));
         }
@@ -60,42 +60,42 @@ Value read_kind(const Lowering& lowering, std::span<const std::string_view> word
         ++i;
     }
     if (blends) {
-        is_any = read_choice(lowering, kTransparentChoice, builder);
+        is_any = read_choice(lowering, resolve::kTransparentChoice, builder);
         if (!asks_for_all) is_any = builder.emit(Op::And, ir::kBool, {is_any, blends});
     }
-    if (is_asked(SurfaceKind::Cutout)) is_any = either(is_any, read_choice(lowering, kClipChoice, builder));
+    if (is_asked(SurfaceKind::Cutout)) is_any = either(is_any, read_choice(lowering, resolve::kClipChoice, builder));
     if (is_asked(SurfaceKind::Opaque)) {
         const Value other =
-            either(read_choice(lowering, kTransparentChoice, builder), read_choice(lowering, kClipChoice, builder));
+            either(read_choice(lowering, resolve::kTransparentChoice, builder), read_choice(lowering, resolve::kClipChoice, builder));
         is_any = either(is_any, builder.emit(Op::Not, ir::kBool, {other}));
     }
     return is_any;
 }
 
 void declare_statics(Lowering& lowering) {
-    const RenderState& render = lowering.material.graph->graph->render;
-    const auto depends_on_choice = [&](const StaticDecl& asked) {
-        return render.is_overridable && asked.about == StaticDecl::About::Surface &&
-               std::find(asked.words.begin(), asked.words.end(), kChosenKind) == asked.words.end();
+    const format::RenderState& render = lowering.material.graph->graph->render;
+    const auto depends_on_choice = [&](const paths::StaticDecl& asked) {
+        return render.is_overridable && asked.about == paths::StaticDecl::About::Surface &&
+               std::find(asked.words.begin(), asked.words.end(), paths::kChosenKind) == asked.words.end();
     };
-    const auto is_true = [&](const StaticDecl& asked, std::string_view word) {
+    const auto is_true = [&](const paths::StaticDecl& asked, std::string_view word) {
         switch (asked.about) {
-            case StaticDecl::About::Surface:
-                if (word == kChosenKind) return render.is_overridable;
-                if (word == graph::kClippedKind) return graph::is_clipped_blend(*lowering.material.graph->graph);
+            case paths::StaticDecl::About::Surface:
+                if (word == paths::kChosenKind) return render.is_overridable;
+                if (word == format::kClippedKind) return format::is_clipped_blend(*lowering.material.graph->graph);
                 return word == to_string(render.surface);
-            case StaticDecl::About::Cull:
+            case paths::StaticDecl::About::Cull:
                 // A material may show both sides. While it shows the front alone, the answer makes no difference.
                 return word == to_string(render.is_overridable ? Cull::Off : render.cull);
-            case StaticDecl::About::Clip:
-            case StaticDecl::About::UvOrigin:
-            case StaticDecl::About::Slot:
-            case StaticDecl::About::Reads:
-            case StaticDecl::About::Pass: break;
+            case paths::StaticDecl::About::Clip:
+            case paths::StaticDecl::About::UvOrigin:
+            case paths::StaticDecl::About::Slot:
+            case paths::StaticDecl::About::Reads:
+            case paths::StaticDecl::About::Pass: break;
         }
         return false;
     };
-    for (const StaticDecl& asked : lowering.session.paths->statics) {
+    for (const paths::StaticDecl& asked : lowering.session.paths->statics) {
         if (asked.is_of_passes()) continue;      // known later (lower_passes.cpp)
         if (asked.is_of_engine()) continue;      // known already (declare_engine())
         if (depends_on_choice(asked)) continue;  // emitted where it is read
@@ -106,8 +106,8 @@ void declare_statics(Lowering& lowering) {
     if (!render.is_overridable) return;
     lowering.emitter.known.make_static = [&lowering](const nodelang::VariableDecl& variable, ir::Builder* builder) {
         emit::StaticValue made;
-        for (const StaticDecl& asked : lowering.session.paths->statics)
-            if (builder && asked.variable == &variable && asked.about == StaticDecl::About::Surface)
+        for (const paths::StaticDecl& asked : lowering.session.paths->statics)
+            if (builder && asked.variable == &variable && asked.about == paths::StaticDecl::About::Surface)
                 made.emitted = read_kind(lowering, asked.words, *builder);
         return made;
     };
@@ -115,7 +115,7 @@ void declare_statics(Lowering& lowering) {
 
 void declare_semantics(Lowering& lowering) {
     const emit::Scope scope{.declarations = lowering.session.declarations};
-    for (const SemanticDecl& semantic : lowering.session.paths->semantics) {
+    for (const paths::SemanticDecl& semantic : lowering.session.paths->semantics) {
         const Type type = emit::type(lowering.emitter,
                                      semantic.function ? semantic.function->result : semantic.variable->type, scope);
         const bool from_bottom = semantic.is_uv && lowering.session.engine.uv_origin == UvOrigin::Bottom;
@@ -135,9 +135,9 @@ void declare_semantics(Lowering& lowering) {
 }
 
 // The slot without parameters, which a pass calls for the surface to be lit.
-const FunctionDecl* surface_slot(const PathDeclarations& paths) {
+const FunctionDecl* surface_slot(const paths::PathDeclarations& paths) {
     const auto found = std::find_if(paths.slots.begin(), paths.slots.end(),
-                                    [](const SlotDecl& slot) { return slot.function->params.empty(); });
+                                    [](const paths::SlotDecl& slot) { return slot.function->params.empty(); });
     return found == paths.slots.end() ? nullptr : found->function;
 }
 
@@ -147,7 +147,7 @@ void extend_lighting_surface(Lowering& lowering) {
     const nodelang::StructDecl* surface = slot ? lowering.session.declarations->structure(slot->result.name) : nullptr;
     if (!surface) return;
     std::vector<ir::Member> members;
-    for (const Input& input : lowering.material.lighting->graph->inputs) {
+    for (const format::Input& input : lowering.material.lighting->graph->inputs) {
         const auto clash = std::find_if(surface->members.begin(), surface->members.end(),
                                         [&](const auto& m) { return m.name == input.name; });
         if (clash != surface->members.end()) {
@@ -162,9 +162,9 @@ void extend_lighting_surface(Lowering& lowering) {
 }
 
 void lower_vertex_outputs(Lowering& lowering) {
-    const CheckedGraph& graph = *lowering.material.graph;
+    const resolve::CheckedGraph& graph = *lowering.material.graph;
     ir::Module& module = lowering.out.module;
-    for (const PortValue& port : graph.graph->vertex) {
+    for (const format::PortValue& port : graph.graph->vertex) {
         const auto semantic = lowering.session.paths->semantic_index.find(port.name);
         if (semantic == lowering.session.paths->semantic_index.end()) continue;
         ir::Function function{};
@@ -175,7 +175,7 @@ void lower_vertex_outputs(Lowering& lowering) {
         scope.announce(*port.value);
         Lowering::VertexReader& reader =
             lowering.vertex_readers.emplace_back(Lowering::VertexReader{port.name, port.name_span, false, &graph});
-        collect_reads(*port.value, graph, reader.reads);
+        resolve::collect_reads(*port.value, graph, reader.reads);
         scope.emit_nodes(graph.reachable(std::span(&port, 1)));
         function.result = module.semantics[semantic->second].type;
         lowering.session.diagnostics.set_context("vertex", port.name);
@@ -201,26 +201,26 @@ void lower_vertex_outputs(Lowering& lowering) {
 }
 
 // A variant of the lighting graph, whose value the material gives.
-const Property* variant_of_lighting(const Material& material, std::string_view name) {
-    for (const Property& property : material.lighting->graph->properties) {
+const format::Property* variant_of_lighting(const resolve::Material& material, std::string_view name) {
+    for (const format::Property& property : material.lighting->graph->properties) {
         if (property.name == name && property.binding == Binding::Variant) return &property;
     }
     return nullptr;
 }
 
 // A switch that changes what all passes do, and no pass: the path has it only while a renderer turns it on.
-bool is_of_wraps(const PathDeclarations& paths, std::string_view name) {
-    return std::any_of(paths.wraps.begin(), paths.wraps.end(), [&](const WrapDecl& wrap) {
+bool is_of_wraps(const paths::PathDeclarations& paths, std::string_view name) {
+    return std::any_of(paths.wraps.begin(), paths.wraps.end(), [&](const paths::WrapDecl& wrap) {
         return std::find(wrap.with.begin(), wrap.with.end(), name) != wrap.with.end();
     });
 }
 
 // Declares the switches with the values that the caller chose.
 void declare_switches(Lowering& lowering) {
-    Session& session = lowering.session;
+    resolve::Session& session = lowering.session;
     const bool has_passes = !session.request.functions && !session.engine.has_own_passes();
     std::vector<std::string_view> known;
-    for (const SwitchDecl& each : session.paths->switches) {
+    for (const paths::SwitchDecl& each : session.paths->switches) {
         known.push_back(each.variable->name);
         lowering.out.switches.emplace_back(each.variable->name, false);
     }
@@ -228,12 +228,12 @@ void declare_switches(Lowering& lowering) {
         const auto found = std::find(known.begin(), known.end(), name);
         const bool is_switch = found != known.end();
         if (!is_switch && lowering.material.property_index.contains(name)) continue;  // of the graph (keywords.cpp)
-        const Property* of_lighting = is_switch ? nullptr : variant_of_lighting(lowering.material, name);
+        const format::Property* of_lighting = is_switch ? nullptr : variant_of_lighting(lowering.material, name);
         if (of_lighting && lowering.material.variants.contains(of_lighting)) continue;  // (choose_lighting.cpp)
         if (!is_switch && lowering.material.unused_variants.contains(name)) continue;
         if (!is_switch || !has_passes) {
-            std::vector<std::string_view> words = keyword_names(lowering.material);
-            for (const Property& property : lowering.material.lighting->graph->properties) {
+            std::vector<std::string_view> words = resolve::keyword_names(lowering.material);
+            for (const format::Property& property : lowering.material.lighting->graph->properties) {
                 if (lowering.material.variants.contains(&property)) words.push_back(property.name);
             }
             // Switches that only a renderer turns on are not for readers.
@@ -269,7 +269,7 @@ void declare_switches(Lowering& lowering) {
         return !each.second &&
                (is_of_wraps(*session.paths, each.first) || !session.paths->switch_named(each.first)->otherwise.empty());
     });
-    for (const SwitchDecl& each : session.paths->switches)
+    for (const paths::SwitchDecl& each : session.paths->switches)
         lowering.emitter.known.statics[each.variable] = lowering.is_on(each.variable->name) ? 1 : 0;
     for (const nodelang::VariableDecl* older : session.paths->repeated) {
         if (session.library.paths.switch_of(older))
@@ -277,7 +277,7 @@ void declare_switches(Lowering& lowering) {
     }
 }
 
-void report_large_instance(Session& session, const Material& material, const Lowered& lowered,
+void report_large_instance(resolve::Session& session, const resolve::Material& material, const Lowered& lowered,
                            const std::set<std::uint32_t>& globals, const OptionalValues& optional) {
     const auto first = std::find_if(material.properties.begin(), material.properties.end(),
                                     [](const auto& each) { return each.property->binding == Binding::Instance; });
@@ -292,7 +292,7 @@ void report_large_instance(Session& session, const Material& material, const Low
 OptionalValues optional_values(Lowering& lowering) {
     OptionalValues made;
     const emit::Scope scope{.declarations = lowering.session.declarations};
-    for (const ExternDecl& each : lowering.session.paths->externs) {
+    for (const paths::ExternDecl& each : lowering.session.paths->externs) {
         if (!each.is_per_object || each.with.empty() || each.block.empty()) continue;
         if (const auto global = emit::find_extern(lowering.emitter.known, *each.variable))
             made.declared.insert(global->index);
@@ -304,9 +304,9 @@ OptionalValues optional_values(Lowering& lowering) {
 
 // The switches that are on, and the path.
 std::vector<std::string_view> what_is_on(const Lowering& lowering) {
-    const Session& session = lowering.session;
+    const resolve::Session& session = lowering.session;
     std::vector<std::string_view> on = {session.path};
-    if (session.path == kAllPaths) on = session.paths->names();
+    if (session.path == resolve::kAllPaths) on = session.paths->names();
     for (const auto& [name, value] : lowering.out.switches)
         if (value) on.push_back(name);
     return on;
@@ -341,14 +341,14 @@ std::optional<ir::GlobalId> LoweredPass::attribute_of(ir::SemanticId semantic) c
     return {};
 }
 
-std::string_view known_as(const PassDecl& pass) {
+std::string_view known_as(const paths::PassDecl& pass) {
     const auto tag =
         std::find_if(pass.tags.begin(), pass.tags.end(), [](const auto& each) { return each.first != "Name"; });
     return tag == pass.tags.end() ? pass.name : std::string_view(tag->second);
 }
 
-const BlendRow* blend_of(const PassDecl& pass, SurfaceKind surface) {
-    for (const BlendRow& row : pass.blends) {
+const paths::BlendRow* blend_of(const paths::PassDecl& pass, SurfaceKind surface) {
+    for (const paths::BlendRow& row : pass.blends) {
         if (!row.surface || *row.surface == surface) return &row;
     }
     return nullptr;
@@ -369,8 +369,8 @@ std::string_view Lowering::slot_name(ir::FunctionId function) const {
 }
 
 bool Lowering::is_packing(std::string_view slot) const {
-    const SlotDecl* found = session.paths->slot(slot);
-    return found && (found->making == SlotDecl::Making::Pack || found->making == SlotDecl::Making::Unpack);
+    const paths::SlotDecl* found = session.paths->slot(slot);
+    return found && (found->making == paths::SlotDecl::Making::Pack || found->making == paths::SlotDecl::Making::Unpack);
 }
 
 ir::FunctionId add_function(ir::Module& module, ir::Function function) {
@@ -385,7 +385,7 @@ Type type_of_word(Lowering& lowering, std::string_view word, Span span) {
                                                                          {"curve", "Curve"},
                                                                          {"sampler", "SamplerState"}};
     const emit::Scope scope{.declarations = lowering.session.declarations};
-    const std::optional<PropertyType> texture = texture_type(word);
+    const std::optional<PropertyType> texture = format::texture_type(word);
     std::string_view name = texture ? ir::texture_kind(texture_kind(*texture))->name : word;
     for (const auto& [ours, theirs] : kOthers) {
         if (word == ours) name = theirs;
@@ -393,7 +393,7 @@ Type type_of_word(Lowering& lowering, std::string_view word, Span span) {
     return emit::type(lowering.emitter, {.name = name, .span = span}, scope);
 }
 
-Type input_type(Lowering& lowering, const Input& input) {
+Type input_type(Lowering& lowering, const format::Input& input) {
     return type_of_word(lowering, input.type, input.type_span);
 }
 
@@ -407,7 +407,7 @@ void paste_slots_of_one_pass(Lowering& lowering) {
         std::count_if(out.passes.begin(), out.passes.end(), draws) > 1)
         return;
     out.keeps_functions = false;
-    for (const SlotDecl& declared : lowering.session.paths->slots) {
+    for (const paths::SlotDecl& declared : lowering.session.paths->slots) {
         const auto slot = lowering.emitter.known.slots.find(std::string(declared.name()));
         if (slot != lowering.emitter.known.slots.end() && slot->second.function)
             out.module[slot->second.function].always_inline = true;
@@ -416,7 +416,7 @@ void paste_slots_of_one_pass(Lowering& lowering) {
 
 }  // namespace
 
-Lowered lower(Session& session, const Material& material, ir::BuildOptions options) {
+Lowered lower(resolve::Session& session, const resolve::Material& material, ir::BuildOptions options) {
     Lowered out;
     Lowering lowering{.session = session,
                       .material = material,
@@ -485,4 +485,4 @@ Lowered lower(Session& session, const Material& material, ir::BuildOptions optio
     return out;
 }
 
-}  // namespace patina::graph
+}  // namespace patina::lower

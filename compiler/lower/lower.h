@@ -8,16 +8,16 @@
 #include "compiler/lower/declare.h"
 #include "compiler/lower/place.h"
 
-namespace patina::graph {
+namespace patina::lower {
 
 // How a stage gets the value of a semantic (an index into Module::semantics).
 struct SemanticRecipe {
-    SemanticSource source = SemanticSource::Pixel;
+    paths::SemanticSource source = paths::SemanticSource::Pixel;
     ir::FunctionId recipe{};                  // Vertex, Pixel, Uniform: a function whose body reads other semantics
     std::optional<std::uint32_t> location{};  // Attribute: of the vertex input; none: numbered later
     std::string_view hlsl{};                  // Attribute: its HLSL semantic
     ir::FunctionId override{};                // the value of the material's "vertex" block that replaces the attribute
-    const SemanticDecl* declaration = nullptr;  // null: an interpolator of the graph
+    const paths::SemanticDecl* declaration = nullptr;  // null: an interpolator of the graph
 };
 
 // What a pass has in place of the usual recipe of a semantic, or in place of a function (GivenDecl).
@@ -31,7 +31,7 @@ struct Given {
 };
 
 struct LoweredPass {
-    const PassDecl* declaration = nullptr;
+    const paths::PassDecl* declaration = nullptr;
     std::string name{};  // the declaration's, or that of the extra pass
     ir::FunctionId vertex{}, fragment{};
     std::vector<Given<ir::SemanticId>> recipes{};
@@ -44,9 +44,9 @@ struct LoweredPass {
     std::optional<ir::GlobalId> attribute_of(ir::SemanticId semantic) const;
 };
 // How a pass blends surfaces of a kind; null if it does not draw them.
-const BlendRow* blend_of(const PassDecl& pass, SurfaceKind surface);
+const paths::BlendRow* blend_of(const paths::PassDecl& pass, SurfaceKind surface);
 // The name that users know a pass by: its tag, if the engine selects passes by tag ("ShadowCaster").
-std::string_view known_as(const PassDecl& pass);
+std::string_view known_as(const paths::PassDecl& pass);
 
 // A function for an engine's own shaders.
 struct LoweredFunction {
@@ -83,8 +83,8 @@ struct Lowered {
 
 // Reports errors; the result may be used only if the session has none. `material`: the material itself with all passes
 // of the path, or an extra pass (Material::pass) with only that one.
-Lowered lower(Session& session, const Material& material, ir::BuildOptions options);
+Lowered lower(resolve::Session& session, const resolve::Material& material, ir::BuildOptions options);
 // True if the material's extra passes are drawn in addition to these.
-bool draws_extra(const Session& session, const Lowered& lowered);
+bool draws_extra(const resolve::Session& session, const Lowered& lowered);
 
-}  // namespace patina::graph
+}  // namespace patina::lower

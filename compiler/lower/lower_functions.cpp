@@ -9,7 +9,7 @@
 #include "compiler/format/words.h"
 #include "compiler/lower/lowering.h"
 
-namespace patina::graph {
+namespace patina::lower {
 namespace {
 
 using ir::Op;
@@ -25,7 +25,7 @@ public:
     void run() {
         if (!can_be_passed() || !lowering_.surface) return;
         add(lowering_.surface, "surface", "The surface as the graph describes it, in the words of its workflow.");
-        for (const ExportDecl& each : lowering_.session.paths->exports) {
+        for (const paths::ExportDecl& each : lowering_.session.paths->exports) {
             const ir::FunctionId made = emit::given_function(lowering_.emitter, *each.function,
                                                              *lowering_.session.declarations, environment_, false);
             if (made) add(made, each.name, nodelang::first_sentence(each.function->doc));
@@ -64,8 +64,8 @@ private:
     // A texture cannot be a member of a parameter.
     bool can_be_passed() {
         const auto& inputs = lowering_.material.lighting->graph->inputs;
-        for (const Input& input : inputs) {
-            if (!texture_type(input.type)) continue;
+        for (const format::Input& input : inputs) {
+            if (!format::texture_type(input.type)) continue;
             lowering_.session.diagnostics.report(
                 Code::NotYet, input.type_span,
                 fmt::format("--functions cannot pass the texture input '{}' of the lighting graph: make it a property "
@@ -106,7 +106,7 @@ private:
                                         [&](const ir::Semantic& s) { return s.name == global.name; });
         if (found != module_.semantics.end()) return static_cast<std::uint32_t>(found - module_.semantics.begin());
         module_.semantics.push_back({.name = global.name, .type = global.type, .rate = ir::Rate::Uniform});
-        lowering_.out.semantics.push_back({.source = SemanticSource::Extern});
+        lowering_.out.semantics.push_back({.source = paths::SemanticSource::Extern});
         return static_cast<std::uint32_t>(module_.semantics.size() - 1);
     }
 
@@ -121,4 +121,4 @@ void lower_functions(Lowering& lowering) {
     Functions(lowering).run();
 }
 
-}  // namespace patina::graph
+}  // namespace patina::lower

@@ -4,7 +4,7 @@
 #include "compiler/ir/passes/passes.h"
 #include "compiler/lower/lowering.h"
 
-namespace patina::graph {
+namespace patina::lower {
 
 using emit::Typed;
 using ir::Op;
@@ -43,11 +43,11 @@ struct LoweredOutput {
     bool needs_quad = false;
     bool is_per_light = false;  // the value depends on the light
 };
-LoweredOutput lower_lighting(Lowering& lowering, const SlotDecl& declared, const PortValue& output,
+LoweredOutput lower_lighting(Lowering& lowering, const paths::SlotDecl& declared, const format::PortValue& output,
                              GraphScope& material) {
     const FunctionDecl& slot = *declared.function;
     ir::Module& module = lowering.out.module;
-    const CheckedGraph& lighting = *lowering.material.lighting;
+    const resolve::CheckedGraph& lighting = *lowering.material.lighting;
     ir::Function function{};
     function.name = slot.name;
     function.comment = nodelang::first_sentence(slot.doc);
@@ -89,7 +89,7 @@ LoweredOutput lower_lighting(Lowering& lowering, const SlotDecl& declared, const
 }
 
 // A slot of a preview that adds nothing, or, if its parameters have the sums of the others, only these.
-ir::FunctionId lower_sum(Lowering& lowering, const SlotDecl& declared) {
+ir::FunctionId lower_sum(Lowering& lowering, const paths::SlotDecl& declared) {
     ir::Module& module = lowering.out.module;
     const emit::Scope scope{.declarations = lowering.session.declarations};
     ir::Function function{};
@@ -121,14 +121,14 @@ bool reads(const nodelang::Expr& value, std::string_view semantic) {
 }
 
 // True if a value of the lighting graph, or a node that it reads, reads a parameter of the slot other than the surface.
-bool reads_parameter(const CheckedGraph& lighting, const PortValue& value, const SlotDecl& slot) {
+bool reads_parameter(const resolve::CheckedGraph& lighting, const format::PortValue& value, const paths::SlotDecl& slot) {
     const std::vector<bool> reached = lighting.reachable(std::span(&value, 1));
     for (std::size_t p = 1; p < slot.function->params.size(); ++p) {
         const std::string_view name = slot.function->params[p].name;
-        const auto is_read_by = [&](const PortValue& port) { return port.value && reads(*port.value, name); };
+        const auto is_read_by = [&](const format::PortValue& port) { return port.value && reads(*port.value, name); };
         if (is_read_by(value)) return true;
         for (std::size_t i = 0; i < reached.size(); ++i) {
-            const Node& node = lighting.graph->nodes[i];
+            const format::Node& node = lighting.graph->nodes[i];
             if (reached[i] && ((node.expr && reads(*node.expr, name)) ||
                                std::any_of(node.inputs.begin(), node.inputs.end(), is_read_by)))
                 return true;
@@ -139,10 +139,10 @@ bool reads_parameter(const CheckedGraph& lighting, const PortValue& value, const
 
 // The slot that has the sums of the others, if the value that a preview shows reads them: the others are then as in the
 // picture. Else null.
-const SlotDecl* shown_sum(const Lowering& lowering) {
-    const Material& material = lowering.material;
+const paths::SlotDecl* shown_sum(const Lowering& lowering) {
+    const resolve::Material& material = lowering.material;
     if (!material.shown_value.value) return nullptr;
-    for (const SlotDecl& slot : lowering.session.paths->slots) {
+    for (const paths::SlotDecl& slot : lowering.session.paths->slots) {
         const bool is_sum = !slot.is_derived() && !slot.light_param && slot.function->params.size() > 1;
         if (is_sum && reads_parameter(*material.lighting, material.shown_value, slot)) return &slot;
     }
@@ -152,10 +152,10 @@ const SlotDecl* shown_sum(const Lowering& lowering) {
 // A preview of a value of the lighting graph: it is the only light. If it depends on the light, it is summed over
 // them; else it counts once.
 void lower_shown(Lowering& lowering, GraphScope& material) {
-    const PortValue& shown = lowering.material.shown_value;
+    const format::PortValue& shown = lowering.material.shown_value;
     bool is_per_light = false;
     for (const bool of_lights : {true, false}) {
-        for (const SlotDecl& declared : lowering.session.paths->slots) {
+        for (const paths::SlotDecl& declared : lowering.session.paths->slots) {
             const std::size_t params = declared.function->params.size();
             if (declared.is_derived() || params == 0 || declared.light_param.has_value() != of_lights) continue;
             emit::Slot made{.function = {},
@@ -179,7 +179,7 @@ void lower_shown(Lowering& lowering, GraphScope& material) {
 }  // namespace
 
 void lower_slots(Lowering& lowering) {
-    std::vector<const Input*> members;
+    std::vector<const format::Input*> members;
     const ir::FunctionId surface = lowering.surface = lower_surface(lowering, members);
     const nodelang::Declarations& declarations = *lowering.session.declarations;
     const emit::Scope scope{.declarations = &declarations};
@@ -187,15 +187,15 @@ void lower_slots(Lowering& lowering) {
     ir::Function unused{};
     ir::Builder unused_builder(lowering.out.module, unused, lowering.emitter.options);
     GraphScope material(lowering, *lowering.material.graph, unused_builder, false);
-    const CheckedGraph& lighting = *lowering.material.lighting;
-    const SlotDecl* const sum = shown_sum(lowering);
+    const resolve::CheckedGraph& lighting = *lowering.material.lighting;
+    const paths::SlotDecl* const sum = shown_sum(lowering);
     const bool is_only_light = lowering.material.shown_value.value && !sum;
-    for (const SlotDecl& declared : lowering.session.paths->slots) {
+    for (const paths::SlotDecl& declared : lowering.session.paths->slots) {
         if (declared.is_derived()) continue;
         const FunctionDecl* slot = declared.function;
         emit::Slot made{.function = {}, .result = emit::type(lowering.emitter, slot->result, scope)};
         const auto output = std::find_if(lighting.graph->outputs.begin(), lighting.graph->outputs.end(),
-                                         [&](const PortValue& p) { return p.name == slot->name; });
+                                         [&](const format::PortValue& p) { return p.name == slot->name; });
         if (slot->params.empty()) {
             if (!surface) continue;
             made.function = lowering.setup = lower_setup(lowering, *slot, surface, members);
@@ -218,4 +218,4 @@ void lower_slots(Lowering& lowering) {
     if (is_only_light) lower_shown(lowering, material);
 }
 
-}  // namespace patina::graph
+}  // namespace patina::lower

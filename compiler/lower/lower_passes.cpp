@@ -8,7 +8,7 @@
 #include "compiler/ir/linear/linear_part.h"
 #include "compiler/lower/lowering.h"
 
-namespace patina::graph {
+namespace patina::lower {
 namespace {
 
 using ir::Op;
@@ -31,7 +31,7 @@ public:
         };
         const std::vector<std::string>& wanted = lowering_.session.request.passes;
         if (lowering_.material.pass) return lower_extra();
-        if (wanted.empty() && lowering_.session.request.path == kAllPaths) {
+        if (wanted.empty() && lowering_.session.request.path == resolve::kAllPaths) {
             lower_all();
         } else if (wanted.empty()) {
             lower_path(lowering_.session.path);
@@ -46,14 +46,14 @@ private:
     // --- selection of passes
 
     bool is_extra(std::string_view name) const {
-        const std::vector<ExtraPass>& passes = lowering_.material.graph->graph->passes;
-        return std::any_of(passes.begin(), passes.end(), [&](const ExtraPass& pass) { return pass.name == name; });
+        const std::vector<format::ExtraPass>& passes = lowering_.material.graph->graph->passes;
+        return std::any_of(passes.begin(), passes.end(), [&](const format::ExtraPass& pass) { return pass.name == name; });
     }
 
     void lower_extra() {
         Lowered& out = lowering_.out;
         out.path = lowering_.session.path;
-        const PassDecl* pass = paths_.pass_for_extra(out.path);
+        const paths::PassDecl* pass = paths_.pass_for_extra(out.path);
         const std::string& name = lowering_.material.pass->name;
         if (const Refusal refusal = pass ? lower_pass(*pass) : Refusal{"no pass has [extra]"})
             report(Code::PassRefused, refusal, name, refusal.reason);
@@ -61,10 +61,10 @@ private:
     }
 
     void named_pass(const std::string& name) {
-        const PassDecl* pass = paths_.pass(name);
+        const paths::PassDecl* pass = paths_.pass(name);
         if (!pass) {
             std::vector<std::string_view> known;
-            for (const PassDecl& each : paths_.passes) known.push_back(each.name);
+            for (const paths::PassDecl& each : paths_.passes) known.push_back(each.name);
             lowering_.session.diagnostics.report(Code::UnknownPass, {}, name)
                 .note(Diagnostics::suggestion(name, known));
         } else if (const Refusal refusal = lower_pass(*pass)) {
@@ -74,10 +74,10 @@ private:
 
     // Every pass that can draw the material.
     void lower_all() {
-        lowering_.out.path = kAllPaths;
+        lowering_.out.path = resolve::kAllPaths;
         for (const std::string_view path : paths_.names()) {
             begin_path();
-            for (const PassDecl* pass : optional_first(paths_.passes_of(path))) {
+            for (const paths::PassDecl* pass : optional_first(paths_.passes_of(path))) {
                 const Refusal refusal = lower_pass(*pass);
                 if (!refusal || refusal.is_vain || pass->is_optional || pass->state.fallback.empty()) continue;
                 lowering_.out.passes.resize(first_of_path_);  // the path cannot draw the material
@@ -89,8 +89,8 @@ private:
 
     // A pass may ask which other passes are drawn with it, so the optional ones are lowered first.
     void begin_path() { first_of_path_ = lowering_.out.passes.size(); }
-    static std::vector<const PassDecl*> optional_first(std::vector<const PassDecl*> passes) {
-        std::stable_partition(passes.begin(), passes.end(), [](const PassDecl* pass) { return pass->is_optional; });
+    static std::vector<const paths::PassDecl*> optional_first(std::vector<const paths::PassDecl*> passes) {
+        std::stable_partition(passes.begin(), passes.end(), [](const paths::PassDecl* pass) { return pass->is_optional; });
         return passes;
     }
     template <class Place>
@@ -104,18 +104,18 @@ private:
         out.passes.clear();
         out.path = path;
         begin_path();
-        std::vector<const PassDecl*> passes;
-        for (const SwitchDecl& each : paths_.switches) {
-            const PassDecl* brought = each.brings.empty() ? nullptr : paths_.pass(each.brings);
+        std::vector<const paths::PassDecl*> passes;
+        for (const paths::SwitchDecl& each : paths_.switches) {
+            const paths::PassDecl* brought = each.brings.empty() ? nullptr : paths_.pass(each.brings);
             const bool is_there = std::find(passes.begin(), passes.end(), brought) != passes.end();
             if (brought && !is_there && lowering_.is_on(each.variable->name) && brought->path != path)
                 passes.push_back(brought);
         }
         const std::size_t own = passes.size();
-        for (const PassDecl* pass : paths_.passes_of(path)) passes.push_back(pass);
-        std::vector<std::pair<const PassDecl*, Refusal>> left_out;  // told only if the path draws the material
+        for (const paths::PassDecl* pass : paths_.passes_of(path)) passes.push_back(pass);
+        std::vector<std::pair<const paths::PassDecl*, Refusal>> left_out;  // told only if the path draws the material
         std::set<std::string> told;                                 // one mistake may stop several passes
-        for (const PassDecl* pass : optional_first(passes)) {
+        for (const paths::PassDecl* pass : optional_first(passes)) {
             const Refusal refusal = lower_pass(*pass);
             if (refusal.is_news) left_out.emplace_back(pass, refusal);
             if (!refusal || refusal.is_news || refusal.is_vain || pass->is_optional) continue;
@@ -136,7 +136,7 @@ private:
         in_order_of([&](const LoweredPass& p) { return std::find(passes.begin(), passes.end(), p.declaration); });
     }
 
-    void report_left_out(const PassDecl& pass, Refusal refusal) {
+    void report_left_out(const paths::PassDecl& pass, Refusal refusal) {
         if (lowering_.session.diagnostics.has_errors()) return;
         if (refusal.advice.empty()) refusal.advice = pass.otherwise;
         report(Code::PassLeftOut, refusal, known_as(pass), refusal.reason);
@@ -166,19 +166,19 @@ private:
 
     // Every pass draws opaque surfaces: a material that chooses its kind has all passes.
     SurfaceKind surface() const {
-        const RenderState& render = lowering_.material.graph->graph->render;
+        const format::RenderState& render = lowering_.material.graph->graph->render;
         return render.is_overridable ? SurfaceKind::Opaque : render.surface;
     }
 
-    static bool draws_objects(const PassDecl& pass) { return pass.state.draws == PassDraws::Objects; }
+    static bool draws_objects(const paths::PassDecl& pass) { return pass.state.draws == PassDraws::Objects; }
 
-    bool has_blend(const PassDecl& pass) const {
+    bool has_blend(const paths::PassDecl& pass) const {
         return !draws_objects(pass) || blend_of(pass, surface()) || pass.blends.empty();
     }
 
     // The engine may read the depth or the lit colour that a pass leaves, so the pass must hold the nearest surface.
-    Refusal refusal_of_depth(const PassDecl& pass) const {
-        const RenderState& render = lowering_.material.graph->graph->render;
+    Refusal refusal_of_depth(const paths::PassDecl& pass) const {
+        const format::RenderState& render = lowering_.material.graph->graph->render;
         if (!has_own_passes() || !(pass.is_alone || pass.state.targets.empty()) || render.is_overridable) return {};
         const ir::Origin where{.span = {render.span.begin, render.span.begin + 1}};
         if (!render.depth_write.value_or(true))
@@ -192,9 +192,9 @@ private:
     }
 
     // Unlit materials look the same without this pass.
-    Refusal refusal_of_lighting(const PassDecl& pass) const {
-        const Graph& graph = *lowering_.material.graph->graph;
-        const LightingUse& use = graph.lighting;
+    Refusal refusal_of_lighting(const paths::PassDecl& pass) const {
+        const format::Graph& graph = *lowering_.material.graph->graph;
+        const format::LightingUse& use = graph.lighting;
         const Span inlined{use.span.begin, use.span.begin + 1};
         const std::vector<std::string>& paths = lowering_.session.engine.paths;
         const bool is_of_other = !pass.is_optional && !pass.along.empty() && pass.along.front() != paths.front();
@@ -209,18 +209,18 @@ private:
     }
 
     // True if another pass of the path draws the object again, once for each light.
-    bool is_drawn_again(const PassDecl& pass) const {
+    bool is_drawn_again(const paths::PassDecl& pass) const {
         if (lowering_.material.pass) return false;
-        const std::vector<const PassDecl*> others = paths_.passes_of(pass.path);
-        return std::any_of(others.begin(), others.end(), [&](const PassDecl* other) {
+        const std::vector<const paths::PassDecl*> others = paths_.passes_of(pass.path);
+        return std::any_of(others.begin(), others.end(), [&](const paths::PassDecl* other) {
             return draws_objects(*other) && other->state.each == PassEach::Light &&
                    other->state.lights != PassLights::Shadowed && has_blend(*other) && !vain_part(*other);
         });
     }
 
     // If a material states a stencil, the pass must not use the stencil itself, and only one pass may draw the object.
-    Refusal refusal_of_stencil(const PassDecl& pass) const {
-        const std::optional<StencilState>& stencil = lowering_.material.graph->graph->render.stencil;
+    Refusal refusal_of_stencil(const paths::PassDecl& pass) const {
+        const std::optional<format::StencilState>& stencil = lowering_.material.graph->graph->render.stencil;
         if (!stencil || !draws_objects(pass) || pass.state.targets.empty()) return {};
         const ir::Origin where{.span = {stencil->span.begin, stencil->span.begin + 1}};
         if (pass.has_stencil)
@@ -243,18 +243,18 @@ private:
     bool has_own_passes() const { return lowering_.session.engine.has_own_passes(); }
 
     // True if the pass leaves the picture as it is where its light is 0.
-    static bool only_adds(const PassDecl& pass) {
+    static bool only_adds(const paths::PassDecl& pass) {
         return pass.state.each == PassEach::Light ||
-               (!pass.blends.empty() && std::all_of(pass.blends.begin(), pass.blends.end(), [](const BlendRow& row) {
+               (!pass.blends.empty() && std::all_of(pass.blends.begin(), pass.blends.end(), [](const paths::BlendRow& row) {
                    return row.blend.destination == BlendFactor::One;
                }));
     }
 
     // The slot that a pass needs, if it is always 0: a pass that adds light, or that a material can be without.
-    std::optional<std::string_view> vain_part(const PassDecl& pass) const {
+    std::optional<std::string_view> vain_part(const paths::PassDecl& pass) const {
         if (!only_adds(pass) && !pass.is_optional) return {};
         for (const std::string_view name : pass.needs) {
-            const SlotDecl* slot = paths_.slot(name);
+            const paths::SlotDecl* slot = paths_.slot(name);
             if (!slot) continue;
             const DerivedSlot* part = slot->is_derived() ? &derived_slot(lowering_, *slot) : nullptr;
             if (part ? part->slot.function && part->is_zero : is_always_zero(name)) return name;
@@ -262,7 +262,7 @@ private:
         return {};
     }
 
-    Refusal lower_pass(const PassDecl& pass) {
+    Refusal lower_pass(const paths::PassDecl& pass) {
         if (!pass.vertex || !pass.fragment) return {};  // reported when its file was read
         if (!has_blend(pass))
             return {.reason = fmt::format("it does not draw '{}' surfaces", to_string(surface())),
@@ -273,13 +273,13 @@ private:
         const auto& models = pass.lighting;
         if (!models.empty() && std::find(models.begin(), models.end(), model) == models.end())
             return refusal_of_lighting(pass);
-        const std::vector<ExtraPass>& added = lowering_.material.graph->graph->passes;
+        const std::vector<format::ExtraPass>& added = lowering_.material.graph->graph->passes;
         if (pass.is_alone && !added.empty())
             return {.reason = fmt::format("where it is drawn, '{}' is not drawn", added.front().name),
                     .where = {.span = added.front().name_span},
                     .is_news = true};
         for (const std::string_view name : pass.needs) {
-            const SlotDecl* slot = paths_.slot(name);
+            const paths::SlotDecl* slot = paths_.slot(name);
             if (!slot) return {.reason = fmt::format("it needs '{}', which nothing provides", name)};
             const DerivedSlot* part = slot->is_derived() ? &derived_slot(lowering_, *slot) : nullptr;
             if (part && !part->slot.function) return {.reason = part->why_not, .where = part->where};
@@ -333,13 +333,13 @@ private:
 
     // A pass of the library that draws objects has every value in the fragment stage. For the vertex stage, and for a
     // pass that draws no object or lacks values, this must be checked.
-    bool may_be_refused(const PassDecl& pass) const {
+    bool may_be_refused(const paths::PassDecl& pass) const {
         return !draws_objects(pass) || !pass.holds.empty() || !pass.lacks.empty() || reads_of_pass_ ||
                lowering_.session.pass_file;
     }
 
     void lower_given_recipes(LoweredPass& pass) {
-        for (const GivenDecl& given : paths_.given) {
+        for (const paths::GivenDecl& given : paths_.given) {
             if (!given.is_for(*pass.declaration)) continue;
             if (given.variable) {
                 give_attribute(pass, given);
@@ -350,9 +350,9 @@ private:
         }
     }
 
-    void give_recipe(LoweredPass& pass, const GivenDecl& given, ir::SemanticId semantic) {
-        const SemanticSource source = paths_.semantics[semantic.index].source;
-        const bool is_interpolated = source == SemanticSource::Vertex || source == SemanticSource::Attribute;
+    void give_recipe(LoweredPass& pass, const paths::GivenDecl& given, ir::SemanticId semantic) {
+        const paths::SemanticSource source = paths_.semantics[semantic.index].source;
+        const bool is_interpolated = source == paths::SemanticSource::Vertex || source == paths::SemanticSource::Attribute;
         const bool is_at_vertices = is_interpolated && !given.is_of_fragment;
         const ir::FunctionId made = emit::semantic_function(
             lowering_.emitter, *given.function, *lowering_.session.declarations, environment_, is_at_vertices);
@@ -369,7 +369,7 @@ private:
     bool lower_given_functions(LoweredPass& pass) {
         const nodelang::Declarations& declarations = *lowering_.session.declarations;
         bool is_new = false;
-        for (const GivenDecl& given : paths_.given) {
+        for (const paths::GivenDecl& given : paths_.given) {
             if (!given.is_for(*pass.declaration) || given.variable || paths_.semantic_index.contains(given.what))
                 continue;
             const FunctionDecl* replaced = declarations.function(given.what);
@@ -380,7 +380,7 @@ private:
         return is_new && !lowering_.session.diagnostics.has_errors();
     }
 
-    bool give_function(LoweredPass& pass, const GivenDecl& given, const emit::InstanceInfo& instance) {
+    bool give_function(LoweredPass& pass, const paths::GivenDecl& given, const emit::InstanceInfo& instance) {
         if (std::any_of(pass.replaced.begin(), pass.replaced.end(),
                         [&](const Given<ir::FunctionId>& known) { return known.what == instance.id; }))
             return false;
@@ -410,11 +410,11 @@ private:
     }
 
     // declare() has declared a value of the engine for this one (declare.cpp).
-    void give_attribute(LoweredPass& pass, const GivenDecl& given) {
+    void give_attribute(LoweredPass& pass, const paths::GivenDecl& given) {
         const auto semantic = paths_.semantic_index.find(given.what);
         const auto global = emit::find_extern(lowering_.emitter.known, *given.variable);
         if (semantic == paths_.semantic_index.end() || !global) return;
-        if (paths_.semantics[semantic->second].source != SemanticSource::Attribute) return;
+        if (paths_.semantics[semantic->second].source != paths::SemanticSource::Attribute) return;
         pass.attributes.push_back({{semantic->second}, *global});
         lowering_.out.module.globals[global->index].from_bottom =
             lowering_.out.module.semantics[semantic->second].from_bottom;
@@ -433,7 +433,7 @@ private:
                 const unsigned answers = lowering_.emitter.instances.passing_answers();
                 const ir::FunctionId made = emit::semantic_function(lowering_.emitter, *recipe.declaration->function,
                                                                     *lowering_.session.declarations, environment_,
-                                                                    recipe.source == SemanticSource::Vertex);
+                                                                    recipe.source == paths::SemanticSource::Vertex);
                 if (!made) return;  // an error in the library or the user's file, which has been reported
                 if (lowering_.emitter.instances.passing_answers() != answers)
                     refuse_answers(*recipe.declaration->function);
@@ -452,7 +452,7 @@ private:
     // --- slots and [static] values that pass functions ask for
 
     const emit::Slot* slot_of(const FunctionDecl& slot, Span at) {
-        const SlotDecl* declared = paths_.slot(slot.name);
+        const paths::SlotDecl* declared = paths_.slot(slot.name);
         if (!declared || !declared->is_derived()) return nullptr;
         const DerivedSlot& part = derived_slot(lowering_, *declared);
         if (part.slot.function) return &part.slot;
@@ -466,22 +466,22 @@ private:
 
     std::optional<double> static_value(const VariableDecl& variable) {
         const auto asked = std::find_if(paths_.statics.begin(), paths_.statics.end(),
-                                        [&](const StaticDecl& each) { return each.variable == &variable; });
+                                        [&](const paths::StaticDecl& each) { return each.variable == &variable; });
         if (asked == paths_.statics.end() || !asked->is_of_passes()) return {};
         bool is_any = false;
         for (const std::string_view name : asked->words) is_any = holds(asked->about, name) || is_any;
         return is_any;
     }
 
-    bool holds(StaticDecl::About about, std::string_view name) {
-        if (about == StaticDecl::About::Pass) return is_drawn_with(name);
-        return about == StaticDecl::About::Slot ? has_slot(name) : lighting_reads(name);
+    bool holds(paths::StaticDecl::About about, std::string_view name) {
+        if (about == paths::StaticDecl::About::Pass) return is_drawn_with(name);
+        return about == paths::StaticDecl::About::Slot ? has_slot(name) : lighting_reads(name);
     }
 
     // True if the lighting graph reads this member of the surface.
     bool lighting_reads(std::string_view member) const {
         const ir::Module& module = lowering_.out.module;
-        return std::any_of(paths_.slots.begin(), paths_.slots.end(), [&](const SlotDecl& slot) {
+        return std::any_of(paths_.slots.begin(), paths_.slots.end(), [&](const paths::SlotDecl& slot) {
             const emit::Slot* made =
                 slot.is_derived() ? nullptr : emit::find_slot(lowering_.emitter.known, slot.name());
             if (!made || !made->function) return false;
@@ -502,7 +502,7 @@ private:
     }
 
     bool has_slot(std::string_view name) {
-        const SlotDecl* slot = paths_.slot(name);
+        const paths::SlotDecl* slot = paths_.slot(name);
         if (!slot) return false;
         if (!slot->is_derived()) return emit::find_slot(lowering_.emitter.known, name) && !is_always_zero(name);
         const DerivedSlot& part = derived_slot(lowering_, *slot);
@@ -511,10 +511,10 @@ private:
     }
 
     // Reports once what the material loses without the derived slot.
-    void remark(const SlotDecl& slot, const DerivedSlot& part) {
+    void remark(const paths::SlotDecl& slot, const DerivedSlot& part) {
         if (part.slot.function || part.is_of_missing || slot.otherwise.empty()) return;
         if (!remarked_.insert(slot.name()).second) return;
-        const PassDecl* pass = paths_.pass(pass_);
+        const paths::PassDecl* pass = paths_.pass(pass_);
         const std::string_view instead = pass ? pass->state.fallback : std::string_view();
         report(Code::PathLoses,
                {.reason = {},
@@ -526,7 +526,7 @@ private:
     }
 
     Lowering& lowering_;
-    const PathDeclarations& paths_;
+    const paths::PathDeclarations& paths_;
     LibraryEnvironment environment_;
     std::string_view pass_;          // the pass that is being lowered
     std::size_t first_of_path_ = 0;  // the first of the passes that are drawn together
@@ -539,8 +539,8 @@ private:
 }  // namespace
 
 // Where nothing is drawn into what they draw into, there is nothing to see of them.
-bool draws_extra(const Session& session, const Lowered& lowered) {
-    const PassDecl* extra = session.paths->pass_for_extra(session.path);
+bool draws_extra(const resolve::Session& session, const Lowered& lowered) {
+    const paths::PassDecl* extra = session.paths->pass_for_extra(session.path);
     const auto is_shared = [&](const RenderTarget& target) {
         return std::any_of(extra->state.targets.begin(), extra->state.targets.end(),
                            [&](const RenderTarget& other) { return other.name == target.name; });
@@ -555,4 +555,4 @@ void lower_passes(Lowering& lowering) {
     Passes(lowering).run();
 }
 
-}  // namespace patina::graph
+}  // namespace patina::lower

@@ -5,7 +5,7 @@
 
 #include "compiler/lower/lowering.h"
 
-namespace patina::graph {
+namespace patina::lower {
 
 using emit::Typed;
 using ir::Type;
@@ -32,19 +32,19 @@ Typed as_color(Lowering& lowering, Typed value, GraphScope& scope, Span span) {
 namespace {
 
 // The value of one surface input: as given, or converted from another input that gives it, or its default.
-Typed surface_value(Lowering& lowering, GraphScope& scope, std::span<const Input* const> inputs, const Input& input,
+Typed surface_value(Lowering& lowering, GraphScope& scope, std::span<const format::Input* const> inputs, const format::Input& input,
                     Type type) {
-    const std::vector<PortValue>& ports = lowering.material.graph->graph->surface;
-    const Material& material = lowering.material;
+    const std::vector<format::PortValue>& ports = lowering.material.graph->graph->surface;
+    const resolve::Material& material = lowering.material;
     const bool shows_input = material.is_preview && !material.shown_value.value && !material.shows_all_light;
-    for (const PortValue& port : ports) {
+    for (const format::PortValue& port : ports) {
         if (!shows_input) lowering.session.diagnostics.set_context("surface", port.name);
         if (port.name == input.name) {
             if (!port.value) return {};
             if (shows_input) return as_color(lowering, scope.value(*port.value), scope, port.value_span);
             return scope.value_as(port, type, fmt::format("the surface input '{}'", port.name));
         }
-        for (const Input* other : inputs) {
+        for (const format::Input* other : inputs) {
             if (other->name != port.name || other->gives != input.name || !other->as) continue;
             const Typed given =
                 scope.value_as(port, input_type(lowering, *other), fmt::format("the surface input '{}'", port.name));
@@ -64,7 +64,7 @@ Typed surface_value(Lowering& lowering, GraphScope& scope, std::span<const Input
 
 // The nodes that are emitted for the pixel: those that the surface reads without an interpolator, and those that
 // nothing reads, so that their errors are found.
-std::vector<bool> pixel_nodes(const CheckedGraph& graph) {
+std::vector<bool> pixel_nodes(const resolve::CheckedGraph& graph) {
     std::vector<bool> pixel(graph.nodes.size(), false), vertex = graph.reachable(graph.graph->vertex);
     const auto walk = [&](std::vector<std::uint32_t> work, std::vector<bool>& seen, bool stop_at_interpolators) {
         while (!work.empty()) {
@@ -72,24 +72,24 @@ std::vector<bool> pixel_nodes(const CheckedGraph& graph) {
             work.pop_back();
             if (seen[at]) continue;
             seen[at] = true;
-            if (stop_at_interpolators && graph.graph->nodes[at].stage == NodeStage::Vertex) continue;
+            if (stop_at_interpolators && graph.graph->nodes[at].stage == format::NodeStage::Vertex) continue;
             work.insert(work.end(), graph.nodes[at].reads.begin(), graph.nodes[at].reads.end());
         }
     };
     std::vector<std::uint32_t> roots;
-    for (const PortValue& port : graph.graph->surface) {
-        if (port.value) collect_reads(*port.value, graph, roots);
+    for (const format::PortValue& port : graph.graph->surface) {
+        if (port.value) resolve::collect_reads(*port.value, graph, roots);
     }
     walk(roots, pixel, true);
     for (std::uint32_t i = 0; i < graph.nodes.size(); ++i) {
-        if (graph.graph->nodes[i].stage == NodeStage::Vertex) walk({i}, vertex, false);
+        if (graph.graph->nodes[i].stage == format::NodeStage::Vertex) walk({i}, vertex, false);
     }
     for (std::size_t i = 0; i < pixel.size(); ++i) pixel[i] = pixel[i] || !vertex[i];
     return pixel;
 }
 
 // The place of the value that a surface input gets.
-Span span_of(std::span<const PortValue> ports, const Input& input) {
+Span span_of(std::span<const format::PortValue> ports, const format::Input& input) {
     const auto port = std::find_if(ports.begin(), ports.end(), [&](const auto& p) { return p.name == input.name; });
     return port == ports.end() ? input.name_span : port->name_span;
 }
@@ -97,9 +97,9 @@ Span span_of(std::span<const PortValue> ports, const Input& input) {
 }  // namespace
 
 // surface(): all values that the workflow and the lighting model take from the graph, in one struct.
-ir::FunctionId lower_surface(Lowering& lowering, std::vector<const Input*>& members) {
+ir::FunctionId lower_surface(Lowering& lowering, std::vector<const format::Input*>& members) {
     ir::Module& module = lowering.out.module;
-    const CheckedGraph& graph = *lowering.material.graph;
+    const resolve::CheckedGraph& graph = *lowering.material.graph;
     ir::Function function{};
     function.name = "surface";
     // Passes share one function for the surface, of the workflow's set-up and the graph.
@@ -111,8 +111,8 @@ ir::FunctionId lower_surface(Lowering& lowering, std::vector<const Input*>& memb
     ir::Struct made{.name = "Surface", .members = {}};
     std::vector<Value> values;
     bool good = true;
-    const std::vector<const Input*> inputs = lowering.material.surface_inputs();
-    for (const Input* input : inputs) {
+    const std::vector<const format::Input*> inputs = lowering.material.surface_inputs();
+    for (const format::Input* input : inputs) {
         if (!input->gives.empty()) continue;
         const Type type = input_type(lowering, *input);
         const Typed value = surface_value(lowering, scope, inputs, *input, type);
@@ -132,9 +132,9 @@ ir::FunctionId lower_surface(Lowering& lowering, std::vector<const Input*>& memb
 
 // lightingSurface(): the workflow's set-up, over the surface.
 ir::FunctionId lower_setup(Lowering& lowering, const FunctionDecl& slot, ir::FunctionId surface,
-                           std::span<const Input* const> members) {
+                           std::span<const format::Input* const> members) {
     ir::Module& module = lowering.out.module;
-    const CheckedGraph& workflow = *lowering.material.workflow;
+    const resolve::CheckedGraph& workflow = *lowering.material.workflow;
     ir::Function function{};
     function.name = slot.name;
     function.comment = nodelang::first_sentence(slot.doc);
@@ -153,13 +153,13 @@ ir::FunctionId lower_setup(Lowering& lowering, const FunctionDecl& slot, ir::Fun
     std::vector<Value> values;
     for (const ir::Member& member : std::vector<ir::Member>(module.structs[type.ref].members)) {
         const auto port = std::find_if(workflow.graph->surface.begin(), workflow.graph->surface.end(),
-                                       [&](const PortValue& p) { return p.name == member.name; });
+                                       [&](const format::PortValue& p) { return p.name == member.name; });
         Typed value;
         if (port != workflow.graph->surface.end()) {
             value = scope.value_as(*port, member.type, fmt::format("'{}'", member.name));
         } else {
             const auto input =
-                std::find_if(members.begin(), members.end(), [&](const Input* i) { return i->name == member.name; });
+                std::find_if(members.begin(), members.end(), [&](const format::Input* i) { return i->name == member.name; });
             if (input == members.end()) {
                 lowering.session.diagnostics.report(Code::MissingInput, workflow.graph->span, member.name,
                                                     workflow.graph->name);
@@ -179,4 +179,4 @@ ir::FunctionId lower_setup(Lowering& lowering, const FunctionDecl& slot, ir::Fun
     return add_function(module, std::move(function));
 }
 
-}  // namespace patina::graph
+}  // namespace patina::lower

@@ -4,10 +4,10 @@
 
 #include "compiler/lower/graph_scope.h"
 
-namespace patina::graph {
+namespace patina::lower {
 
 ir::FunctionId add_function(ir::Module& module, ir::Function function);
-ir::Type input_type(Lowering& lowering, const Input& input);
+ir::Type input_type(Lowering& lowering, const format::Input& input);
 // The type that a word of a graph means: "color3", "texture2d", "gradient".
 ir::Type type_of_word(Lowering& lowering, std::string_view word, Span span);
 
@@ -15,10 +15,10 @@ ir::Type type_of_word(Lowering& lowering, std::string_view word, Span span);
 emit::Typed as_color(Lowering& lowering, emit::Typed value, GraphScope& scope, Span span);
 // surface(): all values that the workflow and the lighting model take from the graph, in one struct. `members`: the
 // inputs behind its members.
-ir::FunctionId lower_surface(Lowering& lowering, std::vector<const Input*>& members);
+ir::FunctionId lower_surface(Lowering& lowering, std::vector<const format::Input*>& members);
 // lightingSurface(): the workflow's set-up, over the surface.
 ir::FunctionId lower_setup(Lowering& lowering, const nodelang::FunctionDecl& slot, ir::FunctionId surface,
-                           std::span<const Input* const> members);
+                           std::span<const format::Input* const> members);
 // The function of a lighting graph, in a material that does not set all inputs of the model: their defaults are
 // constants, and what they switch off is left out (unset_inputs.cpp). Its first parameter is the lighting surface.
 ir::Function without_unset_inputs(Lowering& lowering, ir::Function function);
@@ -28,7 +28,7 @@ void leave_out_unset_inputs(Lowering& lowering);
 void lower_slots(Lowering& lowering);
 
 // A derived slot (derived_slots.cpp).
-const DerivedSlot& derived_slot(Lowering& lowering, const SlotDecl& slot);
+const DerivedSlot& derived_slot(Lowering& lowering, const paths::SlotDecl& slot);
 // The members of the lighting surface that a pack slot stores.
 std::vector<std::string_view> packed_members(Lowering& lowering, std::string_view slot);
 
@@ -69,8 +69,8 @@ public:
             lowering_.session.diagnostics.report(Code::UnknownSemantic, span, name);
             return {};
         }
-        const SemanticDecl& semantic = lowering_.session.paths->semantics[found->second];
-        if (semantic.source == SemanticSource::Extern)
+        const paths::SemanticDecl& semantic = lowering_.session.paths->semantics[found->second];
+        if (semantic.source == paths::SemanticSource::Extern)
             return emit::extern_value(lowering_.emitter, *semantic.variable, scope);
         const ir::Type type = lowering_.out.module.semantics[found->second].type;
         return {.value = scope.builder->emit(ir::Op::Semantic, type, {}, found->second), .type = type};
@@ -80,4 +80,4 @@ private:
     Lowering& lowering_;
 };
 
-}  // namespace patina::graph
+}  // namespace patina::lower

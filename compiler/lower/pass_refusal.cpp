@@ -9,7 +9,7 @@
 #include "compiler/ir/linear/linear_part.h"
 #include "compiler/lower/lowering.h"
 
-namespace patina::graph {
+namespace patina::lower {
 namespace {
 
 using ir::FunctionId;
@@ -80,7 +80,7 @@ private:
 
     // Who reads the value, in words: a slot that a graph gives. A slot without parameters is the surface itself.
     std::string said(const Place& place) const {
-        const SlotDecl* slot = lowering_.session.paths->slot(place.slot);
+        const paths::SlotDecl* slot = lowering_.session.paths->slot(place.slot);
         while (slot && slot->is_derived() && !slot->of.empty()) slot = lowering_.session.paths->slot(slot->of);
         if (slot && slot->function->params.empty()) return "the surface";
         return fmt::format("'{}'", slot ? slot->name() : place.slot);
@@ -110,17 +110,17 @@ private:
         const nodelang::VariableDecl* variable = recipe.declaration ? recipe.declaration->variable : nullptr;
         if (is_lacking(module_.semantics[id.index].name, variable, fmt::format("@{}", name), place)) return;
         const ir::Builtin builtin = recipe.declaration ? recipe.declaration->builtin : ir::Builtin::None;
-        const bool is_interpolated = recipe.source == SemanticSource::Vertex ||
-                                     recipe.source == SemanticSource::Attribute ||
+        const bool is_interpolated = recipe.source == paths::SemanticSource::Vertex ||
+                                     recipe.source == paths::SemanticSource::Attribute ||
                                      builtin == ir::Builtin::InstanceIndex;  // which the vertex stage passes on
         if (is_interpolated && is_graph(place) && !draws_objects())
             return refuse(place, fmt::format("{} reads '@{}', which the pass cannot provide", said(place), name));
         if (builtin == ir::Builtin::FragCoord && is_graph(place) && place.at_vertex)
             return refuse(place, fmt::format("{} reads '@{}', which vertices do not have", said(place), name));
-        if (recipe.source == SemanticSource::Builtin && !is_graph(place)) check_builtin(*recipe.declaration, place);
+        if (recipe.source == paths::SemanticSource::Builtin && !is_graph(place)) check_builtin(*recipe.declaration, place);
         if (!recipe.recipe) return;
         if (recipe.declaration && !place.is_given) inside.span = recipe.declaration->function->name_span;
-        inside.at_vertex = place.at_vertex || recipe.source == SemanticSource::Vertex;
+        inside.at_vertex = place.at_vertex || recipe.source == paths::SemanticSource::Vertex;
         visit(recipe.recipe, inside);
     }
 
@@ -139,7 +139,7 @@ private:
     }
 
     // A pass file may read a value that its stage does not have.
-    void check_builtin(const SemanticDecl& semantic, const Place& place) {
+    void check_builtin(const paths::SemanticDecl& semantic, const Place& place) {
         const bool is_of_pixel = semantic.builtin == ir::Builtin::FragCoord;
         const bool is_of_vertex =
             semantic.builtin == ir::Builtin::VertexIndex || semantic.builtin == ir::Builtin::InstanceIndex;
@@ -172,7 +172,7 @@ private:
     bool is_lacking(std::string_view name, const nodelang::VariableDecl* variable, std::string_view shown,
                     const Place& place) {
         if (!is_graph(place)) return false;
-        const ExternDecl* value = lowering_.session.paths->extern_of(variable);
+        const paths::ExternDecl* value = lowering_.session.paths->extern_of(variable);
         const auto is_it = [&](std::string_view word) {
             return word == name || (value && !word.empty() && (word == value->block || word == value->reads));
         };
@@ -181,7 +181,7 @@ private:
             if (std::none_of(row.begin(), row.end(), is_it) || std::any_of(row.begin(), row.end(), is_on)) continue;
             refuse(place, fmt::format("{} reads '{}', which the pass cannot provide", said(place), shown));
             for (const std::string_view word : row) {
-                const SwitchDecl* off = lowering_.session.paths->switch_named(word);
+                const paths::SwitchDecl* off = lowering_.session.paths->switch_named(word);
                 if (off && refusal_.advice.empty()) refusal_.advice = off->otherwise;
             }
             return true;
@@ -207,7 +207,7 @@ private:
 
     // A path that stores whatever members a lighting graph reads.
     std::string roomier_path() const {
-        for (const PassDecl& each : lowering_.session.paths->passes) {
+        for (const paths::PassDecl& each : lowering_.session.paths->passes) {
             const bool packs = std::any_of(each.holds.begin(), each.holds.end(),
                                            [&](std::string_view name) { return lowering_.is_packing(name); });
             if (packs && each.path != declaration_.path)
@@ -229,7 +229,7 @@ private:
     Lowering& lowering_;
     const ir::Module& module_;
     const LoweredPass& pass_;
-    const PassDecl& declaration_;
+    const paths::PassDecl& declaration_;
     Refusal refusal_;
     std::set<std::tuple<std::uint32_t, bool, bool>> seen_;
     std::vector<SemanticId> giving_;
@@ -243,4 +243,4 @@ Refusal refusal_of(Lowering& lowering, const LoweredPass& pass) {
     return Walk(lowering, pass).run();
 }
 
-}  // namespace patina::graph
+}  // namespace patina::lower

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace patina::graph {
+namespace patina::lower {
 namespace {
 
 bool is_texture(const ir::Global& global) {
@@ -77,4 +77,4 @@ std::vector<SetShifts> place_globals(ir::Module& module, const engines::Engine& 
     return shifts;
 }
 
-}  // namespace patina::graph
+}  // namespace patina::lower

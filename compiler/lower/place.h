@@ -5,7 +5,7 @@
 #include "compiler/ir/ir.h"
 #include "compiler/lower/declare.h"
 
-namespace patina::graph {
+namespace patina::lower {
 
 // binding = HLSL register + shift, in a set.
 struct SetShifts {
@@ -17,4 +17,4 @@ struct SetShifts {
 // has, in the order of the owners: engine, material, targets.
 std::vector<SetShifts> place_globals(ir::Module& module, const engines::Engine& engine, const Numbering& numbering);
 
-}  // namespace patina::graph
+}  // namespace patina::lower

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace patina::graph {
+namespace patina::lower {
 namespace {
 
 using nodelang::Expr;
@@ -12,23 +12,23 @@ bool reads_property(const Expr& expr) {
            std::any_of(expr.args.begin(), expr.args.end(), [](const Expr* each) { return reads_property(*each); });
 }
 
-bool has_linked_defaults(const Graph& graph) {
+bool has_linked_defaults(const format::Graph& graph) {
     return std::any_of(graph.inputs.begin(), graph.inputs.end(),
-                       [](const Input& input) { return input.value && reads_property(*input.value); });
+                       [](const format::Input& input) { return input.value && reads_property(*input.value); });
 }
 
 // True if the graph pins a node to the vertex stage, itself or in a sub-graph.
-bool visit(const CheckedGraph& graph, AllSubgraphUses& all) {
+bool visit(const resolve::CheckedGraph& graph, AllSubgraphUses& all) {
     bool has_pinned_node = false;
     for (std::size_t i = 0; i < graph.nodes.size(); ++i) {
-        const Node& node = graph.graph->nodes[i];
-        has_pinned_node |= node.stage == NodeStage::Vertex;
-        const CheckedGraph* inside = graph.nodes[i].subgraph;
+        const format::Node& node = graph.graph->nodes[i];
+        has_pinned_node |= node.stage == format::NodeStage::Vertex;
+        const resolve::CheckedGraph* inside = graph.nodes[i].subgraph;
         if (!inside) continue;
         const auto [found, is_new] = all.try_emplace(inside);
         SubgraphUses& uses = found->second;
         ++uses.sites;
-        for (const PortValue& port : node.inputs) uses.given.insert(port.name);
+        for (const format::PortValue& port : node.inputs) uses.given.insert(port.name);
         if (is_new) {
             uses.has_pinned_node = visit(*inside, all);
             uses.has_linked_defaults = has_linked_defaults(*inside->graph);
@@ -40,16 +40,16 @@ bool visit(const CheckedGraph& graph, AllSubgraphUses& all) {
 
 }  // namespace
 
-AllSubgraphUses subgraph_uses(const Material& material) {
+AllSubgraphUses subgraph_uses(const resolve::Material& material) {
     AllSubgraphUses all;
-    for (const CheckedGraph* graph : {material.graph, material.workflow, material.lighting}) {
+    for (const resolve::CheckedGraph* graph : {material.graph, material.workflow, material.lighting}) {
         if (graph) visit(*graph, all);
     }
     return all;
 }
 
-bool is_never_given(const SubgraphUses& uses, const Input& input) {
+bool is_never_given(const SubgraphUses& uses, const format::Input& input) {
     return input.value && !uses.has_linked_defaults && !uses.given.contains(input.name);
 }
 
-}  // namespace patina::graph
+}  // namespace patina::lower

@@ -9,7 +9,7 @@
 
 #include "compiler/resolve/material.h"
 
-namespace patina::graph {
+namespace patina::lower {
 
 struct SubgraphUses {
     std::size_t sites = 0;                       // nodes that use it, in all graphs of the material
@@ -17,10 +17,10 @@ struct SubgraphUses {
     bool has_pinned_node = false;                // "stage": "vertex", in it or in a sub-graph of it
     bool has_linked_defaults = false;            // the default of an input reads a property or another input
 };
-using AllSubgraphUses = std::map<const CheckedGraph*, SubgraphUses>;
+using AllSubgraphUses = std::map<const resolve::CheckedGraph*, SubgraphUses>;
 
-AllSubgraphUses subgraph_uses(const Material& material);
+AllSubgraphUses subgraph_uses(const resolve::Material& material);
 // True if the input has its default wherever the sub-graph is used, and that needs nothing from there.
-bool is_never_given(const SubgraphUses& uses, const Input& input);
+bool is_never_given(const SubgraphUses& uses, const format::Input& input);
 
-}  // namespace patina::graph
+}  // namespace patina::lower

@@ -8,7 +8,7 @@
 #include "compiler/ir/liveness.h"
 #include "compiler/lower/lowering.h"
 
-namespace patina::graph {
+namespace patina::lower {
 
 using ir::Op;
 using ir::Value;
@@ -32,13 +32,13 @@ std::vector<double> numbers_of(const Expr& value, ir::Type type) {
 // its workflow gives it.
 std::map<std::uint32_t, std::vector<double>> unset_members(const Lowering& lowering, ir::Type surface) {
     std::map<std::uint32_t, std::vector<double>> unset;
-    const std::vector<PortValue>& set = lowering.material.graph->graph->surface;
+    const std::vector<format::PortValue>& set = lowering.material.graph->graph->surface;
     const std::vector<ir::Member>& members = lowering.out.module.structs[surface.ref].members;
-    for (const Input& input : lowering.material.lighting->graph->inputs) {
-        const PortValue* given = lowering.material.given_by_workflow(input);
+    for (const format::Input& input : lowering.material.lighting->graph->inputs) {
+        const format::PortValue* given = lowering.material.given_by_workflow(input);
         const auto& value = given ? given->value : input.value;
         if (!value) continue;
-        if (!given && std::any_of(set.begin(), set.end(), [&](const PortValue& p) { return p.name == input.name; }))
+        if (!given && std::any_of(set.begin(), set.end(), [&](const format::PortValue& p) { return p.name == input.name; }))
             continue;
         const auto member =
             std::find_if(members.begin(), members.end(), [&](const ir::Member& m) { return m.name == input.name; });
@@ -190,9 +190,9 @@ void leave_out_unset_inputs(Lowering& lowering) {
     ir::Module& module = lowering.out.module;
     if (!lowering.setup) return;
     const ir::Type lit = module[lowering.setup].result, given = module[lowering.surface].result;
-    const std::vector<PortValue>& set = lowering.material.graph->graph->surface;
-    for (const Input& input : lowering.material.lighting->graph->inputs) {
-        if (std::any_of(set.begin(), set.end(), [&](const PortValue& p) { return p.name == input.name; })) continue;
+    const std::vector<format::PortValue>& set = lowering.material.graph->graph->surface;
+    for (const format::Input& input : lowering.material.lighting->graph->inputs) {
+        if (std::any_of(set.begin(), set.end(), [&](const format::PortValue& p) { return p.name == input.name; })) continue;
         const auto place = member_named(module, lit, input.name), source = member_named(module, given, input.name);
         const bool has_source = source || lowering.material.given_by_workflow(input);
         if (!place || !has_source || !module.structs[lit.ref].members[*place].type.is_numeric()) continue;
@@ -218,4 +218,4 @@ ir::Function without_unset_inputs(Lowering& lowering, ir::Function function) {
     return copied(module, lowering.emitter.options, std::move(settled), &live, {});
 }
 
-}  // namespace patina::graph
+}  // namespace patina::lower

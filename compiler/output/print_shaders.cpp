@@ -64,14 +64,14 @@ private:
 
 // What the file names begin with. Engines may share a language, and their files must differ in name.
 std::string base_name(const Compiled& compiled) {
-    const graph::Session& session = compiled.session;
+    const resolve::Session& session = compiled.session;
     const bool is_default = session.engine.name == session.library.default_engine;
     return is_default ? compiled.name : fmt::format("{}.{}", compiled.name, session.engine.name);
 }
 
 // --- a file for each stage
 
-TextPrinter stage_printer(const graph::Session& session, const ir::Module& tidied, Stage stage, const std::string& pass,
+TextPrinter stage_printer(const resolve::Session& session, const ir::Module& tidied, Stage stage, const std::string& pass,
                           const std::string& name) {
     return TextPrinter({.tidied = tidied,
                         .pass = pass,
@@ -82,7 +82,7 @@ TextPrinter stage_printer(const graph::Session& session, const ir::Module& tidie
 }
 
 // Reports that the texts are more than the program allows. Those that are too many are never made.
-bool is_over_bytes(graph::Session& session, const Result& result) {
+bool is_over_bytes(resolve::Session& session, const Result& result) {
     std::size_t bytes = 0;
     for (const Shader& shader : result.shaders) bytes += shader.text.size();
     const std::size_t most = session.options.limits.shader_bytes;
@@ -92,26 +92,26 @@ bool is_over_bytes(graph::Session& session, const Result& result) {
     return true;
 }
 
-void print_pass(graph::Session& session, const LinkedPass& pass, const std::string& name, Result& result) {
+void print_pass(resolve::Session& session, const LinkedPass& pass, const std::string& name, Result& result) {
     TextPrinter vertex = stage_printer(session, pass.vertex, Stage::Vertex, pass.pass->name, name);
     TextPrinter fragment = stage_printer(session, pass.fragment, Stage::Fragment, pass.pass->name, name);
     for (const Target& target : session.options.targets) {
-        if (graph::must_stop(session) || is_over_bytes(session, result)) return;
+        if (resolve::must_stop(session) || is_over_bytes(session, result)) return;
         result.shaders.push_back(vertex.print(target, result.reflection, session.sources));
         result.shaders.push_back(fragment.print(target, result.reflection, session.sources));
     }
 }
 
-bool accepts_all(graph::Session&) {
+bool accepts_all(resolve::Session&) {
     return true;
 }
-bool takes_all(graph::Session&, const link::Linked&, const LinkedPass&) {
+bool takes_all(resolve::Session&, const link::Linked&, const LinkedPass&) {
     return true;
 }
 void keep_order(std::vector<LinkedPass>&) {}
 void check_nothing(const Compiled&, const Reflection&) {}
 
-void name_interface(const graph::Session&, graph::Lowered& lowered) {
+void name_interface(const resolve::Session&, lower::Lowered& lowered) {
     link::name_interface(lowered.module);
 }
 
@@ -129,7 +129,7 @@ const Target* without_preprocessor(const std::vector<Target>& targets) {
 }
 
 // True if the prefix can begin the names of functions, and the engine takes functions.
-bool accepts_functions(graph::Session& session) {
+bool accepts_functions(resolve::Session& session) {
     const std::string& prefix = *session.request.functions;
     if (session.engine.is_one_file()) {
         session.diagnostics.report(Code::NotYet, {},
@@ -147,13 +147,13 @@ bool accepts_functions(graph::Session& session) {
     return !session.diagnostics.has_errors();
 }
 
-void name_functions(const graph::Session& session, graph::Lowered& lowered) {
+void name_functions(const resolve::Session& session, lower::Lowered& lowered) {
     link::prefix_interface(lowered.module, *session.request.functions);
     link::name_interface(lowered.module);
 }
 
 void write_functions(const Compiled& compiled, Result& result) {
-    const graph::Session& session = compiled.session;
+    const resolve::Session& session = compiled.session;
     const std::string& prefix = *session.request.functions;
     const std::uint32_t set = session.engine.places_of(ir::Group::Material).set;
     for (const Stage stage : {Stage::Vertex, Stage::Fragment}) {

@@ -17,7 +17,7 @@ namespace patina::output {
 
 using link::LinkedPass;
 
-using graph::Property;
+using format::Property;
 
 namespace {
 
@@ -30,7 +30,7 @@ bool is_texture(const ir::Global& global) {
 }
 
 // True if each instance has its own value of the member.
-bool is_of_instance(const graph::Lowered& lowered, const ir::UniformBlock& block, std::size_t member) {
+bool is_of_instance(const lower::Lowered& lowered, const ir::UniformBlock& block, std::size_t member) {
     const ir::Module& module = lowered.module;
     return std::any_of(lowered.instance_globals.begin(), lowered.instance_globals.end(), [&](std::uint32_t each) {
         const ir::Global& global = module.globals[each];
@@ -44,7 +44,7 @@ ValueType value_type(const ir::Module& module, const ir::Type& type) {
     return found.value_or(ValueType::Float);
 }
 
-Block reflect_block(const graph::Lowered& lowered, const ir::UniformBlock& block) {
+Block reflect_block(const lower::Lowered& lowered, const ir::UniformBlock& block) {
     const ir::Module& module = lowered.module;
     Block made{.name = block.name,
                .is_material = block.group == ir::Group::Material,
@@ -56,7 +56,7 @@ Block reflect_block(const graph::Lowered& lowered, const ir::UniformBlock& block
                .members = {}};
     for (const ir::BlockMember& member : block.members) {
         const bool is_array = member.type.kind == ir::Kind::Array;
-        const graph::Extent extent = graph::extent(module, member.type);
+        const lower::Extent extent = lower::extent(module, member.type);
         const ir::Type element = is_array ? module.arrays[member.type.ref].element : member.type;
         made.members.push_back({.name = member.name,
                                 .type = value_type(module, element),
@@ -80,7 +80,7 @@ std::string path_from_graph(const std::string& file, const std::string& graph) {
     return relative.find_first_of("./") == relative.npos ? "./" + relative : relative;  // "white" means a default
 }
 
-void set_default(Texture& texture, const graph::MaterialProperty& entry, const std::string& graph,
+void set_default(Texture& texture, const resolve::MaterialProperty& entry, const std::string& graph,
                  const FileSystem& files) {
     texture.default_texture = from_word<TextureDefault>(entry.texture_path).value_or(TextureDefault::White);
     if (!entry.is_file) return;
@@ -112,8 +112,8 @@ Texture bound_texture(const ir::Global& texture, const ir::Global& sampler) {
             .sampler = {.wrap = Wrap::Clamp}};
 }
 
-Texture reflect_texture(const ir::Module& module, const graph::MaterialProperty& entry,
-                        const graph::PropertyGlobals& globals, const std::string& graph, const FileSystem& files,
+Texture reflect_texture(const ir::Module& module, const resolve::MaterialProperty& entry,
+                        const lower::PropertyGlobals& globals, const std::string& graph, const FileSystem& files,
                         const SourceMap& sources) {
     const Property& property = *entry.property;
     Texture made = bound_texture(module.globals[globals.texture.index], module.globals[globals.sampler.index]);
@@ -125,12 +125,12 @@ Texture reflect_texture(const ir::Module& module, const graph::MaterialProperty&
     made.grid = property.grid;
     made.handedness = property.handedness;
     made.swizzle = property.swizzle;
-    made.place = graph::place_of(sources, property.name_span);
+    made.place = format::place_of(sources, property.name_span);
     return made;
 }
 
-patina::Property reflect_property(const ir::Module& module, const graph::MaterialProperty& entry,
-                                  const graph::PropertyGlobals& globals) {
+patina::Property reflect_property(const ir::Module& module, const resolve::MaterialProperty& entry,
+                                  const lower::PropertyGlobals& globals) {
     const Property& property = *entry.property;
     patina::Property made{.name = property.name,
                           .identifier = property.name,
@@ -148,7 +148,7 @@ patina::Property reflect_property(const ir::Module& module, const graph::Materia
                           .block = {},
                           .offset = 0,
                           .size = 0};
-    if (graph::is_keyword(property.binding)) made.value = {entry.chosen};
+    if (format::is_keyword(property.binding)) made.value = {entry.chosen};
     if (globals.keyword) {
         made.identifier = module.globals[globals.keyword.index].name;
         made.constant_id = module.keywords[module.globals[globals.keyword.index].keyword].constant_id;
@@ -162,16 +162,16 @@ patina::Property reflect_property(const ir::Module& module, const graph::Materia
         made.block = module.blocks[global.block].name;
         made.offset = member.offset;
         const bool is_of_instances = member.type.kind == ir::Kind::Array && !is_array(property.type);
-        const graph::Extent extent = graph::extent(module, member.type);
-        made.size = is_of_instances ? graph::extent(module, module.arrays[member.type.ref].element).size : extent.size;
+        const lower::Extent extent = lower::extent(module, member.type);
+        made.size = is_of_instances ? lower::extent(module, module.arrays[member.type.ref].element).size : extent.size;
         made.instance_stride = is_of_instances ? extent.stride : 0;
     }
     return made;
 }
 
 // Of a property that is a sampler, or of a sampler that is named at a port.
-BoundSampler reflect_sampler(const ir::Module& module, const graph::MaterialProperty& entry,
-                             const graph::PropertyGlobals& globals) {
+BoundSampler reflect_sampler(const ir::Module& module, const resolve::MaterialProperty& entry,
+                             const lower::PropertyGlobals& globals) {
     const ir::Global& sampler = module.globals[globals.sampler.index];
     return {.name = entry.property->name,
             .identifier = sampler.name,
@@ -209,7 +209,7 @@ const SurfaceRow& row_of(SurfaceKind kind) {
 
 // The depth test of a pass that draws an object again for each light: equal to the depth that the first pass left. If
 // the material writes no depth, it is the material's test.
-Compare depth_test_of_repetition(const graph::RenderState& render, bool writes, Compare stated) {
+Compare depth_test_of_repetition(const format::RenderState& render, bool writes, Compare stated) {
     const Compare test = render.depth_test.value_or(Compare::LessEqual);
     using enum Compare;
     if (!writes || test == Never) return test;
@@ -222,7 +222,7 @@ bool is_repetition(const Pass& pass) {
 
 // The material's stencil, for passes that draw objects in colour and state none. A pass that repeats the object for
 // each light does not write it, because the pass before has done so.
-Stencil reflect_stencil(const graph::StencilState& stencil, bool is_repetition) {
+Stencil reflect_stencil(const format::StencilState& stencil, bool is_repetition) {
     Stencil made{.test = stencil.test,
                  .value = stencil.reference,
                  .read_mask = stencil.read_mask,
@@ -234,7 +234,7 @@ Stencil reflect_stencil(const graph::StencilState& stencil, bool is_repetition) 
     return made;
 }
 
-void set_object_state(Pass& pass, const graph::PassDecl& declaration, const graph::RenderState& render) {
+void set_object_state(Pass& pass, const paths::PassDecl& declaration, const format::RenderState& render) {
     const SurfaceRow& surface = row_of(render.surface);
     const bool writes = render.depth_write.value_or(surface.depth_write);
     if (!declaration.has_cull) pass.cull = render.cull;
@@ -275,7 +275,7 @@ void reverse_depth(Pass& pass) {
 }
 
 // By global: true if the stage reads it.
-std::vector<bool> used_by(const ir::Module& stage, const graph::Lowered& lowered) {
+std::vector<bool> used_by(const ir::Module& stage, const lower::Lowered& lowered) {
     std::vector<bool> used(lowered.module.globals.size(), false);
     if (!lowered.keeps_functions) {
         mark_used(stage, used);
@@ -288,7 +288,7 @@ std::vector<bool> used_by(const ir::Module& stage, const graph::Lowered& lowered
 }
 
 // The names of the blocks with a member that is used.
-std::vector<std::string> blocks_read(const graph::Lowered& lowered, const std::vector<bool>& used) {
+std::vector<std::string> blocks_read(const lower::Lowered& lowered, const std::vector<bool>& used) {
     std::vector<std::string> names;
     for (std::uint32_t block = 0; block < lowered.module.blocks.size(); ++block) {
         for (std::size_t i = 0; i < used.size(); ++i) {
@@ -301,10 +301,10 @@ std::vector<std::string> blocks_read(const graph::Lowered& lowered, const std::v
 }
 
 Pass reflect_pass(const LinkedPass& linked) {
-    const graph::Material& material = *linked.material;
-    const graph::Lowered& lowered = *linked.lowered;
-    const graph::RenderState& render = material.graph->graph->render;
-    const graph::PassDecl& declaration = *linked.pass->declaration;
+    const resolve::Material& material = *linked.material;
+    const lower::Lowered& lowered = *linked.lowered;
+    const format::RenderState& render = material.graph->graph->render;
+    const paths::PassDecl& declaration = *linked.pass->declaration;
     Pass pass = declaration.state;
     pass.name = linked.pass->name;
     pass.targets.resize(pass.targets.size() - linked.left_out);
@@ -317,7 +317,7 @@ Pass reflect_pass(const LinkedPass& linked) {
     }
     if (pass.draws == PassDraws::Objects) set_object_state(pass, declaration, render);
     if (lowered.clip_depth == ClipDepth::Reversed && pass.lights != PassLights::Shadowed) reverse_depth(pass);
-    if (const graph::BlendRow* blend = graph::blend_of(declaration, render.surface)) {
+    if (const paths::BlendRow* blend = lower::blend_of(declaration, render.surface)) {
         for (RenderTarget& target : pass.targets) target.blend = blend->blend;
     }
     for (const ir::StageVariable& input : linked.vertex.stage.inputs) {
@@ -344,7 +344,7 @@ Pass reflect_pass(const LinkedPass& linked) {
     }
     for (std::size_t i = 0; i < material.properties.size(); ++i) {
         const std::string& name = material.properties[i].property->name;
-        const graph::PropertyGlobals& globals = lowered.property_globals[i];
+        const lower::PropertyGlobals& globals = lowered.property_globals[i];
         if (globals.texture) read(pass.textures, globals.texture.index, name);
         if (globals.sampler && !globals.texture) read(pass.samplers, globals.sampler.index, name);
         if (globals.keyword && either[globals.keyword.index]) pass.keywords.push_back(name);
@@ -382,7 +382,7 @@ std::vector<SetLayout> set_layouts(const Reflection& reflection) {
 
 }  // namespace
 
-int queue_of(const graph::RenderState& render) {
+int queue_of(const format::RenderState& render) {
     return render.queue.value_or(row_of(render.surface).queue);
 }
 
@@ -394,9 +394,9 @@ bool is_bound(const Reflection& reflection, std::uint32_t set) {
            std::any_of(reflection.samplers.begin(), reflection.samplers.end(), is_there);
 }
 
-Reflection reflect(const graph::Material& material, const graph::Lowered& lowered, std::span<const LinkedPass> passes,
-                   const graph::Session& session) {
-    const graph::Graph& graph = *material.graph->graph;
+Reflection reflect(const resolve::Material& material, const lower::Lowered& lowered, std::span<const LinkedPass> passes,
+                   const resolve::Session& session) {
+    const format::Graph& graph = *material.graph->graph;
     Reflection made;
     made.name = graph.name;
     made.workflow = graph.workflow;
@@ -415,7 +415,7 @@ Reflection reflect(const graph::Material& material, const graph::Lowered& lowere
         if (has_engine || block.group == ir::Group::Material) made.blocks.push_back(reflect_block(lowered, block));
     }
     for (std::size_t i = 0; i < material.properties.size(); ++i) {
-        const graph::MaterialProperty& entry = material.properties[i];
+        const resolve::MaterialProperty& entry = material.properties[i];
         if (entry.property->type == PropertyType::Sampler)
             made.samplers.push_back(reflect_sampler(lowered.module, entry, lowered.property_globals[i]));
         if (entry.property->type == PropertyType::Sampler && entry.is_at_port) continue;  // nothing can set it
@@ -454,7 +454,7 @@ Reflection reflect(const graph::Material& material, const graph::Lowered& lowere
             made.textures.back().sampler.filter = Filter::Nearest;
         }
     }
-    for (const graph::SetShifts& shift : lowered.shifts) {
+    for (const lower::SetShifts& shift : lowered.shifts) {
         if (shift.set == lowered.target_set && !is_bound(made, shift.set)) continue;
         made.hlsl_shifts.push_back(
             {.set = shift.set, .textures = shift.textures, .samplers = shift.samplers, .buffers = shift.buffers});

@@ -8,10 +8,10 @@
 namespace patina::output {
 
 // `material` and `lowered` are those of the material itself. `passes`: its own and its extra passes.
-Reflection reflect(const graph::Material& material, const graph::Lowered& lowered,
-                   std::span<const link::LinkedPass> passes, const graph::Session& session);
+Reflection reflect(const resolve::Material& material, const lower::Lowered& lowered,
+                   std::span<const link::LinkedPass> passes, const resolve::Session& session);
 
 // The material's queue: the one that it states, or that of its kind of surface.
-int queue_of(const graph::RenderState& render);
+int queue_of(const format::RenderState& render);
 
 }  // namespace patina::output

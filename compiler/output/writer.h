@@ -14,9 +14,9 @@ namespace patina::output {
 
 // The input of a writer: a compiled material.
 struct Compiled {
-    graph::Session& session;
-    const graph::Material& material;
-    const graph::Lowered& lowered;
+    resolve::Session& session;
+    const resolve::Material& material;
+    const lower::Lowered& lowered;
     std::span<const link::LinkedPass> passes;
     const link::Linked& linked;  // of the material itself
     std::string name;            // of its files, without extensions
@@ -25,11 +25,11 @@ struct Compiled {
 struct Writer {
     std::string_view format;  // as engine.json names it
     // Returns whether it can write what the options request; otherwise reports why.
-    bool (*accepts)(graph::Session& session) = nullptr;
+    bool (*accepts)(resolve::Session& session) = nullptr;
     // Names the values that the shaders share with their host.
-    void (*name)(const graph::Session& session, graph::Lowered& lowered) = nullptr;
+    void (*name)(const resolve::Session& session, lower::Lowered& lowered) = nullptr;
     // Returns whether the pass can be drawn; otherwise reports why, and the pass is left out.
-    bool (*takes)(graph::Session& session, const link::Linked& linked, const link::LinkedPass& pass) = nullptr;
+    bool (*takes)(resolve::Session& session, const link::Linked& linked, const link::LinkedPass& pass) = nullptr;
     // Puts the passes into the order in which the file holds them.
     void (*order)(std::vector<link::LinkedPass>& passes) = nullptr;
     // Reports what the files cannot express.

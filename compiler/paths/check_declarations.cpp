@@ -9,7 +9,7 @@
 #include "compiler/ir/texture_kinds.h"
 #include "compiler/paths/declaration_check.h"
 
-namespace patina::graph {
+namespace patina::paths {
 namespace {
 
 using nodelang::Attribute;
@@ -143,13 +143,13 @@ private:
         one_of(key, words_of(static_words()), "a query of [static]");
         for (std::size_t i = 1; i < attribute.args.size(); ++i) {
             const Expr& given = *attribute.args[i];
-            if (key.text == "surface" && given.text != kChosenKind && given.text != graph::kClippedKind)
-                one_of(given, texts<SurfaceKind>(), "a surface kind");
-            if (key.text == "cull") one_of(given, texts<Cull>(), "a cull mode");
+            if (key.text == "surface" && given.text != kChosenKind && given.text != format::kClippedKind)
+                one_of(given, format::texts<SurfaceKind>(), "a surface kind");
+            if (key.text == "cull") one_of(given, format::texts<Cull>(), "a cull mode");
             if (key.text == "slot") slot(given);
             if (key.text == "pass") pass(given);
-            if (key.text == "clip") one_of(given, texts<ClipDepth>(), "a convention of clip space");
-            if (key.text == "uvOrigin") one_of(given, texts<UvOrigin>(), "an origin of texture coordinates");
+            if (key.text == "clip") one_of(given, format::texts<ClipDepth>(), "a convention of clip space");
+            if (key.text == "uvOrigin") one_of(given, format::texts<UvOrigin>(), "an origin of texture coordinates");
         }
     }
 
@@ -217,4 +217,4 @@ void check_declarations(const nodelang::Ast& ast, const nodelang::Declarations& 
     check_slots(ast, declarations, sources, paths, diagnostics);
 }
 
-}  // namespace patina::graph
+}  // namespace patina::paths

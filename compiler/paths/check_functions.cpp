@@ -8,7 +8,7 @@
 #include "compiler/base/text.h"
 #include "compiler/paths/declaration_check.h"
 
-namespace patina::graph {
+namespace patina::paths {
 namespace {
 
 using nodelang::Attribute;
@@ -264,4 +264,4 @@ void check_functions(const nodelang::Ast& ast, const Declarations& declarations,
     FunctionCheck(ast, declarations, sources, paths, diagnostics).run();
 }
 
-}  // namespace patina::graph
+}  // namespace patina::paths

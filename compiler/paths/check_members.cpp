@@ -6,7 +6,7 @@
 #include "compiler/base/text.h"
 #include "compiler/paths/reading.h"
 
-namespace patina::graph {
+namespace patina::paths {
 namespace {
 
 using nodelang::Attribute;
@@ -73,4 +73,4 @@ void check_members(const nodelang::Ast& ast, const nodelang::Declarations& decla
     }
 }
 
-}  // namespace patina::graph
+}  // namespace patina::paths

@@ -7,7 +7,7 @@
 
 #include "compiler/paths/reading.h"
 
-namespace patina::graph {
+namespace patina::paths {
 namespace {
 
 using nodelang::Attribute;
@@ -181,4 +181,4 @@ void check_passes(const nodelang::Ast& ast, const nodelang::Declarations& declar
     Check(ast, declarations, paths, diagnostics).run();
 }
 
-}  // namespace patina::graph
+}  // namespace patina::paths

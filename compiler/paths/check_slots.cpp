@@ -6,7 +6,7 @@
 
 #include "compiler/paths/declaration_check.h"
 
-namespace patina::graph {
+namespace patina::paths {
 namespace {
 
 using nodelang::Attribute;
@@ -165,4 +165,4 @@ void check_slots(const nodelang::Ast& ast, const nodelang::Declarations& declara
     SlotCheck(ast, declarations, sources, paths, diagnostics).run();
 }
 
-}  // namespace patina::graph
+}  // namespace patina::paths

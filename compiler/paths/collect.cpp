@@ -2,7 +2,7 @@
 
 #include "compiler/paths/reading.h"
 
-namespace patina::graph {
+namespace patina::paths {
 namespace {
 
 using nodelang::Attribute;
@@ -93,7 +93,7 @@ private:
     // check_declarations() reports mistakes in them.
     static std::vector<ir::StageText> texts_of(const FunctionDecl& function) {
         Diagnostics ignored;
-        return graph::texts_of(function.attributes, ignored);
+        return paths::texts_of(function.attributes, ignored);
     }
 
     static ir::Builtin builtin_of(const VariableDecl& variable) {
@@ -176,7 +176,7 @@ private:
         made.spelling = nodelang::attribute_text(*variable.attribute("foreign"));
         if (made.spelling.empty()) made.spelling = variable.name;
         Diagnostics ignored;
-        const std::vector<ir::StageText> texts = graph::texts_of(variable.attributes, ignored);
+        const std::vector<ir::StageText> texts = paths::texts_of(variable.attributes, ignored);
         if (!texts.empty()) made.include = texts.front().line;
         if (const Attribute* attribute = variable.attribute("gives"))
             paths_.given.push_back({.what = nodelang::attribute_text(*attribute),
@@ -435,4 +435,4 @@ void collect(const nodelang::Ast& ast, const nodelang::Declarations& declaration
     check_passes(ast, declarations, paths, diagnostics);
 }
 
-}  // namespace patina::graph
+}  // namespace patina::paths

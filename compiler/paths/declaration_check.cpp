@@ -5,7 +5,7 @@
 
 #include <array>
 
-namespace patina::graph {
+namespace patina::paths {
 
 using nodelang::Attribute;
 using nodelang::Expr;
@@ -67,4 +67,4 @@ bool DeclarationCheck::is_circle(std::span<const FunctionDecl* const> active, co
     return true;
 }
 
-}  // namespace patina::graph
+}  // namespace patina::paths

@@ -8,7 +8,7 @@
 
 #include "compiler/paths/reading.h"
 
-namespace patina::graph {
+namespace patina::paths {
 
 // The base of the checks: it holds the declarations of the file, and it reports mistakes.
 class DeclarationCheck {
@@ -75,4 +75,4 @@ protected:
 // The types that std140 can lay out.
 bool is_uniform_type(std::string_view name);
 
-}  // namespace patina::graph
+}  // namespace patina::paths

@@ -19,7 +19,7 @@
 #include "compiler/nodelang/library.h"
 #include "patina/reflection.h"
 
-namespace patina::graph {
+namespace patina::paths {
 
 // Where a semantic's value comes from.
 enum class SemanticSource {
@@ -241,4 +241,4 @@ void collect(const nodelang::Ast& ast, const nodelang::Declarations& declaration
 // members.
 void check_members(const nodelang::Ast& ast, const nodelang::Declarations& declarations, const PathDeclarations& paths,
                    std::span<const std::string_view> inputs, Diagnostics& diagnostics);
-}  // namespace patina::graph
+}  // namespace patina::paths

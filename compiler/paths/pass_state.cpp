@@ -12,7 +12,7 @@
 #include "compiler/format/words.h"
 #include "compiler/paths/reading.h"
 
-namespace patina::graph {
+namespace patina::paths {
 namespace {
 
 using nodelang::Attribute;
@@ -64,7 +64,7 @@ public:
     // The value of a word; after an error, the first value of the enum.
     template <HasWords E>
     E word(std::string_view what) {
-        constexpr auto kTexts = texts<E>();
+        constexpr auto kTexts = format::texts<E>();
         return *from_word<E>(word(kTexts, what));
     }
     // The same, for an enum of which only some values are allowed.
@@ -302,4 +302,4 @@ void read_pass_state(const nodelang::FunctionDecl& fragment, const nodelang::Dec
     read_targets(fragment, declarations, pass, diagnostics);
 }
 
-}  // namespace patina::graph
+}  // namespace patina::paths

@@ -3,7 +3,7 @@
 
 #include "compiler/paths/declarations.h"
 
-namespace patina::graph {
+namespace patina::paths {
 
 // Checks every declaration of the file: its structs, enums and variables (check_declarations.cpp), its functions
 // (check_functions.cpp), and the slots that are derived from others (check_slots.cpp).
@@ -49,4 +49,4 @@ struct WrapWord {
 };
 std::span<const WrapWord> wrap_words();
 
-}  // namespace patina::graph
+}  // namespace patina::paths

@@ -11,7 +11,7 @@
 namespace patina::reflection {
 namespace {
 
-using graph::Json;
+using json::Json;
 
 // Reads the keys of one object.
 class ReadFields {
@@ -93,7 +93,7 @@ private:
         if (const NamedSampler* const found = find_sampler(name))
             property.sampler = found->sampler;
         else if (json && json->kind == Json::Kind::String)
-            diagnostics_.report(Code::UnknownWord, json->span, graph::shown(name), "a sampler");
+            diagnostics_.report(Code::UnknownWord, json->span, json::shown(name), "a sampler");
     }
 
     template <class T>
@@ -105,7 +105,7 @@ private:
     bool refuse(std::string_view name, const Json& json, std::string_view wanted) {
         const bool is_number = json.kind == Json::Kind::Number;
         diagnostics_.report(Code::WrongJsonType, json.span, fmt::format("'{}'", name), wanted,
-                            is_number ? graph::shown(sources_.text(json.span)) : graph::describe(json.kind));
+                            is_number ? json::shown(sources_.text(json.span)) : json::describe(json.kind));
         return false;
     }
     bool is_list(std::string_view name, const Json& json, std::size_t count) {
@@ -148,7 +148,7 @@ private:
         }
         std::vector<std::string_view> known;
         for (const Word<E>& word : kWords<E>) known.push_back(word.text);
-        diagnostics_.report(Code::UnknownWord, json.span, graph::shown(text), fmt::format("a value of '{}'", name))
+        diagnostics_.report(Code::UnknownWord, json.span, json::shown(text), fmt::format("a value of '{}'", name))
             .note(Diagnostics::suggestion(text, known));
         return false;
     }
@@ -206,7 +206,7 @@ void check_blocks(const Json& json, const Reflection& made, Diagnostics& diagnos
         const auto block = std::find_if(made.blocks.begin(), made.blocks.end(),
                                         [&](const Block& each) { return each.name == property.block; });
         if (block == made.blocks.end())
-            diagnostics.report(Code::UnknownWord, object.find("block")->span, graph::shown(property.block),
+            diagnostics.report(Code::UnknownWord, object.find("block")->span, json::shown(property.block),
                                "one of the blocks");
         else if (std::uint64_t{property.offset} + property.size > block->size)
             diagnostics.report(Code::ImpossibleValue, object.find("offset") ? object.find("offset")->span : object.span,
@@ -218,10 +218,10 @@ void check_blocks(const Json& json, const Reflection& made, Diagnostics& diagnos
 
 Reflection read_reflection(const SourceMap& sources, std::uint32_t base, Diagnostics& diagnostics) {
     Reflection made;
-    const std::unique_ptr<Json> json = graph::parse_json(sources, base, diagnostics);
+    const std::unique_ptr<Json> json = json::parse_json(sources, base, diagnostics);
     if (!json) return made;
     if (json->kind != Json::Kind::Object) {
-        diagnostics.report(Code::WrongJsonType, json->span, "a reflection", "an object", graph::describe(json->kind));
+        diagnostics.report(Code::WrongJsonType, json->span, "a reflection", "an object", json::describe(json->kind));
         return made;
     }
     ReadFields fields(*json, sources, diagnostics);

@@ -9,7 +9,7 @@
 #include "compiler/nodelang/other_names.h"
 #include "compiler/nodelang/parse.h"
 
-namespace patina::graph {
+namespace patina::resolve {
 
 using nodelang::Expr;
 
@@ -26,12 +26,12 @@ std::vector<std::string_view> input_names(const ResolvedNode& node) {
             if (param.is_input() && !hidden) names.push_back(param.name);
         }
     } else if (node.subgraph) {
-        for (const Input& input : node.subgraph->graph->inputs) names.push_back(input.name);
+        for (const format::Input& input : node.subgraph->graph->inputs) names.push_back(input.name);
     }
     return names;
 }
 
-void find_meaning(Session& session, const Graph& graph, const Node& node, const Shown& inside, ResolvedNode& resolved) {
+void find_meaning(Session& session, const format::Graph& graph, const format::Node& node, const Shown& inside, ResolvedNode& resolved) {
     resolved.ok = false;
     if (!node.type_span) return;  // it has no type: reported already
     if (!is_file_name(node.type)) {
@@ -72,15 +72,15 @@ void find_meaning(Session& session, const Graph& graph, const Node& node, const 
         resolved.function = file->node;
         resolved.home = &file->declarations;
     } else {
-        resolved.subgraph = load_graph(session, path, GraphKind::Subgraph, node.type_span, inside);
+        resolved.subgraph = load_graph(session, path, format::GraphKind::Subgraph, node.type_span, inside);
         if (!resolved.subgraph) return;
     }
     resolved.ok = true;
 }
 
-void check_ports(Session& session, const Node& node, const ResolvedNode& resolved) {
+void check_ports(Session& session, const format::Node& node, const ResolvedNode& resolved) {
     const std::vector<std::string_view> names = input_names(resolved);
-    for (const PortValue& port : node.inputs) {
+    for (const format::PortValue& port : node.inputs) {
         if (std::find(names.begin(), names.end(), port.name) == names.end()) {
             session.diagnostics.report(Code::UnknownPort, port.name_span, node.type, "input", port.name)
                 .note(names.empty() ? "it has no inputs" : Diagnostics::suggestion(port.name, names));
@@ -88,7 +88,7 @@ void check_ports(Session& session, const Node& node, const ResolvedNode& resolve
         }
         if (!port.value) continue;
         if (resolved.subgraph) {
-            for (const Input& input : resolved.subgraph->graph->inputs) {
+            for (const format::Input& input : resolved.subgraph->graph->inputs) {
                 if (input.name == port.name && input.range) {
                     check_range(session, *port.value, *input.range, input.hard, port.name);
                 }
@@ -104,7 +104,7 @@ void check_ports(Session& session, const Node& node, const ResolvedNode& resolve
 }
 
 // Counts a node with what its sub-graph has. Reports the one that is too many; the library's own graphs are free.
-void count_node(Session& session, const Node& node, const ResolvedNode& resolved, CheckedGraph& checked) {
+void count_node(Session& session, const format::Node& node, const ResolvedNode& resolved, CheckedGraph& checked) {
     const std::size_t most = session.options.limits.nodes, before = checked.size;
     const std::size_t own = 1 + (resolved.subgraph ? resolved.subgraph->size : 0);
     checked.size = own > kMostNodes - before ? kMostNodes : before + own;
@@ -130,7 +130,7 @@ struct Step {
 
 // "a > b > c > a", in the direction of the data: each node feeds the one before it in the search. Of a long circle, the
 // first nodes and the last one are named.
-std::string circle_of(const Graph& graph, std::span<const Step> search) {
+std::string circle_of(const format::Graph& graph, std::span<const Step> search) {
     constexpr std::size_t kMostNamed = 12, kFirst = 4;
     std::string circle = graph.nodes[search.front().node].id;
     for (std::size_t i = 1; i <= search.size(); ++i) {
@@ -170,7 +170,7 @@ void sort_nodes(Session& session, CheckedGraph& checked) {
                 depths[read] = stack.size();
                 stack.push_back({.node = read});
             } else if (marks[read] == Mark::Open) {
-                const Node& at = checked.graph->nodes[read];
+                const format::Node& at = checked.graph->nodes[read];
                 const std::string circle = circle_of(*checked.graph, std::span(stack).subspan(depths[read]));
                 session.diagnostics.report(Code::Cycle, at.id_span, circle).at(at.id);
                 checked.ok = false;
@@ -227,9 +227,9 @@ void collect_reads(const Expr& expr, const CheckedGraph& graph, std::vector<std:
     for (const Expr* argument : expr.args) collect_reads(*argument, graph, reads);
 }
 
-std::vector<bool> CheckedGraph::reachable(std::span<const PortValue> roots) const {
+std::vector<bool> CheckedGraph::reachable(std::span<const format::PortValue> roots) const {
     std::vector<std::uint32_t> work;
-    for (const PortValue& root : roots) {
+    for (const format::PortValue& root : roots) {
         if (root.value) collect_reads(*root.value, *this, work);
     }
     std::vector<bool> seen(nodes.size(), false);
@@ -305,13 +305,13 @@ const Expr* parse_shown(Session& session, const Shown& shown) {
     return &inside;
 }
 
-const CheckedGraph* check_graph(Session& session, std::shared_ptr<const Graph> graph, const Shown& shown) {
+const CheckedGraph* check_graph(Session& session, std::shared_ptr<const format::Graph> graph, const Shown& shown) {
     CheckedGraph& checked = session.checked.emplace_back();
     checked.graph = graph;
     checked.nodes.resize(graph->nodes.size());
     for (std::uint32_t i = 0; i < graph->nodes.size(); ++i) checked.by_id.emplace(graph->nodes[i].id, i);
     for (std::uint32_t i = 0; i < graph->nodes.size(); ++i) {
-        const Node& node = graph->nodes[i];
+        const format::Node& node = graph->nodes[i];
         ResolvedNode& resolved = checked.nodes[i];
         if (must_stop(session)) {
             resolved.ok = false;
@@ -325,7 +325,7 @@ const CheckedGraph* check_graph(Session& session, std::shared_ptr<const Graph> g
         } else {
             find_meaning(session, *graph, node, inside, resolved);
             if (resolved.ok) check_ports(session, node, resolved);
-            for (const PortValue& port : node.inputs) {
+            for (const format::PortValue& port : node.inputs) {
                 if (port.value) collect_reads(*port.value, checked, resolved.reads);
             }
         }
@@ -344,7 +344,7 @@ const CheckedGraph* check_graph(Session& session, std::shared_ptr<const Graph> g
     return &checked;
 }
 
-const CheckedGraph* load_graph(Session& session, const std::string& path, GraphKind kind, Span where,
+const CheckedGraph* load_graph(Session& session, const std::string& path, format::GraphKind kind, Span where,
                                const Shown& shown) {
     if (const auto found = session.graphs.find(path); !shown && found != session.graphs.end())
         return found->second && is_too_deep(session, found->second->levels, where) ? nullptr : found->second;
@@ -360,9 +360,9 @@ const CheckedGraph* load_graph(Session& session, const std::string& path, GraphK
     session.active.push_back(path);
     const std::size_t errors = session.diagnostics.error_count();
     const CheckedGraph* checked = nullptr;
-    if (const std::unique_ptr<Json> json = parse_json(session.sources, *base, session.diagnostics);
+    if (const std::unique_ptr<json::Json> json = json::parse_json(session.sources, *base, session.diagnostics);
         json && !must_stop(session)) {
-        if (auto graph = read_graph(*json, path, session.sources, session.ast, session.diagnostics, kind)) {
+        if (auto graph = format::read_graph(*json, path, session.sources, session.ast, session.diagnostics, kind)) {
             if (shown) {
                 const Expr* value = parse_shown(session, shown);
                 graph->outputs.push_back({.name = std::string(kShown),
@@ -380,4 +380,4 @@ const CheckedGraph* load_graph(Session& session, const std::string& path, GraphK
     return checked;
 }
 
-}  // namespace patina::graph
+}  // namespace patina::resolve

@@ -5,7 +5,7 @@
 
 #include "compiler/resolve/session.h"
 
-namespace patina::graph {
+namespace patina::resolve {
 
 // How many sub-graphs may be used through one another: most steps recurse into them.
 inline constexpr std::size_t kMostLevels = 200;
@@ -19,7 +19,7 @@ struct ResolvedNode {
 };
 
 struct CheckedGraph {
-    std::shared_ptr<const Graph> graph;
+    std::shared_ptr<const format::Graph> graph;
     std::vector<ResolvedNode> nodes;
     std::unordered_map<std::string_view, std::uint32_t> by_id;
     std::vector<std::uint32_t> order;  // all nodes
@@ -28,7 +28,7 @@ struct CheckedGraph {
     bool ok = true;
 
     // Marks the nodes that the expressions read, directly or through other nodes.
-    std::vector<bool> reachable(std::span<const PortValue> roots) const;
+    std::vector<bool> reachable(std::span<const format::PortValue> roots) const;
     std::vector<bool> reachable(std::uint32_t node) const;
 };
 
@@ -48,11 +48,11 @@ inline constexpr std::string_view kShown = "/shown";
 // The value to show, as this graph reads it. Null after an error.
 const nodelang::Expr* parse_shown(Session& session, const Shown& shown);
 
-const CheckedGraph* check_graph(Session& session, std::shared_ptr<const Graph> graph, const Shown& shown = {});
+const CheckedGraph* check_graph(Session& session, std::shared_ptr<const format::Graph> graph, const Shown& shown = {});
 
 // Reads and checks a graph file of the given kind, once for each file. Exception: a sub-graph with the previewed port
 // inside, which is read again with that port as an output more. Null after an error.
-const CheckedGraph* load_graph(Session& session, const std::string& path, GraphKind kind, Span where,
+const CheckedGraph* load_graph(Session& session, const std::string& path, format::GraphKind kind, Span where,
                                const Shown& shown = {});
 
 // Reads a .node.hlsl file; each file once. Null after an error.
@@ -67,4 +67,4 @@ std::optional<std::array<double, 2>> range_of(std::span<const nodelang::Attribut
 void check_range(Session& session, const nodelang::Expr& value, std::array<double, 2> range, bool hard,
                  std::string_view name, std::size_t components = 4);
 
-}  // namespace patina::graph
+}  // namespace patina::resolve

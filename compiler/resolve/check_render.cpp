@@ -9,7 +9,7 @@
 #include "compiler/format/clipped_blend.h"
 #include "compiler/resolve/material.h"
 
-namespace patina::graph {
+namespace patina::resolve {
 namespace {
 
 using nodelang::Expr;
@@ -22,18 +22,18 @@ bool reads_surface(const Expr& expr, std::string_view member) {
                        [&](const Expr* argument) { return reads_surface(*argument, member); });
 }
 
-bool reads_surface(const Graph& lighting, std::string_view member) {
-    const auto reads = [&](const PortValue& port) { return port.value && reads_surface(*port.value, member); };
+bool reads_surface(const format::Graph& lighting, std::string_view member) {
+    const auto reads = [&](const format::PortValue& port) { return port.value && reads_surface(*port.value, member); };
     return std::any_of(lighting.outputs.begin(), lighting.outputs.end(), reads) ||
-           std::any_of(lighting.nodes.begin(), lighting.nodes.end(), [&](const Node& node) {
+           std::any_of(lighting.nodes.begin(), lighting.nodes.end(), [&](const format::Node& node) {
                return (node.expr && reads_surface(*node.expr, member)) ||
                       std::any_of(node.inputs.begin(), node.inputs.end(), reads);
            });
 }
 
-void warn_of_alpha(Session& session, const Graph& graph, const PortValue& port) {
-    const RenderState& render = graph.render;
-    if (render.allows_override || is_clipped_blend(graph)) return;
+void warn_of_alpha(Session& session, const format::Graph& graph, const format::PortValue& port) {
+    const format::RenderState& render = graph.render;
+    if (render.allows_override || format::is_clipped_blend(graph)) return;
     std::string_view why, advice;
     switch (render.surface) {
         case SurfaceKind::Opaque:
@@ -56,16 +56,16 @@ void warn_of_alpha(Session& session, const Graph& graph, const PortValue& port) 
     session.diagnostics.report(Code::NoEffect, port.name_span, port.name, why).note(std::string(advice));
 }
 
-void warn_of_cut_off(Session& session, const RenderState& render, const PortValue& port) {
+void warn_of_cut_off(Session& session, const format::RenderState& render, const format::PortValue& port) {
     if (render.surface != SurfaceKind::Opaque || render.surface_span || render.allows_override) return;
     session.diagnostics.report(Code::NoEffect, port.name_span, port.name, "the surface is opaque by default");
 }
 
 // `outer`: the material of an extra pass, whose lighting the pass may have inherited.
-void warn_of_lighting(Session& session, const Graph& graph, const Graph* outer) {
+void warn_of_lighting(Session& session, const format::Graph& graph, const format::Graph* outer) {
     const auto found = session.library.workflows.find(graph.workflow);
-    const Graph* workflow = found == session.library.workflows.end() ? nullptr : found->second.get().get();
-    const LightingUse& use = graph.lighting;
+    const format::Graph* workflow = found == session.library.workflows.end() ? nullptr : found->second.get().get();
+    const format::LightingUse& use = graph.lighting;
     if (!workflow || workflow->is_lit() || !use.present) return;
     const bool is_same = !use.inlined && use.use == workflow->lighting.use;
     if (is_same || (outer && outer->lighting.present && outer->lighting.span == use.span)) return;
@@ -77,16 +77,16 @@ void warn_of_lighting(Session& session, const Graph& graph, const Graph* outer) 
 
 // `lighting`: a graph that may read the inputs, too; null if it is not known. `outer`: the graph whose inputs have been
 // reported already.
-void warn_of(Session& session, const Graph& graph, const Graph* lighting, const Graph* outer) {
-    for (const PortValue& port : graph.surface) {
+void warn_of(Session& session, const format::Graph& graph, const format::Graph* lighting, const format::Graph* outer) {
+    for (const format::PortValue& port : graph.surface) {
         if (outer && std::any_of(outer->surface.begin(), outer->surface.end(),
-                                 [&](const PortValue& other) { return other.value == port.value; }))
+                                 [&](const format::PortValue& other) { return other.value == port.value; }))
             continue;
         if (lighting && reads_surface(*lighting, port.name)) continue;
         if (port.name == "alpha") warn_of_alpha(session, graph, port);
         if (port.name == "alphaClip") warn_of_cut_off(session, graph.render, port);
     }
-    const std::optional<StencilState>& stencil = graph.render.stencil;
+    const std::optional<format::StencilState>& stencil = graph.render.stencil;
     const bool is_told = stencil && outer && outer->render.stencil && outer->render.stencil->span == stencil->span;
     if (stencil && !is_told && stencil->test == Compare::Always && !stencil->changes())
         session.diagnostics.report(
@@ -97,13 +97,13 @@ void warn_of(Session& session, const Graph& graph, const Graph* lighting, const 
 }  // namespace
 
 void warn_unheeded(Session& session, const Material& material) {
-    const Graph& own = *material.graph->graph;
+    const format::Graph& own = *material.graph->graph;
     warn_of_lighting(session, own, nullptr);
-    for (const ExtraPass& pass : own.passes) warn_of_lighting(session, *pass.graph, &own);
+    for (const format::ExtraPass& pass : own.passes) warn_of_lighting(session, *pass.graph, &own);
     // The caller of functions decides about alpha, and a user's own passes may use every input.
     if (session.request.functions || session.request.path.ends_with(".pass.hlsl")) return;
     warn_of(session, own, material.lighting ? material.lighting->graph.get() : nullptr, nullptr);
-    for (const ExtraPass& pass : own.passes) warn_of(session, *pass.graph, nullptr, &own);
+    for (const format::ExtraPass& pass : own.passes) warn_of(session, *pass.graph, nullptr, &own);
 }
 
-}  // namespace patina::graph
+}  // namespace patina::resolve

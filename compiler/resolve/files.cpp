@@ -9,10 +9,10 @@
 #include "compiler/base/near_file.h"
 #include "compiler/json/json.h"
 
-namespace patina::graph {
+namespace patina::resolve {
 namespace {
 
-const DiskPart kWholeDisk{.root = nullptr, .most_bytes = kMaxJsonBytes};
+const DiskPart kWholeDisk{.root = nullptr, .most_bytes = json::kMaxJsonBytes};
 
 // The result of a function of the program's. If it throws, that is a result without a value.
 template <class Call>
@@ -111,4 +111,4 @@ void Files::give_part(const std::string& path, std::string text) {
     if (!found.path.empty()) answers_[found.path] = {.exists = true, .is_read = true, .text = std::move(text)};
 }
 
-}  // namespace patina::graph
+}  // namespace patina::resolve

@@ -17,7 +17,7 @@
 #include "compiler/base/disk/disk.h"
 #include "patina/options.h"
 
-namespace patina::graph {
+namespace patina::resolve {
 
 // Calls a function of the program's. False: it has thrown, and `why` says what, or is `unknown`. Its lack of memory is
 // ours, too: that exception goes on.
@@ -95,4 +95,4 @@ private:
     std::size_t bytes_ = 0;
 };
 
-}  // namespace patina::graph
+}  // namespace patina::resolve

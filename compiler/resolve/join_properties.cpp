@@ -10,14 +10,14 @@
 #include "compiler/format/words.h"
 #include "compiler/resolve/material.h"
 
-namespace patina::graph {
+namespace patina::resolve {
 
 using nodelang::Expr;
 
 namespace {
 
 // The file of a texture's default, or the word for it. Nothing if the file does not exist, which has been reported.
-std::optional<std::string> find_texture(Session& session, const Property& property, const std::string& from) {
+std::optional<std::string> find_texture(Session& session, const format::Property& property, const std::string& from) {
     if (!is_texture_file(property)) return property.texture;
     std::string path =
         require_file(session, property.texture, from, property.default_span ? property.default_span : property.span);
@@ -30,13 +30,13 @@ struct Difference {
     Span first_at, second_at;
 };
 
-std::string range_text(const Property& property, bool by_hardness) {
+std::string range_text(const format::Property& property, bool by_hardness) {
     if (!property.range) return "no range";
     if (by_hardness) return property.hard ? "a hard range" : "a soft range";
     return fmt::format("the range {} to {}", shortest((*property.range)[0]), shortest((*property.range)[1]));
 }
 
-std::string sampler_text(const Property& property, const Property& from) {
+std::string sampler_text(const format::Property& property, const format::Property& from) {
     const Sampler &sampler = property.sampler, &other = from.sampler;
     if (property.shared_sampler != from.shared_sampler)
         return property.shared_sampler.empty() ? "a sampler of its own"
@@ -46,28 +46,28 @@ std::string sampler_text(const Property& property, const Property& from) {
     return fmt::format("an anisotropy of {}", sampler.anisotropy);
 }
 
-std::string values_text_of(const Property& property) {
+std::string values_text_of(const format::Property& property) {
     const std::vector<std::string_view> values(property.values.begin(), property.values.end());
     return fmt::format("the values {}", enumerate(values));
 }
 
-std::string default_text(const Session& session, const Property& property) {
+std::string default_text(const Session& session, const format::Property& property) {
     if (!property.default_span) return "no default";
-    return fmt::format("the default {}", shown(session.sources.text(property.default_span)));
+    return fmt::format("the default {}", json::shown(session.sources.text(property.default_span)));
 }
 
-Difference difference(const Property& first, const Property& second, auto text, Span Property::*at = nullptr) {
-    const auto place = [&](const Property& p) { return at && p.*at ? p.*at : p.name_span; };
+Difference difference(const format::Property& first, const format::Property& second, auto text, Span format::Property::*at = nullptr) {
+    const auto place = [&](const format::Property& p) { return at && p.*at ? p.*at : p.name_span; };
     return {text(first), text(second), place(first), place(second)};
 }
 
 // A difference in the kind of property, which all declarations must share.
-std::optional<Difference> differing_kind(const Property& a, const Property& b) {
+std::optional<Difference> differing_kind(const format::Property& a, const format::Property& b) {
     if (a.type != b.type)
         return difference(a, b, [](auto& p) { return fmt::format("the type {}", to_string(p.type)); });
     if (a.binding != b.binding) {
         const auto text = [](auto& p) { return fmt::format("\"as\": \"{}\"", to_string(p.binding)); };
-        return difference(a, b, text, &Property::binding_span);
+        return difference(a, b, text, &format::Property::binding_span);
     }
     if (a.values != b.values) return difference(a, b, values_text_of);
     if (a.usage == b.usage) return {};
@@ -76,11 +76,11 @@ std::optional<Difference> differing_kind(const Property& a, const Property& b) {
 
 // A difference in what the material's own declaration may decide for all others. A default that neither states follows
 // from the range.
-std::optional<Difference> differing_choice(const Session& session, const Property& a, const Property& b,
+std::optional<Difference> differing_choice(const Session& session, const format::Property& a, const format::Property& b,
                                            bool same_default) {
     if (!same_default && (a.default_span || b.default_span))
         return difference(
-            a, b, [&](auto& p) { return default_text(session, p); }, &Property::default_span);
+            a, b, [&](auto& p) { return default_text(session, p); }, &format::Property::default_span);
     if (a.range != b.range || a.hard != b.hard)
         return difference(a, b, [&](auto& p) { return range_text(p, a.range == b.range); });
     if (a.tiling != b.tiling)
@@ -88,17 +88,17 @@ std::optional<Difference> differing_choice(const Session& session, const Propert
     if (a.handedness != b.handedness)
         return difference(
             a, b, [](auto& p) { return fmt::format("the handedness {}", to_string(p.handedness)); },
-            &Property::handedness_span);
+            &format::Property::handedness_span);
     if (a.swizzle != b.swizzle)
         return difference(
             a, b, [](auto& p) { return p.swizzle.empty() ? "no swizzle" : fmt::format("the swizzle {}", p.swizzle); },
-            &Property::swizzle_span);
+            &format::Property::swizzle_span);
     if ((a.sampler == b.sampler && a.shared_sampler == b.shared_sampler) || a.type == PropertyType::Sampler) return {};
     return difference(
-        a, b, [&](auto& p) { return sampler_text(p, &p == &a ? b : a); }, &Property::sampler_span);
+        a, b, [&](auto& p) { return sampler_text(p, &p == &a ? b : a); }, &format::Property::sampler_span);
 }
 
-MaterialProperty entry_of(Session& session, const Property& property, const JoinOptions& options) {
+MaterialProperty entry_of(Session& session, const format::Property& property, const JoinOptions& options) {
     MaterialProperty entry{.property = &property,
                            .texture_path = find_texture(session, property, options.from).value_or(""),
                            .is_own = options.is_own || options.said_at,
@@ -111,8 +111,8 @@ MaterialProperty entry_of(Session& session, const Property& property, const Join
 
 // A default that the material gives to its lighting graph also applies to the sub-graphs that declared the property
 // before.
-void take_over(Session& session, MaterialProperty& entry, const Property& property, const JoinOptions& options) {
-    Property& said = session.file_properties.emplace_back(property);
+void take_over(Session& session, MaterialProperty& entry, const format::Property& property, const JoinOptions& options) {
+    format::Property& said = session.file_properties.emplace_back(property);
     said.label = entry.property->label;
     said.group = entry.property->group;
     said.help = entry.property->help;
@@ -123,9 +123,9 @@ void take_over(Session& session, MaterialProperty& entry, const Property& proper
 }
 
 // Adds a property whose name the material has already.
-void share(Session& session, const Material& material, MaterialProperty& entry, const Property& property,
+void share(Session& session, const Material& material, MaterialProperty& entry, const format::Property& property,
            const JoinOptions& options) {
-    const Property& first = *entry.property;
+    const format::Property& first = *entry.property;
     if (&first == &property) return;
     const auto report = [&](const Difference& of) -> DiagnosticRecord& {
         return session.diagnostics
@@ -160,7 +160,7 @@ void share(Session& session, const Material& material, MaterialProperty& entry, 
 }
 
 struct Brought {
-    const Property* property;
+    const format::Property* property;
     const std::string* from;
     bool is_at_port = false;
 };
@@ -173,10 +173,10 @@ bool comes_before(const AllBrought& a, const AllBrought& b) {
             some.begin(), some.end(), others.begin(), others.end(),
             [&](const Brought& x, const Brought& y) { return key(*x.property) < key(*y.property); });
     };
-    const auto name = [](const Property& p) { return std::tie(p.name); };
+    const auto name = [](const format::Property& p) { return std::tie(p.name); };
     if (less(a, b, name)) return true;
     if (less(b, a, name)) return false;
-    return less(a, b, [](const Property& p) { return std::tie(p.label, p.group, p.help); });
+    return less(a, b, [](const format::Property& p) { return std::tie(p.label, p.group, p.help); });
 }
 
 class Collector {
@@ -189,9 +189,9 @@ public:
         const auto [found, is_new] = known_.try_emplace(&checked);
         if (!is_new) return found->second;
         AllBrought all;
-        const Graph& graph = *checked.graph;
+        const format::Graph& graph = *checked.graph;
         // The lighting graph's properties are joined separately, because the material may have bound them.
-        for (const Property& property : graph.properties) {
+        for (const format::Property& property : graph.properties) {
             if (&checked != material_.lighting) all.push_back({&property, &graph.path});
         }
         add_unnamed(checked, all);
@@ -202,7 +202,7 @@ public:
         }
         std::stable_sort(parts.begin(), parts.end(),
                          [](const AllBrought* x, const AllBrought* y) { return comes_before(*x, *y); });
-        std::set<const Property*> here;
+        std::set<const format::Property*> here;
         for (const Brought& own : all) here.insert(own.property);
         for (const AllBrought* part : parts) {
             for (const Brought& each : *part) {
@@ -215,18 +215,18 @@ public:
 private:
     // Files and samplers at ports.
     void add_unnamed(const CheckedGraph& checked, AllBrought& all) {
-        const Graph& graph = *checked.graph;
+        const format::Graph& graph = *checked.graph;
         const std::size_t own = all.size();
-        const auto add = [&](const PortValue& port) {
+        const auto add = [&](const format::PortValue& port) {
             if (port.value) add_unnamed(*port.value, checked, all);
         };
-        for (const Node& node : graph.nodes) {
+        for (const format::Node& node : graph.nodes) {
             if (node.expr) add_unnamed(*node.expr, checked, all);
             std::for_each(node.inputs.begin(), node.inputs.end(), add);
         }
         for (const auto* ports : {&graph.vertex, &graph.surface, &graph.outputs})
             std::for_each(ports->begin(), ports->end(), add);
-        for (const Input& input : graph.inputs) {
+        for (const format::Input& input : graph.inputs) {
             if (input.value) add_unnamed(*input.value, checked, all);
         }
         std::stable_sort(all.begin() + static_cast<std::ptrdiff_t>(own), all.end(),
@@ -238,7 +238,7 @@ private:
         const bool is_name = expr.kind == Expr::Kind::Name && !checked.by_id.contains(expr.text);
         const NamedSampler* const sampler = is_name ? find_sampler(expr.text) : nullptr;
         if (expr.kind == Expr::Kind::File || sampler) {
-            Property& property = session_.file_properties.emplace_back();
+            format::Property& property = session_.file_properties.emplace_back();
             property.name = sampler ? std::string(expr.text) : file_texture_name(expr.text);
             property.name_span = property.span = property.default_span = expr.span;
             property.type = sampler ? PropertyType::Sampler : PropertyType::Texture2D;
@@ -256,11 +256,11 @@ private:
 
 }  // namespace
 
-bool is_texture_file(const Property& property) {
+bool is_texture_file(const format::Property& property) {
     return is_texture(property.type) && property.texture.find_first_of("./") != std::string::npos;
 }
 
-void join_property(Session& session, Material& material, const Property& property, const JoinOptions& options) {
+void join_property(Session& session, Material& material, const format::Property& property, const JoinOptions& options) {
     const auto [existing, is_new] = material.property_index.emplace(property.name, material.properties.size());
     if (!is_new) return share(session, material, material.properties[existing->second], property, options);
     material.properties.push_back(entry_of(session, property, options));
@@ -282,4 +282,4 @@ std::string file_texture_name(std::string_view path) {
     return name;
 }
 
-}  // namespace patina::graph
+}  // namespace patina::resolve

@@ -5,7 +5,7 @@
 #include "compiler/base/text.h"
 #include "compiler/resolve/material.h"
 
-namespace patina::graph {
+namespace patina::resolve {
 namespace {
 
 constexpr std::array<std::string_view, 2> kBools = {"false", "true"};
@@ -13,19 +13,19 @@ constexpr std::array<std::string_view, 2> kBools = {"false", "true"};
 bool is_switch(const Session& session, std::string_view name) {
     const auto& switches = session.paths->switches;
     return std::any_of(switches.begin(), switches.end(),
-                       [&](const SwitchDecl& each) { return each.variable->name == name; });
+                       [&](const paths::SwitchDecl& each) { return each.variable->name == name; });
 }
 
 // CompileOptions::switches could not distinguish the two.
-void check_name(Session& session, const Property& property) {
-    if (!is_keyword(property.binding) || !is_switch(session, property.name)) return;
+void check_name(Session& session, const format::Property& property) {
+    if (!format::is_keyword(property.binding) || !is_switch(session, property.name)) return;
     session.diagnostics.report(Code::DuplicateId, property.name_span, "switch", property.name)
         .note("the first is a switch of the rendering paths");
 }
 
 void choose(Session& session, MaterialProperty& entry, const std::string& word) {
-    const Property& property = *entry.property;
-    if (!is_keyword(property.binding)) {
+    const format::Property& property = *entry.property;
+    if (!format::is_keyword(property.binding)) {
         if (is_switch(session, property.name)) return;  // the name means the switch
         const bool can_be = property.type == PropertyType::Bool || property.type == PropertyType::Enum;
         session.diagnostics.report(Code::NotAKeyword, {}, property.name, to_string(property.binding))
@@ -45,10 +45,10 @@ void choose(Session& session, MaterialProperty& entry, const std::string& word) 
 }  // namespace
 
 void check_listed(Session& session, const Material& material) {
-    for (const ListedVariant& listed : material.graph->graph->variants) {
-        for (const ListedVariant::Value& value : listed.values) {
+    for (const format::ListedVariant& listed : material.graph->graph->variants) {
+        for (const format::ListedVariant::Value& value : listed.values) {
             const auto found = material.property_index.find(value.name);
-            const Property* property =
+            const format::Property* property =
                 found == material.property_index.end() ? nullptr : material.properties[found->second].property;
             if (!property || property->binding != Binding::Variant) {
                 std::vector<std::string_view> known;
@@ -77,7 +77,7 @@ void check_listed(Session& session, const Material& material) {
     }
 }
 
-std::optional<double> keyword_value(Session& session, const Property& property, const std::string& word) {
+std::optional<double> keyword_value(Session& session, const format::Property& property, const std::string& word) {
     const std::vector<std::string_view> words = keyword_words(property);
     if (word.empty() && property.type != PropertyType::Bool) {
         session.diagnostics.report(Code::ImpossibleValue, {}, property.name, values_text(property))
@@ -93,7 +93,7 @@ std::optional<double> keyword_value(Session& session, const Property& property, 
     return {};
 }
 
-std::vector<std::string_view> keyword_words(const Property& property) {
+std::vector<std::string_view> keyword_words(const format::Property& property) {
     if (property.type == PropertyType::Bool) return {kBools.begin(), kBools.end()};
     return {property.values.begin(), property.values.end()};
 }
@@ -113,10 +113,10 @@ const MaterialProperty* keyword_named(const Material& material, const nodelang::
     const auto found = material.property_index.find(expr.text);
     if (found == material.property_index.end()) return nullptr;
     const MaterialProperty& entry = material.properties[found->second];
-    return is_keyword(entry.property->binding) ? &entry : nullptr;
+    return format::is_keyword(entry.property->binding) ? &entry : nullptr;
 }
 
-std::string values_text(const Property& property) {
+std::string values_text(const format::Property& property) {
     if (property.type == PropertyType::Bool) return "a bool";
     return fmt::format("one of {}", enumerate(keyword_words(property)));
 }
@@ -124,9 +124,9 @@ std::string values_text(const Property& property) {
 std::vector<std::string_view> keyword_names(const Material& material) {
     std::vector<std::string_view> names;
     for (const MaterialProperty& entry : material.properties) {
-        if (is_keyword(entry.property->binding)) names.push_back(entry.property->name);
+        if (format::is_keyword(entry.property->binding)) names.push_back(entry.property->name);
     }
     return names;
 }
 
-}  // namespace patina::graph
+}  // namespace patina::resolve

@@ -8,7 +8,7 @@
 #include "compiler/json/json.h"
 #include "compiler/nodelang/parse.h"
 
-namespace patina::graph {
+namespace patina::resolve {
 namespace {
 
 std::string_view stem_of(std::string_view path) {
@@ -40,8 +40,8 @@ void add_engine_file(Library& library, std::uint32_t base, std::string_view path
         engine->second.add_file(name.substr(slash + 1), base);
         return;
     }
-    const std::unique_ptr<Json> json = parse_json(library.sources, base, library.diagnostics);
-    if (const Json* word = json ? json->find("default") : nullptr) library.default_engine = word->string;
+    const std::unique_ptr<json::Json> json = json::parse_json(library.sources, base, library.diagnostics);
+    if (const json::Json* word = json ? json->find("default") : nullptr) library.default_engine = word->string;
 }
 
 // False if the file must be read at once.
@@ -100,7 +100,7 @@ void add_overlay_file(Library& library, const LibraryFile& file,
 
 }  // namespace
 
-const std::shared_ptr<Graph>& LibraryGraph::get() const {
+const std::shared_ptr<format::Graph>& LibraryGraph::get() const {
     return read().graph;
 }
 
@@ -108,9 +108,9 @@ const LibraryGraph::Read& LibraryGraph::read() const {
     return read_.get([this] {
         const Cancellation nobody;
         auto made = std::make_unique<Read>();
-        const std::unique_ptr<Json> json = parse_json(sources_, base_, made->diagnostics);
-        const GraphKind kind = is_workflow(path_) ? GraphKind::Workflow : GraphKind::Lighting;
-        if (json) made->graph = read_graph(*json, path_, sources_, made->ast, made->diagnostics, kind);
+        const std::unique_ptr<json::Json> json = json::parse_json(sources_, base_, made->diagnostics);
+        const format::GraphKind kind = is_workflow(path_) ? format::GraphKind::Workflow : format::GraphKind::Lighting;
+        if (json) made->graph = format::read_graph(*json, path_, sources_, made->ast, made->diagnostics, kind);
         return made;
     });
 }
@@ -194,4 +194,4 @@ std::unique_ptr<Library> read_whole(const Library& library) {
     return load_library(files, library.printable, {}, Declared::Whole);
 }
 
-}  // namespace patina::graph
+}  // namespace patina::resolve

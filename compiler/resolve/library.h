@@ -20,7 +20,7 @@
 #include "compiler/paths/declarations.h"
 #include "patina/patina.h"
 
-namespace patina::graph {
+namespace patina::resolve {
 
 // A workflow or a lighting model of the library: read at the first request, from any thread.
 class LibraryGraph {
@@ -29,7 +29,7 @@ public:
         : sources_(sources), base_(base), path_(std::move(path)) {}
 
     // Null if it cannot be read.
-    const std::shared_ptr<Graph>& get() const;
+    const std::shared_ptr<format::Graph>& get() const;
     // The errors in the file.
     const Diagnostics& diagnostics() const { return read().diagnostics; }
     std::uint32_t base() const { return base_; }
@@ -38,7 +38,7 @@ private:
     struct Read {
         nodelang::Ast ast;
         Diagnostics diagnostics;
-        std::shared_ptr<Graph> graph;
+        std::shared_ptr<format::Graph> graph;
     };
     const Read& read() const;
 
@@ -86,7 +86,7 @@ struct Library {
     std::deque<nodelang::Unread> unread;  // the other declarations
     Diagnostics diagnostics;
     nodelang::Declarations declarations;
-    PathDeclarations paths;
+    paths::PathDeclarations paths;
     engines::Printable printable;  // what an engine may choose from
     std::map<std::string, LibraryEngine, std::less<>> engines;
     std::string default_engine;
@@ -111,4 +111,4 @@ std::vector<const nodelang::FunctionDecl*> all_functions(const Library& library)
 // The library with all of its declarations read, from the same texts.
 std::unique_ptr<Library> read_whole(const Library& library);
 
-}  // namespace patina::graph
+}  // namespace patina::resolve

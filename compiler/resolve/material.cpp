@@ -1,15 +1,16 @@
 #include "compiler/resolve/material.h"
 
 #include <algorithm>
-#include <cctype>
+
 #include <set>
 
 #include "compiler/base/file_names.h"
+#include "compiler/base/letters.h"
 #include "compiler/base/text.h"
 #include "compiler/nodelang/parse.h"
 #include "compiler/resolve/meanings.h"
 
-namespace patina::graph {
+namespace patina::resolve {
 
 using nodelang::Expr;
 
@@ -24,7 +25,7 @@ std::vector<std::string_view> keys(const Map& map) {
 
 }  // namespace
 
-const CheckedGraph* find_workflow(Session& session, const Graph& graph) {
+const CheckedGraph* find_workflow(Session& session, const format::Graph& graph) {
     const auto& workflows = session.library.workflows;
     if (graph.workflow.empty() && session.diagnostics.has_errors()) return nullptr;  // it is missing: reported already
     const auto found = workflows.find(graph.workflow);
@@ -38,11 +39,11 @@ const CheckedGraph* find_workflow(Session& session, const Graph& graph) {
     return check_graph(session, found->second.get());
 }
 
-const LightingUse& lighting_of(const Graph& graph, const Graph& workflow) {
+const format::LightingUse& lighting_of(const format::Graph& graph, const format::Graph& workflow) {
     return graph.lighting.present && workflow.is_lit() ? graph.lighting : workflow.lighting;
 }
 
-const CheckedGraph* find_lighting(Session& session, const Graph& graph, const LightingUse& use, std::string& name,
+const CheckedGraph* find_lighting(Session& session, const format::Graph& graph, const format::LightingUse& use, std::string& name,
                                   const Shown& shown) {
     if (use.inlined) {
         name = use.inlined->name;
@@ -53,7 +54,7 @@ const CheckedGraph* find_lighting(Session& session, const Graph& graph, const Li
         const std::string path = require_source(session, use.use, graph.path, use.span);
         if (path.empty()) return nullptr;
         name = file_stem(path);
-        return load_graph(session, path, GraphKind::Lighting, use.span, shown);
+        return load_graph(session, path, format::GraphKind::Lighting, use.span, shown);
     }
     if (use.use.empty() && session.diagnostics.has_errors()) return nullptr;  // reported already
     const auto& models = session.library.lighting_models;
@@ -70,7 +71,7 @@ const CheckedGraph* find_lighting(Session& session, const Graph& graph, const Li
 namespace {
 
 // Makes the rows of a matrix, a gradient or a curve the property's default; false if the value is none.
-bool set_array_default(Property& property, const Expr& value) {
+bool set_array_default(format::Property& property, const Expr& value) {
     const bool is_object = value.kind == Expr::Kind::Object;
     const std::string_view wanted = property.type == PropertyType::Gradient ? "Gradient"
                                     : property.type == PropertyType::Curve  ? "Curve"
@@ -86,7 +87,7 @@ bool set_array_default(Property& property, const Expr& value) {
 }
 
 // Makes a number, colour or word the property's default; false if it is not a constant.
-bool set_default(Session& session, Property& property, const Expr& value) {
+bool set_default(Session& session, format::Property& property, const Expr& value) {
     const bool negative = value.kind == Expr::Kind::Unary && value.text == "-";
     const Expr& literal = negative ? *value.args[0] : value;
     if (property.type == PropertyType::Enum && value.kind == Expr::Kind::Name) {
@@ -130,7 +131,7 @@ bool set_default(Session& session, Property& property, const Expr& value) {
 
 // Binds a lighting graph's property that is known when the graph is compiled: to its default, to a constant of the
 // material, or to a keyword of the material, which must have the same values.
-void bind_variant(Session& session, Material& material, const Property& property, const PortValue* input) {
+void bind_variant(Session& session, Material& material, const format::Property& property, const format::PortValue* input) {
     const Expr* value = input ? input->value : nullptr;
     if (const MaterialProperty* keyword = value ? keyword_named(material, *value) : nullptr) {
         if (keyword->property->type == property.type && keyword->property->values == property.values) {
@@ -148,7 +149,7 @@ void bind_variant(Session& session, Material& material, const Property& property
         material.variants[&property] = *chosen;
         return;
     }
-    Property bound = property;
+    format::Property bound = property;
     const bool is_word = value && value->kind == Expr::Kind::Name && !material.graph->by_id.contains(value->text);
     if (is_word && property.type == PropertyType::Bool) {
         session.diagnostics
@@ -163,11 +164,11 @@ void bind_variant(Session& session, Material& material, const Property& property
 
 // Applies "lighting": { "in": ... }. A constant is another default of the lighting graph's property, which can still be
 // set. Any other value replaces the property, which the material then does not have.
-void bind_lighting_properties(Session& session, Material& material, std::span<const PortValue> inputs) {
-    const std::vector<Property>& own = material.lighting->graph->properties;
-    for (const Property& property : own) {
+void bind_lighting_properties(Session& session, Material& material, std::span<const format::PortValue> inputs) {
+    const std::vector<format::Property>& own = material.lighting->graph->properties;
+    for (const format::Property& property : own) {
         const auto input =
-            std::find_if(inputs.begin(), inputs.end(), [&](const PortValue& p) { return p.name == property.name; });
+            std::find_if(inputs.begin(), inputs.end(), [&](const format::PortValue& p) { return p.name == property.name; });
         if (property.binding == Binding::Variant) {
             bind_variant(session, material, property, input == inputs.end() ? nullptr : &*input);
             continue;
@@ -179,7 +180,7 @@ void bind_lighting_properties(Session& session, Material& material, std::span<co
         if (!input->value) continue;
         const std::size_t ranged = property.type == PropertyType::Color ? 3 : 4;
         if (property.range) check_range(session, *input->value, *property.range, property.hard, property.name, ranged);
-        Property bound = property;
+        format::Property bound = property;
         bound.default_span = input->value_span;
         const bool is_file = is_texture(property.type) && input->value->kind == Expr::Kind::File;
         if (is_file) {
@@ -195,24 +196,24 @@ void bind_lighting_properties(Session& session, Material& material, std::span<co
             material.lighting_inputs.push_back(*input);
         }
     }
-    for (const PortValue& port : inputs) {
-        if (std::any_of(own.begin(), own.end(), [&](const Property& p) { return p.name == port.name; })) continue;
+    for (const format::PortValue& port : inputs) {
+        if (std::any_of(own.begin(), own.end(), [&](const format::Property& p) { return p.name == port.name; })) continue;
         std::vector<std::string_view> names;
-        for (const Property& property : own) names.push_back(property.name);
+        for (const format::Property& property : own) names.push_back(property.name);
         session.diagnostics.report(Code::UnknownPort, port.name_span, material.lighting_name, "property", port.name)
             .note(names.empty() ? "the lighting model has no properties" : Diagnostics::suggestion(port.name, names));
     }
 }
 
 // A variant of the lighting graph is not a property of the material, so both cannot have the same name.
-void check_lighting_variants(Session& session, const Material& material, const LightingUse& use) {
-    for (const Property& property : material.lighting->graph->properties) {
+void check_lighting_variants(Session& session, const Material& material, const format::LightingUse& use) {
+    for (const format::Property& property : material.lighting->graph->properties) {
         const auto found = material.property_index.find(property.name);
         if (property.binding != Binding::Variant || found == material.property_index.end()) continue;
         const bool is_given = std::any_of(use.inputs.begin(), use.inputs.end(),
-                                          [&](const PortValue& input) { return input.name == property.name; });
+                                          [&](const format::PortValue& input) { return input.name == property.name; });
         if (is_given) continue;
-        const Property& other = *material.properties[found->second].property;
+        const format::Property& other = *material.properties[found->second].property;
         DiagnosticRecord& record =
             session.diagnostics.report(Code::DuplicateId, other.name_span, "property", property.name)
                 .note(property.name_span, "the lighting graph has a variant of this name");
@@ -226,15 +227,15 @@ void check_lighting_variants(Session& session, const Material& material, const L
 }
 
 void check_surface(Session& session, const Material& material) {
-    const std::vector<const Input*> inputs = material.surface_inputs();
-    const Graph& graph = *material.graph->graph;
-    std::map<std::string_view, const PortValue*> said;
-    for (const PortValue& port : graph.surface) {
+    const std::vector<const format::Input*> inputs = material.surface_inputs();
+    const format::Graph& graph = *material.graph->graph;
+    std::map<std::string_view, const format::PortValue*> said;
+    for (const format::PortValue& port : graph.surface) {
         const auto found =
-            std::find_if(inputs.begin(), inputs.end(), [&](const Input* i) { return i->name == port.name; });
+            std::find_if(inputs.begin(), inputs.end(), [&](const format::Input* i) { return i->name == port.name; });
         if (found == inputs.end()) {
             std::vector<std::string_view> names;
-            for (const Input* input : inputs) names.push_back(input->name);
+            for (const format::Input* input : inputs) names.push_back(input->name);
             // With a lighting model of the command line, the file does not say where the input is missing.
             const std::string has = session.options.lighting.empty()
                                         ? "has"
@@ -259,12 +260,12 @@ void check_surface(Session& session, const Material& material) {
     }
 }
 
-void check_vertex(Session& session, const Graph& graph) {
+void check_vertex(Session& session, const format::Graph& graph) {
     std::vector<std::string_view> names;
-    for (const SemanticDecl& semantic : session.paths->semantics) {
+    for (const paths::SemanticDecl& semantic : session.paths->semantics) {
         if (semantic.is_vertex_output) names.push_back(semantic.name);
     }
-    for (const PortValue& port : graph.vertex) {
+    for (const format::PortValue& port : graph.vertex) {
         if (std::find(names.begin(), names.end(), port.name) != names.end()) continue;
         session.diagnostics.report(Code::UnknownPort, port.name_span, "the vertex stage", "output", port.name)
             .note(Diagnostics::suggestion(port.name, names));
@@ -273,10 +274,10 @@ void check_vertex(Session& session, const Graph& graph) {
 
 // Resolves everything but the graph itself. False after errors that leave nothing to continue with.
 bool resolve_rest(Session& session, Material& material) {
-    const Graph& graph = *material.graph->graph;
+    const format::Graph& graph = *material.graph->graph;
     material.workflow = find_workflow(session, graph);
     if (!material.workflow) return false;
-    const LightingUse& lighting = lighting_of(graph, *material.workflow->graph);
+    const format::LightingUse& lighting = lighting_of(graph, *material.workflow->graph);
     material.lighting = find_lighting(session, graph, lighting, material.lighting_name, material.shown_in_lighting);
     if (!material.lighting) return false;
     const std::size_t known = material.properties.size();
@@ -299,26 +300,25 @@ namespace {
 
 // True if both names mean one file on a file system that ignores case.
 bool is_same_file(std::string_view a, std::string_view b) {
-    const auto lower = [](char c) { return std::tolower(static_cast<unsigned char>(c)); };
-    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [&](char x, char y) { return lower(x) == lower(y); });
+    return small_letters(std::string(a)) == small_letters(std::string(b));
 }
 
 }  // namespace
 
 void warn_unused(Session& session, const Material& material) {
     if (material.is_preview) return;
-    const Graph& graph = *material.graph->graph;
-    std::vector<PortValue> roots;
-    const auto add_roots = [&](const Graph& of) {
+    const format::Graph& graph = *material.graph->graph;
+    std::vector<format::PortValue> roots;
+    const auto add_roots = [&](const format::Graph& of) {
         roots.insert(roots.end(), of.surface.begin(), of.surface.end());
         roots.insert(roots.end(), of.vertex.begin(), of.vertex.end());
         roots.insert(roots.end(), of.lighting.inputs.begin(), of.lighting.inputs.end());
     };
     add_roots(graph);
-    for (const ExtraPass& pass : graph.passes) add_roots(*pass.graph);
+    for (const format::ExtraPass& pass : graph.passes) add_roots(*pass.graph);
     const std::vector<bool> used = material.graph->reachable(roots);
     for (std::size_t i = 0; i < used.size(); ++i) {
-        const Node& node = graph.nodes[i];
+        const format::Node& node = graph.nodes[i];
         const bool is_part = node.span == graph.span;  // the node represents the whole file (part.h)
         if (used[i] || is_part) continue;
         session.diagnostics.report(Code::UnusedNode, node.id_span, node.id).at(node.id);
@@ -327,23 +327,23 @@ void warn_unused(Session& session, const Material& material) {
     check_meanings(session, material);
 }
 
-const PortValue* Material::given_by_workflow(const Input& input) const {
-    const std::vector<PortValue>& given = workflow->graph->surface;
+const format::PortValue* Material::given_by_workflow(const format::Input& input) const {
+    const std::vector<format::PortValue>& given = workflow->graph->surface;
     const auto found = std::find_if(given.begin(), given.end(), [&](const auto& p) { return p.name == input.name; });
     return found == given.end() ? nullptr : &*found;
 }
 
-std::vector<const Input*> Material::surface_inputs() const {
-    std::vector<const Input*> inputs;
-    for (const Input& input : workflow->graph->inputs) inputs.push_back(&input);
+std::vector<const format::Input*> Material::surface_inputs() const {
+    std::vector<const format::Input*> inputs;
+    for (const format::Input& input : workflow->graph->inputs) inputs.push_back(&input);
     if (lighting) {
-        for (const Input& input : lighting->graph->inputs)
+        for (const format::Input& input : lighting->graph->inputs)
             if (!given_by_workflow(input)) inputs.push_back(&input);
     }
     return inputs;
 }
 
-std::unique_ptr<Material> resolve_material(Session& session, std::shared_ptr<Graph> graph,
+std::unique_ptr<Material> resolve_material(Session& session, std::shared_ptr<format::Graph> graph,
                                            const std::optional<std::string>& preview) {
     auto material = std::make_unique<Material>();
     material->is_preview = preview.has_value();
@@ -357,8 +357,8 @@ std::unique_ptr<Material> resolve_material(Session& session, std::shared_ptr<Gra
 std::vector<std::unique_ptr<Material>> resolve_passes(Session& session, Material& material) {
     std::vector<std::unique_ptr<Material>> passes;
     if (material.is_preview) return passes;
-    for (const ExtraPass& pass : material.graph->graph->passes) {
-        for (const PassDecl& known : session.paths->passes) {
+    for (const format::ExtraPass& pass : material.graph->graph->passes) {
+        for (const paths::PassDecl& known : session.paths->passes) {
             if (!is_same_file(known.name, pass.name)) continue;
             session.diagnostics.report(Code::DuplicateId, pass.name_span, "pass", pass.name)
                 .note(known.name == pass.name ? fmt::format("the first is a pass of the path '{}'", known.path)
@@ -367,7 +367,7 @@ std::vector<std::unique_ptr<Material>> resolve_passes(Session& session, Material
                                                             known.path, known.name));
             break;
         }
-        for (const ExtraPass& other : material.graph->graph->passes) {
+        for (const format::ExtraPass& other : material.graph->graph->passes) {
             if (&other == &pass) break;
             if (other.name == pass.name || !is_same_file(other.name, pass.name)) continue;
             session.diagnostics.report(Code::DuplicateId, pass.name_span, "pass", pass.name)
@@ -394,4 +394,4 @@ std::vector<std::unique_ptr<Material>> resolve_passes(Session& session, Material
     return passes;
 }
 
-}  // namespace patina::graph
+}  // namespace patina::resolve

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 
-namespace patina::graph {
+namespace patina::resolve {
 namespace {
 
 using Kind = Meaning::Kind;
@@ -66,4 +66,4 @@ Meaning mix_of(const Operand& a, const Operand& b) {
     return a.is_constant ? b.meaning : Meaning{};
 }
 
-}  // namespace patina::graph
+}  // namespace patina::resolve

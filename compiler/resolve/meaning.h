@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-namespace patina::graph {
+namespace patina::resolve {
 
 struct Meaning {
     enum class Kind : std::uint8_t { Unknown, Texel, NormalMap, Data, Direction, Position };
@@ -36,4 +36,4 @@ Meaning product_of(const Operand& a, const Operand& b, bool is_division);
 // One of them, or what is between them.
 Meaning mix_of(const Operand& a, const Operand& b);
 
-}  // namespace patina::graph
+}  // namespace patina::resolve

@@ -10,7 +10,7 @@
 
 #include "compiler/resolve/meaning.h"
 
-namespace patina::graph {
+namespace patina::resolve {
 namespace {
 
 using nodelang::Attribute;
@@ -27,10 +27,10 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 4> kSpaceWor
 // A value: what it is, and the textures whose colours it depends on.
 struct Value {
     Meaning meaning{};
-    const Property* texel_of = nullptr;  // Kind::Texel
-    const Property* texture = nullptr;   // the value is this texture itself, or another property
+    const format::Property* texel_of = nullptr;  // Kind::Texel
+    const format::Property* texture = nullptr;   // the value is this texture itself, or another property
     bool is_constant = false;            // made of numbers alone
-    std::set<const Property*> textures{};
+    std::set<const format::Property*> textures{};
     friend bool operator==(const Value&, const Value&) = default;
 };
 using Values = std::map<std::string_view, Value>;
@@ -58,21 +58,21 @@ public:
     Check(Session& session, const Material& material) : session_(session), material_(material) {}
 
     void run() {
-        const Graph& graph = *material_.graph->graph;
+        const format::Graph& graph = *material_.graph->graph;
         Walk walk{.graph = *material_.graph};
         walk_ = &walk;
         nodes();
-        for (const PortValue& port : graph.surface) surface(port);
-        for (const PortValue& port : graph.vertex) {
+        for (const format::PortValue& port : graph.surface) surface(port);
+        for (const format::PortValue& port : graph.vertex) {
             if (!port.value) continue;
             const Value value = value_of(*port.value);
             compare(value, meaning_of(port.name), port.name, port.value_span);
             used_as_data(value);
         }
-        for (const ExtraPass& pass : graph.passes) {
-            for (const PortValue& port : pass.graph->surface) surface(port);
+        for (const format::ExtraPass& pass : graph.passes) {
+            for (const format::PortValue& port : pass.graph->surface) surface(port);
         }
-        for (const PortValue& port : graph.lighting.inputs) {
+        for (const format::PortValue& port : graph.lighting.inputs) {
             if (!port.value) continue;
             const Value value = value_of(*port.value);
             used_as_color(value);
@@ -130,7 +130,7 @@ private:
     }
 
     void node(std::uint32_t index) {
-        const Node& node = walk_->graph.graph->nodes[index];
+        const format::Node& node = walk_->graph.graph->nodes[index];
         const ResolvedNode& resolved = walk_->graph.nodes[index];
         if (!resolved.ok) return;
         node_ = node.id;
@@ -138,7 +138,7 @@ private:
             if (node.expr) walk_->values[index] = value_of(*node.expr);
         } else if (resolved.function) {
             std::vector<Argument> arguments;
-            for (const PortValue& port : node.inputs) {
+            for (const format::PortValue& port : node.inputs) {
                 for (const ParamDecl& param : resolved.function->params) {
                     if (port.value && param.name == port.name)
                         arguments.push_back({.param = &param, .value = port.value, .where = port.value_span});
@@ -153,7 +153,7 @@ private:
 
     Value result(const FunctionDecl& function, std::span<const Argument> arguments) {
         Value made{.meaning = result_of(function, arguments)};
-        const Property* texture = nullptr;
+        const format::Property* texture = nullptr;
         for (const Argument& argument : arguments) {
             const Value value = value_of(*argument.value);
             made.textures.insert(value.textures.begin(), value.textures.end());
@@ -187,7 +187,7 @@ private:
 
     // "@light.direction": what the struct says of its member.
     Meaning member_of_semantic(std::string_view semantic, std::string_view member) const {
-        const SemanticDecl* declared_as = session_.paths->semantic(semantic);
+        const paths::SemanticDecl* declared_as = session_.paths->semantic(semantic);
         if (!declared_as) return {};
         const std::string_view type =
             declared_as->function ? declared_as->function->result.name : declared_as->variable->type.name;
@@ -244,10 +244,10 @@ private:
 
     // A sub-graph is walked with what it gets here. The same inputs give the same outputs.
     void sub_graph(std::uint32_t index) {
-        const Node& node = walk_->graph.graph->nodes[index];
+        const format::Node& node = walk_->graph.graph->nodes[index];
         const CheckedGraph& inside = *walk_->graph.nodes[index].subgraph;
         Values given;
-        for (const PortValue& port : node.inputs) {
+        for (const format::PortValue& port : node.inputs) {
             if (!port.value) continue;
             given[port.name] = value_of(*port.value);
             compare(given[port.name], meaning_of(port.name), port.name, port.value_span);
@@ -263,7 +263,7 @@ private:
             const std::string_view id = std::exchange(node_, {});
             nodes();
             Values made;
-            for (const PortValue& output : inside.graph->outputs) {
+            for (const format::PortValue& output : inside.graph->outputs) {
                 if (output.value) made[output.name] = value_of(*output.value);
                 // A name that says what it is counts where the value does not say it.
                 const Meaning said = meaning_of(output.name);
@@ -284,7 +284,7 @@ private:
         Walk walk{.graph = graph};
         walk_ = &walk;
         nodes();
-        for (const PortValue& port : graph.graph->outputs) {
+        for (const format::PortValue& port : graph.graph->outputs) {
             if (port.value) value_of(*port.value);
         }
     }
@@ -295,7 +295,7 @@ private:
         if (const auto given = walk_->inputs.find(expr.text); given != walk_->inputs.end()) return given->second;
         const auto& all = walk_->graph.graph->properties;
         const auto found =
-            std::find_if(all.begin(), all.end(), [&](const Property& each) { return each.name == expr.text; });
+            std::find_if(all.begin(), all.end(), [&](const format::Property& each) { return each.name == expr.text; });
         return {.texture = found == all.end() ? nullptr : &*found};
     }
 
@@ -318,7 +318,7 @@ private:
     }
 
     // True for one component that is the alpha of the texture's file.
-    static bool is_alpha(std::string_view component, const Property* texel_of) {
+    static bool is_alpha(std::string_view component, const format::Property* texel_of) {
         const std::size_t at =
             std::min(std::string_view("rgba").find(component), std::string_view("xyzw").find(component));
         if (component.size() != 1 || at > 3) return false;
@@ -397,8 +397,8 @@ private:
     }
 
     // The texture, if all texels among the parts are of one.
-    static const Property* texel_of(std::span<const Value> parts) {
-        const Property* found = nullptr;
+    static const format::Property* texel_of(std::span<const Value> parts) {
+        const format::Property* found = nullptr;
         for (const Value& part : parts) {
             if (part.meaning.kind != Kind::Texel) continue;
             if (found && found != part.texel_of) return nullptr;
@@ -435,12 +435,12 @@ private:
 
     // --- what is compared
 
-    void surface(const PortValue& port) {
+    void surface(const format::PortValue& port) {
         if (!port.value) return;
         const Value value = value_of(*port.value);
         compare(value, meaning_of(port.name), port.name, port.value_span);
         bool is_color = true;
-        for (const Input* input : material_.surface_inputs()) {
+        for (const format::Input* input : material_.surface_inputs()) {
             if (input->name == port.name) is_color = input->type.starts_with("color");
         }
         if (is_color)
@@ -455,10 +455,10 @@ private:
     }
 
     void used_as_data(const Value& value) {
-        for (const Property* texture : value.textures) data_.emplace(texture, texture->name_span);
+        for (const format::Property* texture : value.textures) data_.emplace(texture, texture->name_span);
     }
 
-    void normal_map(const Property* texture, Span where) {
+    void normal_map(const format::Property* texture, Span where) {
         if (!texture) return;
         colors_.insert(texture);  // one warning is enough
         if (texture->usage != TextureUsage::Color) return;
@@ -524,8 +524,8 @@ private:
     Walk* walk_ = nullptr;
     std::string_view node_;  // the node that is being walked; empty: none
     std::map<const CheckedGraph*, std::vector<std::pair<Values, Values>>> known_;  // of sub-graphs: inputs, outputs
-    std::map<const Property*, Span> data_;
-    std::set<const Property*> colors_;
+    std::map<const format::Property*, Span> data_;
+    std::set<const format::Property*> colors_;
 };
 
 }  // namespace
@@ -535,4 +535,4 @@ void check_meanings(Session& session, const Material& material) {
     Check(session, material).run();
 }
 
-}  // namespace patina::graph
+}  // namespace patina::resolve

@@ -7,7 +7,7 @@
 
 #include "compiler/resolve/material.h"
 
-namespace patina::graph {
+namespace patina::resolve {
 
 // Carries the meanings of values through the material's nodes, as far as they are plain. Warns of
 // - a texel where a direction is wanted, a direction where a position is wanted, and another space than the wanted one;
@@ -16,4 +16,4 @@ namespace patina::graph {
 // - a texture that is decoded as a colour although all that reads it wants data, unless its "usage" is stated.
 void check_meanings(Session& session, const Material& material);
 
-}  // namespace patina::graph
+}  // namespace patina::resolve

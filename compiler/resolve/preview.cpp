@@ -10,7 +10,7 @@
 #include "compiler/nodelang/parse.h"
 #include "compiler/resolve/material.h"
 
-namespace patina::graph {
+namespace patina::resolve {
 namespace {
 
 using nodelang::Expr;
@@ -22,19 +22,19 @@ auto find_named(const List& list, std::string_view name, Id id) {
     return std::find_if(list.begin(), list.end(), [&](const auto& each) { return id(each) == name; });
 }
 
-bool has_node(const Graph& graph, std::string_view id) {
-    return find_named(graph.nodes, id, [](const Node& node) -> std::string_view { return node.id; }) !=
+bool has_node(const format::Graph& graph, std::string_view id) {
+    return find_named(graph.nodes, id, [](const format::Node& node) -> std::string_view { return node.id; }) !=
            graph.nodes.end();
 }
 
 // If the value is of an extra pass, what that draws becomes the graph's own.
-void enter_pass(Graph& graph, Shown& shown) {
+void enter_pass(format::Graph& graph, Shown& shown) {
     const std::string_view name = shown.head().text;
     if (name.size() == shown.text.size() || has_node(graph, name)) return;
     const auto found =
-        find_named(graph.passes, name, [](const ExtraPass& pass) -> std::string_view { return pass.name; });
+        find_named(graph.passes, name, [](const format::ExtraPass& pass) -> std::string_view { return pass.name; });
     if (found == graph.passes.end()) return;
-    const std::shared_ptr<Graph> pass = found->graph;
+    const std::shared_ptr<format::Graph> pass = found->graph;
     graph.workflow = pass->workflow;
     graph.workflow_span = pass->workflow_span;
     graph.lighting = pass->lighting;
@@ -45,8 +45,8 @@ void enter_pass(Graph& graph, Shown& shown) {
 }
 
 // The value covers what is behind it, unblended and whatever the depth and stencil buffers hold.
-void draw_solid(Graph& graph) {
-    RenderState render;
+void draw_solid(format::Graph& graph) {
+    format::RenderState render;
     render.cull = graph.render.cull;
     render.bounds = graph.render.bounds;
     render.span = graph.render.span;
@@ -55,19 +55,19 @@ void draw_solid(Graph& graph) {
 }
 
 // The lighting is left out; the caller may still give its variants values.
-void note_unused_variants(Session& session, const Graph& graph, Material& material) {
+void note_unused_variants(Session& session, const format::Graph& graph, Material& material) {
     const CheckedGraph* workflow = session.options.switches.empty() ? nullptr : find_workflow(session, graph);
     if (!workflow) return;
     std::string name;
     const CheckedGraph* lighting = find_lighting(session, graph, lighting_of(graph, *workflow->graph), name);
     if (!lighting) return;
-    for (const Property& property : lighting->graph->properties) {
+    for (const format::Property& property : lighting->graph->properties) {
         if (property.binding == Binding::Variant) material.unused_variants.insert(property.name);
     }
 }
 
 // Shows a value that needs no lighting, with the first workflow that can show a single value.
-bool show_unlit(Session& session, Graph& graph, const Expr* value, Material& material) {
+bool show_unlit(Session& session, format::Graph& graph, const Expr* value, Material& material) {
     note_unused_variants(session, graph, material);
     for (const auto& [name, workflow] : session.library.workflows) {
         if (!workflow.get() || workflow.get()->preview_input.empty()) continue;
@@ -85,7 +85,7 @@ bool show_unlit(Session& session, Graph& graph, const Expr* value, Material& mat
 }
 
 // Shows a value that the lighting graph can read, in place of its outputs.
-bool show_lit(Graph& graph, const Expr* value, Material& material) {
+bool show_lit(format::Graph& graph, const Expr* value, Material& material) {
     if (!value) return false;
     draw_solid(graph);
     material.shown_value = {
@@ -94,8 +94,8 @@ bool show_lit(Graph& graph, const Expr* value, Material& material) {
 }
 
 // Names the members of the lighting surface, and the model's own inputs.
-bool is_member_of_surface(Session& session, const Graph& graph, const Graph& workflow, std::string_view name) {
-    for (const SlotDecl& slot : session.paths->slots) {
+bool is_member_of_surface(Session& session, const format::Graph& graph, const format::Graph& workflow, std::string_view name) {
+    for (const paths::SlotDecl& slot : session.paths->slots) {
         if (!slot.function->params.empty()) continue;
         const nodelang::StructDecl* surface = session.declarations->structure(slot.function->result.name);
         if (!surface) continue;
@@ -104,25 +104,25 @@ bool is_member_of_surface(Session& session, const Graph& graph, const Graph& wor
     }
     std::string ignored;
     const CheckedGraph* lighting = find_lighting(session, graph, lighting_of(graph, workflow), ignored);
-    return lighting && find_named(lighting->graph->inputs, name, [](const Input& i) -> std::string_view {
+    return lighting && find_named(lighting->graph->inputs, name, [](const format::Input& i) -> std::string_view {
                            return i.name;
                        }) != lighting->graph->inputs.end();
 }
 
 // Another output of the lighting graph than a node's: the sum that it computes.
-const Expr* output_of(const Graph& lighting, std::string_view name) {
+const Expr* output_of(const format::Graph& lighting, std::string_view name) {
     const auto found =
-        find_named(lighting.outputs, name, [](const PortValue& port) -> std::string_view { return port.name; });
+        find_named(lighting.outputs, name, [](const format::PortValue& port) -> std::string_view { return port.name; });
     return found == lighting.outputs.end() || has_node(lighting, name) ? nullptr : found->value;
 }
 
 // A slot that passes call with the sums of the others, and that a lighting graph may leave to its default.
 bool is_sum(Session& session, std::string_view name) {
-    const SlotDecl* slot = session.paths->slot(name);
+    const paths::SlotDecl* slot = session.paths->slot(name);
     return slot && !slot->is_derived() && slot->function->has_body && slot->function->params.size() > 1;
 }
 
-bool show_lighting(Session& session, Graph& graph, const Graph& workflow, const Shown& port, Material& material) {
+bool show_lighting(Session& session, format::Graph& graph, const format::Graph& workflow, const Shown& port, Material& material) {
     std::string ignored;
     const CheckedGraph* lighting = find_lighting(session, graph, lighting_of(graph, workflow), ignored);
     if (!lighting) return false;
@@ -137,7 +137,7 @@ bool show_lighting(Session& session, Graph& graph, const Graph& workflow, const 
 
 }  // namespace
 
-bool make_preview(Session& session, Graph& graph, std::string_view preview, Material& material, Shown& shown) {
+bool make_preview(Session& session, format::Graph& graph, std::string_view preview, Material& material, Shown& shown) {
     shown.base = session.sources.add("preview", std::string(preview));
     shown.text = session.sources.file_text(shown.base);
     enter_pass(graph, shown);
@@ -146,14 +146,14 @@ bool make_preview(Session& session, Graph& graph, std::string_view preview, Mate
     const std::string_view name = is_input ? shown.text.substr(kSurface.size()) : shown.text;
     if (is_input || !has_node(graph, id)) {
         const auto set =
-            find_named(graph.surface, name, [](const PortValue& port) -> std::string_view { return port.name; });
+            find_named(graph.surface, name, [](const format::PortValue& port) -> std::string_view { return port.name; });
         if (set != graph.surface.end() && set->value) {
             const Expr* value = set->value;
             shown = {};
             return show_unlit(session, graph, value, material);
         }
         const auto known = session.library.workflows.find(graph.workflow);
-        const Graph* workflow = known == session.library.workflows.end() ? nullptr : known->second.get().get();
+        const format::Graph* workflow = known == session.library.workflows.end() ? nullptr : known->second.get().get();
         if (workflow && workflow->is_lit()) {
             if (shown.head().text == kLighting && shown.head().text.size() < shown.text.size()) {
                 const Shown port = shown.inside(kLighting);
@@ -171,7 +171,7 @@ bool make_preview(Session& session, Graph& graph, std::string_view preview, Mate
         }
         if (workflow) {
             const auto unset =
-                find_named(workflow->inputs, name, [](const Input& input) -> std::string_view { return input.name; });
+                find_named(workflow->inputs, name, [](const format::Input& input) -> std::string_view { return input.name; });
             if (unset != workflow->inputs.end() && unset->value) {
                 shown = {};
                 return show_unlit(session, graph, unset->value, material);
@@ -183,4 +183,4 @@ bool make_preview(Session& session, Graph& graph, std::string_view preview, Mate
     return true;
 }
 
-}  // namespace patina::graph
+}  // namespace patina::resolve

@@ -4,14 +4,14 @@
 #include "compiler/resolve/material.h"
 #include "compiler/resolve/smallest_material.h"
 
-namespace patina::graph {
+namespace patina::resolve {
 
 MaterialFile read_material(Session& session, std::uint32_t base, const std::string& path) {
-    const std::unique_ptr<Json> json = parse_json(session.sources, base, session.diagnostics);
+    const std::unique_ptr<json::Json> json = json::parse_json(session.sources, base, session.diagnostics);
     if (!json || must_stop(session)) return {};
     const bool any_kind = session.options.accept_parts;
-    std::shared_ptr<Graph> graph = read_graph(*json, path, session.sources, session.ast, session.diagnostics,
-                                              any_kind ? std::nullopt : std::optional(GraphKind::Material));
+    std::shared_ptr<format::Graph> graph = format::read_graph(*json, path, session.sources, session.ast, session.diagnostics,
+                                              any_kind ? std::nullopt : std::optional(format::GraphKind::Material));
     if (graph && any_kind) graph = material_around(session, std::move(graph));
     if (!graph) return {};
     choose_lighting(session, *graph);
@@ -21,13 +21,13 @@ MaterialFile read_material(Session& session, std::uint32_t base, const std::stri
     if (session.pass_file) {
         std::vector<std::string_view> inputs;
         if (const CheckedGraph* lighting = file.material->lighting) {
-            for (const Input& input : lighting->graph->inputs) inputs.push_back(input.name);
+            for (const format::Input& input : lighting->graph->inputs) inputs.push_back(input.name);
         }
         const PassFile& passes = *session.pass_file;
-        check_members(passes.ast, passes.declarations, passes.paths, inputs, session.diagnostics);
+        paths::check_members(passes.ast, passes.declarations, passes.paths, inputs, session.diagnostics);
     }
     file.passes = resolve_passes(session, *file.material);
     return file;
 }
 
-}  // namespace patina::graph
+}  // namespace patina::resolve

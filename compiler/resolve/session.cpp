@@ -8,7 +8,7 @@
 #include "compiler/nodelang/parse.h"
 #include "compiler/resolve/check_graph.h"
 
-namespace patina::graph {
+namespace patina::resolve {
 namespace {
 
 // The targets have been grouped by engine (api/compile_targets.cpp). If none is requested, the default engine is used.
@@ -167,8 +167,8 @@ bool may_be_quoted(Session& session, const std::string& path, std::string_view t
 void report_too_large(Session& session, const std::string& path, std::size_t bytes, const std::string& why,
                       Span where) {
     const std::uint32_t base = session.sources.add(path, {});
-    if (bytes > kMaxJsonBytes) {
-        session.diagnostics.report(Code::TooLarge, {base, base}, bytes, kMaxJsonBytes);
+    if (bytes > json::kMaxJsonBytes) {
+        session.diagnostics.report(Code::TooLarge, {base, base}, bytes, json::kMaxJsonBytes);
         return;
     }
     session.files.add_bytes(bytes);
@@ -207,7 +207,7 @@ std::optional<std::uint32_t> load_source(Session& session, const std::string& pa
         if (!advice.empty()) record.note(advice);
         return {};
     }
-    if (answer.text->size() > kMaxJsonBytes) {
+    if (answer.text->size() > json::kMaxJsonBytes) {
         report_too_large(session, path, answer.text->size(), answer.why, where);
         return {};
     }
@@ -252,7 +252,7 @@ bool is_in(const std::vector<std::string_view>& words, std::string_view word) {
     return std::find(words.begin(), words.end(), word) != words.end();
 }
 
-void check_along(Session& session, const PassDecl& pass) {
+void check_along(Session& session, const paths::PassDecl& pass) {
     const std::vector<std::string_view> known(session.engine.paths.begin(), session.engine.paths.end());
     for (const auto* paths : {&pass.along, &pass.extra_along}) {
         for (const std::string_view path : *paths) {
@@ -266,7 +266,7 @@ void check_along(Session& session, const PassDecl& pass) {
 
 // What the file's pass draws along the requested path: materials, only what materials add, or nothing. An engine
 // selects its own passes, so those of the library draw nothing there.
-void choose_what_is_drawn(const Session& session, std::string_view own_path, PassDecl& pass) {
+void choose_what_is_drawn(const Session& session, std::string_view own_path, paths::PassDecl& pass) {
     if (pass.path != session.path) {
         if (session.engine.has_own_passes()) pass.draws_extra = false;
         return;
@@ -294,7 +294,7 @@ void read_passes(Session& session, std::uint32_t base, std::string path) {
     // The file replaces the whole path, even if the library has one of that name. An engine's file holds the passes of
     // several paths.
     const std::string_view own_path = session.engine.own_path(session.request.path);
-    for (PassDecl& pass : file->paths.passes) {
+    for (paths::PassDecl& pass : file->paths.passes) {
         if (pass.path == session.path) check_along(session, pass);
         choose_what_is_drawn(session, own_path, pass);
     }
@@ -349,4 +349,4 @@ std::string file_stem(std::string_view path) {
     return std::string(name.substr(0, dot));
 }
 
-}  // namespace patina::graph
+}  // namespace patina::resolve

@@ -17,7 +17,7 @@
 #include "compiler/resolve/library.h"
 #include "patina/patina.h"
 
-namespace patina::graph {
+namespace patina::resolve {
 
 struct CheckedGraph;
 
@@ -34,7 +34,7 @@ inline constexpr std::string_view kAllPaths = "all";
 struct PassFile {
     nodelang::Ast ast;
     nodelang::Declarations declarations;
-    PathDeclarations paths;  // those of the library, and the file's
+    paths::PathDeclarations paths;  // those of the library, and the file's
 };
 
 // CompileOptions::request, for those who need a part of it. What a list names twice is in it once.
@@ -59,7 +59,7 @@ struct Session {
     const engines::Engine& engine;  // the engine of all requested targets
     // The library's, unless the requested path is a file.
     const nodelang::Declarations* declarations;
-    const PathDeclarations* paths;
+    const paths::PathDeclarations* paths;
     std::string path;  // the name of the requested path
     std::shared_ptr<const PassFile> pass_file;
     SourceMap sources;
@@ -73,7 +73,7 @@ struct Session {
     std::deque<CheckedGraph> checked;
     std::map<std::string, const CheckedGraph*> graphs;  // by path
     std::map<std::string, std::unique_ptr<NodeFile>> node_files;
-    std::deque<Property> file_properties;  // textures that are files named at a port
+    std::deque<format::Property> file_properties;  // textures that are files named at a port
     std::vector<std::string> active;       // paths of the sub-graphs that are being loaded, to find recursion
     std::set<std::string> missing;         // files that were looked for and are not there
 };
@@ -114,4 +114,4 @@ void find_path(Session& session);
 // "dir/x.graph.json" -> "x"
 std::string file_stem(std::string_view path);
 
-}  // namespace patina::graph
+}  // namespace patina::resolve

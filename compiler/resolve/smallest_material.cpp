@@ -4,7 +4,7 @@
 
 #include "compiler/format/words.h"
 
-namespace patina::graph {
+namespace patina::resolve {
 
 using nodelang::Expr;
 
@@ -19,14 +19,14 @@ std::string workflow_name(const Library& library, bool shows_value) {
 }
 
 // Some value of the type, for an input that has no default.
-const Expr* any_value(Session& session, Graph& material, const Input& input) {
+const Expr* any_value(Session& session, format::Graph& material, const format::Input& input) {
     Expr& expr = session.ast.exprs.emplace_back();
     expr.span = expr.name_span = input.name_span;
     if (input.type == "bool") {
         expr.kind = Expr::Kind::Bool;
     } else if (const std::optional<PropertyType> type = from_word<PropertyType>(input.type);
                type && (is_texture(*type) || is_array(*type) || *type == PropertyType::Sampler)) {
-        Property& property = material.properties.emplace_back();
+        format::Property& property = material.properties.emplace_back();
         property.name = "_" + input.name;
         property.name_span = property.span = input.name_span;
         property.type = *type;
@@ -41,28 +41,28 @@ const Expr* any_value(Session& session, Graph& material, const Input& input) {
 
 }  // namespace
 
-std::shared_ptr<Graph> material_around(Session& session, std::shared_ptr<Graph> part) {
-    if (part->kind == GraphKind::Material) return part;
-    auto material = std::make_shared<Graph>();
+std::shared_ptr<format::Graph> material_around(Session& session, std::shared_ptr<format::Graph> part) {
+    if (part->kind == format::GraphKind::Material) return part;
+    auto material = std::make_shared<format::Graph>();
     material->path = part->path;
     material->name = part->name;
     material->span = part->span;
-    material->workflow = workflow_name(session.library, part->kind == GraphKind::Subgraph);
-    if (part->kind == GraphKind::Lighting) {
+    material->workflow = workflow_name(session.library, part->kind == format::GraphKind::Subgraph);
+    if (part->kind == format::GraphKind::Lighting) {
         material->lighting.inlined = part;
         material->lighting.span = part->span;
         material->lighting.present = true;
         return material;
     }
-    if (part->kind == GraphKind::Workflow) {
+    if (part->kind == format::GraphKind::Workflow) {
         session.diagnostics.report(Code::UnknownWord, part->span, "workflow", "a graph that can be checked on its own");
         return nullptr;
     }
-    Node& node = material->nodes.emplace_back();
+    format::Node& node = material->nodes.emplace_back();
     node.id = "part";
     node.id_span = node.span = node.type_span = part->span;
     node.type = "./" + part->path.substr(part->path.find_last_of('/') + 1);
-    for (const Input& input : part->inputs) {
+    for (const format::Input& input : part->inputs) {
         if (input.value) continue;
         node.inputs.push_back({.name = input.name,
                                .name_span = input.name_span,
@@ -72,4 +72,4 @@ std::shared_ptr<Graph> material_around(Session& session, std::shared_ptr<Graph> 
     return material;
 }
 
-}  // namespace patina::graph
+}  // namespace patina::resolve

@@ -3,9 +3,9 @@
 
 #include "compiler/resolve/session.h"
 
-namespace patina::graph {
+namespace patina::resolve {
 
 // Returns a material itself. Returns null, with an error, for a kind that no material can use directly.
-std::shared_ptr<Graph> material_around(Session& session, std::shared_ptr<Graph> part);
+std::shared_ptr<format::Graph> material_around(Session& session, std::shared_ptr<format::Graph> part);
 
-}  // namespace patina::graph
+}  // namespace patina::resolve

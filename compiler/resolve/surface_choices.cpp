@@ -3,15 +3,15 @@
 #include "compiler/format/words.h"
 #include "compiler/resolve/material.h"
 
-namespace patina::graph {
+namespace patina::resolve {
 namespace {
 
-Span opening(const RenderState& render) {
+Span opening(const format::RenderState& render) {
     return {render.span.begin, render.span.begin + 1};
 }
 
-Property choice(std::string_view name, std::string_view label, double value, const RenderState& render) {
-    Property made;
+format::Property choice(std::string_view name, std::string_view label, double value, const format::RenderState& render) {
+    format::Property made;
     made.name = std::string(name);
     made.label = std::string(label);
     made.group = "Surface";
@@ -22,8 +22,8 @@ Property choice(std::string_view name, std::string_view label, double value, con
     return made;
 }
 
-void add(Session& session, Graph& graph, Property made) {
-    for (const Property& property : graph.properties) {
+void add(Session& session, format::Graph& graph, format::Property made) {
+    for (const format::Property& property : graph.properties) {
         if (property.name != made.name) continue;
         session.diagnostics.report(Code::DuplicateId, property.name_span, "property", property.name)
             .note(made.name_span, "'materialOverride' declares the first");
@@ -34,10 +34,10 @@ void add(Session& session, Graph& graph, Property made) {
 
 }  // namespace
 
-void add_surface_choices(Session& session, Graph& graph) {
-    RenderState& render = graph.render;
-    for (ExtraPass& pass : graph.passes) {
-        RenderState& own = pass.graph->render;
+void add_surface_choices(Session& session, format::Graph& graph) {
+    format::RenderState& render = graph.render;
+    for (format::ExtraPass& pass : graph.passes) {
+        format::RenderState& own = pass.graph->render;
         if (own.allows_override && own.span != render.span)
             session.diagnostics.report(Code::NoEffect, opening(own), "materialOverride",
                                        "a material can change only its main surface");
@@ -48,7 +48,7 @@ void add_surface_choices(Session& session, Graph& graph) {
     const auto first = std::begin(kBlendingKinds), end = std::end(kBlendingKinds);
     const auto kind = std::find_if(first, end, [&](const BlendingKind& each) { return each.kind == render.surface; });
     add(session, graph, choice(kTransparentChoice, "Transparent", kind != end, render));
-    Property blend = choice(kBlendChoice, "Blending", kind == end ? 0 : static_cast<double>(kind - first), render);
+    format::Property blend = choice(kBlendChoice, "Blending", kind == end ? 0 : static_cast<double>(kind - first), render);
     blend.type = PropertyType::Enum;
     for (const BlendingKind& each : kBlendingKinds) {
         blend.values.emplace_back(each.word);
@@ -58,4 +58,4 @@ void add_surface_choices(Session& session, Graph& graph) {
     add(session, graph, choice(kClipChoice, "Alpha Clipping", render.surface == SurfaceKind::Cutout, render));
 }
 
-}  // namespace patina::graph
+}  // namespace patina::resolve

@@ -91,10 +91,10 @@ TEST(Engines, MistakesInTheFileAreReportedAtTheirPlaces) {
 TEST(Engines, ThePageNamesEveryKey) {
     std::ostringstream page;
     page << std::ifstream("docs/engines.md").rdbuf();
-    using enum graph::ObjectKind;
-    for (const graph::ObjectKind kind :
+    using enum format::ObjectKind;
+    for (const format::ObjectKind kind :
          {Engine, EngineSets, EngineSet, EngineVertexInput, EngineClip, EngineLimits, EngineNames}) {
-        for (const graph::KeyInfo& key : graph::keys_of(kind))
+        for (const format::KeyInfo& key : format::keys_of(kind))
             EXPECT_TRUE(has(page.str(), fmt::format("`{}`", key.name))) << key.name;
     }
 }

@@ -15,9 +15,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const graph::Library& library() {
-    static const std::unique_ptr<graph::Library> kLibrary =
-        graph::load_library(nodelang::embedded_files(), engines::printable());
+const resolve::Library& library() {
+    static const std::unique_ptr<resolve::Library> kLibrary =
+        resolve::load_library(nodelang::embedded_files(), engines::printable());
     return *kLibrary;
 }
 
@@ -56,9 +56,9 @@ void expect_sound(const std::string& path, const std::string& text, const std::s
     CompileOptions options;
     options.request = CompileOptions::Passes{.path = along};
     options.targets = {Target::Glsl, Target::Hlsl};
-    graph::Session session(library(), options);
+    resolve::Session session(library(), options);
     const std::optional<std::uint32_t> base =
-        text.empty() ? graph::load_source(session, path, {}) : std::optional(session.sources.add(path, text));
+        text.empty() ? resolve::load_source(session, path, {}) : std::optional(session.sources.add(path, text));
     ASSERT_TRUE(base);
     Result result;
     ShortName pass_now;
@@ -109,9 +109,9 @@ INSTANTIATE_TEST_SUITE_P(All, ExampleConstants, testing::ValuesIn(examples()),
 // --- lighting models
 
 // Each value of each variant of a model, as "in" says it; first nothing, for the defaults.
-std::vector<std::string> choices_of(const graph::Graph& model) {
+std::vector<std::string> choices_of(const format::Graph& model) {
     std::vector<std::string> choices = {""};
-    for (const graph::Property& property : model.properties) {
+    for (const format::Property& property : model.properties) {
         if (property.binding != Binding::Variant) continue;
         const std::string name = "\"" + property.name + "\": ";
         if (property.type == PropertyType::Bool) {
@@ -126,7 +126,7 @@ std::vector<std::string> choices_of(const graph::Graph& model) {
 class ModelConstants : public testing::TestWithParam<std::string> {};
 
 TEST_P(ModelConstants, AreSound) {
-    const graph::Graph& model = *library().lighting_models.find(GetParam())->second.get();
+    const format::Graph& model = *library().lighting_models.find(GetParam())->second.get();
     for (const auto& [workflow, file] : library().workflows) {
         if (!file.get()->is_lit()) continue;
         for (const std::string& choice : choices_of(model)) {

@@ -102,7 +102,7 @@ PortDomain port_domain(std::string_view node, const nodelang::ParamDecl& param) 
         for (const std::vector<double>& corner : row->corners) add(corner);
         domain.box = row->box;
         domain.only_corners = row->only_corners;
-    } else if (const auto range = graph::range_of(param.attributes)) {
+    } else if (const auto range = resolve::range_of(param.attributes)) {
         // Both ends, close to the lower one, and zero.
         add({(*range)[0]});
         add({(*range)[1]});

@@ -47,7 +47,7 @@ struct Form {
 
 std::vector<Form> all_forms() {
     std::vector<Form> forms;
-    for (const FunctionDecl* each : graph::all_functions(library())) {
+    for (const FunctionDecl* each : resolve::all_functions(library())) {
         const FunctionDecl& function = *each;
         if (!is_tried(function)) continue;
         std::vector<Form> own = {{.function = &function}};
@@ -92,7 +92,7 @@ std::vector<Output> outputs_of(const FunctionDecl& function) {
     const auto add = [&](std::string name, std::string_view type, std::span<const nodelang::Attribute> attributes) {
         Output& output = outputs.emplace_back(Output{.name = std::move(name), .type = type});
         if (is_factor) output.range[0] = 0;
-        if (const auto range = graph::range_of(attributes)) output.range = *range;
+        if (const auto range = resolve::range_of(attributes)) output.range = *range;
     };
     if (function.result.name != "void") add("out", function.result.name, function.attributes);
     for (const ParamDecl& param : function.params) {

@@ -143,7 +143,7 @@ Stages linked_stages(LoweredMaterial& made, ir::StageKind kind) {
     Stages stages;
     link::name_interface(made.module());
     const link::Linked linked = link::link(std::move(made.lowered()));
-    for (const graph::LoweredPass& pass : linked.lowered.passes) {
+    for (const lower::LoweredPass& pass : linked.lowered.passes) {
         Module stage = link::link_fragment(linked, pass, {});
         if (kind == ir::StageKind::Vertex) {
             Module fragment = ir::tidy(std::move(stage));

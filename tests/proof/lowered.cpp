@@ -29,13 +29,13 @@ LoweredMaterial::LoweredMaterial(std::string text, const std::string& path, ir::
                                  const std::string& rendering_path)
     : options_(options_for(rendering_path)), session_(library(), options_) {
     const std::uint32_t base = session_.sources.add(path, std::move(text));
-    const auto json = graph::parse_json(session_.sources, base, session_.diagnostics);
+    const auto json = json::parse_json(session_.sources, base, session_.diagnostics);
     if (json) {
-        graph_ = graph::read_graph(*json, path, session_.sources, session_.ast, session_.diagnostics,
-                                   graph::GraphKind::Material);
+        graph_ = format::read_graph(*json, path, session_.sources, session_.ast, session_.diagnostics,
+                                   format::GraphKind::Material);
     }
-    if (graph_) material_ = graph::resolve_material(session_, graph_, std::nullopt);
-    if (material_) lowered_ = graph::lower(session_, *material_, build);
+    if (graph_) material_ = resolve::resolve_material(session_, graph_, std::nullopt);
+    if (material_) lowered_ = lower::lower(session_, *material_, build);
     for (const DiagnosticRecord& record : session_.diagnostics.records()) {
         if (session_.diagnostics.has_errors()) ADD_FAILURE() << path << ": " << record.message;
     }

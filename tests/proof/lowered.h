@@ -24,8 +24,8 @@ public:
 
     bool ok() const { return ok_; }
     ir::Module& module() { return lowered_.module; }
-    graph::Lowered& lowered() { return lowered_; }
-    const graph::Material& material() const { return *material_; }
+    lower::Lowered& lowered() { return lowered_; }
+    const resolve::Material& material() const { return *material_; }
     // A function that the lighting graph fills in for the passes.
     ir::FunctionId slot(std::string_view name) const { return function(name); }
     // Null if there is none.
@@ -35,10 +35,10 @@ public:
 
 private:
     CompileOptions options_;
-    graph::Session session_;
-    std::shared_ptr<graph::Graph> graph_;
-    std::unique_ptr<graph::Material> material_;
-    graph::Lowered lowered_;
+    resolve::Session session_;
+    std::shared_ptr<format::Graph> graph_;
+    std::unique_ptr<resolve::Material> material_;
+    lower::Lowered lowered_;
     bool ok_ = false;
 };
 

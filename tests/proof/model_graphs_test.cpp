@@ -38,7 +38,7 @@ std::string_view family_of(std::string_view node) {
     return path.substr(0, path.find('/'));
 }
 
-const graph::Graph& graph_of(const std::string& model) {
+const format::Graph& graph_of(const std::string& model) {
     return *library().lighting_models.find(model)->second.get();
 }
 
@@ -59,7 +59,7 @@ std::string exchanged(const std::string& model, const std::string& id, const Fun
         return rapidjson::Value(text.data(), static_cast<rapidjson::SizeType>(text.size()), memory);
     };
     std::set<std::string_view> ids;
-    for (const graph::Node& node : graph_of(model).nodes) ids.insert(node.id);
+    for (const format::Node& node : graph_of(model).nodes) ids.insert(node.id);
     for (rapidjson::Value& node : document["nodes"].GetArray()) {
         if (node["id"].GetString() != id) continue;
         node["node"] = word(other.name);
@@ -87,21 +87,21 @@ using Words = std::vector<std::pair<std::string, std::string>>;
 
 bool is_given_by_a_workflow(const std::string& input) {
     return std::any_of(library().workflows.begin(), library().workflows.end(), [&](const auto& workflow) {
-        const std::vector<graph::PortValue>& given = workflow.second.get()->surface;
+        const std::vector<format::PortValue>& given = workflow.second.get()->surface;
         return std::any_of(given.begin(), given.end(), [&](const auto& port) { return port.name == input; });
     });
 }
 
 // Everything a model has to choose from, one choice at a time, and all that it declares of the surface away from zero,
 // but for what another workflow gives.
-std::vector<Words> settings_of(const graph::Graph& graph) {
+std::vector<Words> settings_of(const format::Graph& graph) {
     Words surface = {{"baseColor", "0.8,0.5,0.3"}, {"metallic", "0.3"}, {"roughness", "0.6"}};
-    for (const graph::Input& input : graph.inputs)
+    for (const format::Input& input : graph.inputs)
         if (!is_given_by_a_workflow(input.name))
             surface.push_back({input.name, input.type == "color3" ? "0.6,0.7,0.8" : "0.6"});
     // And with none of that: what is chosen instead of it.
     std::vector<Words> settings = {surface, Words(surface.begin(), surface.begin() + 3)};
-    for (const graph::Property& property : graph.properties) {
+    for (const format::Property& property : graph.properties) {
         for (const std::string& word : property.values) {
             settings.push_back(surface);
             settings.back().push_back({property.name, word});
@@ -143,7 +143,7 @@ INSTANTIATE_TEST_SUITE_P(All, MicrofacetModel, testing::ValuesIn(kMicrofacet), [
 
 TEST_P(MicrofacetModel, HasANodeOfEachFamily) {
     std::map<std::string_view, int> count;
-    for (const graph::Node& node : graph_of(GetParam()).nodes) count[family_of(node.type)] += 1;
+    for (const format::Node& node : graph_of(GetParam()).nodes) count[family_of(node.type)] += 1;
     std::printf("%-24s", GetParam());
     for (const char* family : kFamilies) {
         std::printf(" %s %d", family, count[family]);
@@ -153,16 +153,16 @@ TEST_P(MicrofacetModel, HasANodeOfEachFamily) {
 }
 
 TEST_P(MicrofacetModel, ChangesWithEachOfThem) {
-    const graph::Graph& graph = graph_of(GetParam());
+    const format::Graph& graph = graph_of(GetParam());
     const std::vector<Words> settings = settings_of(graph);
     std::vector<std::vector<Triple>> original;
     for (const Words& values : settings) original.push_back(seen(GetParam(), values));
-    for (const graph::Node& node : graph.nodes) {
+    for (const format::Node& node : graph.nodes) {
         const std::string_view family = family_of(node.type);
         if (std::find(std::begin(kFamilies), std::end(kFamilies), family) == std::end(kFamilies)) continue;
         const FunctionDecl* own = library().declarations.function(node.type);
         double most = 0;
-        for (const FunctionDecl* each : graph::all_functions(library())) {
+        for (const FunctionDecl* each : resolve::all_functions(library())) {
             const FunctionDecl& other = *each;
             // Of the same type, as the rest of the graph reads it.
             if (other.name == node.type || family_of(other.name) != family || other.result.name != own->result.name)
@@ -181,9 +181,9 @@ TEST_P(MicrofacetModel, ChangesWithEachOfThem) {
 
 TEST(Models, MicrofacetModelsAreAllListed) {
     for (const auto& [name, unread] : library().lighting_models) {
-        const std::vector<graph::Node>& nodes = graph_of(name).nodes;
+        const std::vector<format::Node>& nodes = graph_of(name).nodes;
         const bool has_visibility = std::any_of(
-            nodes.begin(), nodes.end(), [](const graph::Node& node) { return family_of(node.type) == "Visibility"; });
+            nodes.begin(), nodes.end(), [](const format::Node& node) { return family_of(node.type) == "Visibility"; });
         const bool is_listed = std::find(std::begin(kMicrofacet), std::end(kMicrofacet), name) != std::end(kMicrofacet);
         // The plain highlight of Blinn and Phong has a visibility of one fourth and no Fresnel.
         EXPECT_EQ(has_visibility && name != "blinn-phong", is_listed) << name;

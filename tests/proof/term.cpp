@@ -11,9 +11,9 @@ namespace patina::proof {
 
 using nodelang::Expr;
 
-const graph::Library& library() {
-    static const std::unique_ptr<graph::Library> loaded =
-        graph::load_library(nodelang::embedded_files(), engines::printable());
+const resolve::Library& library() {
+    static const std::unique_ptr<resolve::Library> loaded =
+        resolve::load_library(nodelang::embedded_files(), engines::printable());
     return *loaded;
 }
 
@@ -33,7 +33,7 @@ Term::Term(const nodelang::FunctionDecl& function, const nodelang::Declarations&
     Diagnostics diagnostics;
     ir::Module module;
     emit::Emitter emitter{.module = module, .diagnostics = diagnostics, .options = {.fold = false}};
-    graph::declare_engine(*library().engine({}), library().paths, library().declarations, emitter);
+    lower::declare_engine(*library().engine({}), library().paths, library().declarations, emitter);
     ir::Function outer{};
     outer.name = "term";
     ir::Builder builder(module, outer, {.fold = false});

@@ -20,7 +20,7 @@
 namespace patina::proof {
 
 // The built-in library, loaded once.
-const graph::Library& library();
+const resolve::Library& library();
 
 // How a term is computed.
 struct Arithmetic {

@@ -43,7 +43,7 @@ PortInfo describe_param(const nodelang::ParamDecl& param, bool is_output, const 
                   .doc = doc_line(param.doc),
                   .enumerators = {}};
     if (param.initial) port.default_value = default_text(*param.initial, context);
-    port.range = graph::range_of(param.attributes);
+    port.range = resolve::range_of(param.attributes);
     for (const nodelang::Attribute& attribute : param.attributes) {
         if (attribute.name == "unit") port.unit = nodelang::attribute_text(attribute);
     }
@@ -56,15 +56,15 @@ PortInfo describe_param(const nodelang::ParamDecl& param, bool is_output, const 
     return port;
 }
 
-std::string_view rate(graph::SemanticSource source) {
+std::string_view rate(paths::SemanticSource source) {
     switch (source) {
-        case graph::SemanticSource::Attribute:
-        case graph::SemanticSource::Vertex: return "vertex";
-        case graph::SemanticSource::Builtin:
-        case graph::SemanticSource::Pixel: return "pixel";
-        case graph::SemanticSource::Extern:
-        case graph::SemanticSource::Uniform: return "uniform";
-        case graph::SemanticSource::Given: return "lighting";
+        case paths::SemanticSource::Attribute:
+        case paths::SemanticSource::Vertex: return "vertex";
+        case paths::SemanticSource::Builtin:
+        case paths::SemanticSource::Pixel: return "pixel";
+        case paths::SemanticSource::Extern:
+        case paths::SemanticSource::Uniform: return "uniform";
+        case paths::SemanticSource::Given: return "lighting";
     }
     return {};
 }
@@ -124,7 +124,7 @@ NodeInfo describe_node(const nodelang::FunctionDecl& function, const EvaluationC
                               .type = std::string(function.result.name),
                               .is_output = true,
                               .default_value = {},
-                              .range = graph::range_of(function.attributes),
+                              .range = resolve::range_of(function.attributes),
                               .unit = {},
                               .doc = {},
                               .enumerators = {}});
@@ -135,9 +135,9 @@ NodeInfo describe_node(const nodelang::FunctionDecl& function, const EvaluationC
     return node;
 }
 
-std::vector<SemanticInfo> describe_semantics(const graph::Library& library) {
+std::vector<SemanticInfo> describe_semantics(const resolve::Library& library) {
     std::vector<SemanticInfo> all;
-    for (const graph::SemanticDecl& semantic : library.paths.semantics) {
+    for (const paths::SemanticDecl& semantic : library.paths.semantics) {
         if (semantic.is_of_pass) continue;  // no graph can read it
         const std::string_view type = semantic.function ? semantic.function->result.name : semantic.variable->type.name;
         const std::string_view doc = semantic.function ? semantic.function->doc : semantic.variable->doc;

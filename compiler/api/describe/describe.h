@@ -22,9 +22,9 @@ struct Doc {
 Doc read_doc(std::string_view comment);
 
 NodeInfo describe_node(const nodelang::FunctionDecl& function, const EvaluationContext& context);
-std::vector<SemanticInfo> describe_semantics(const graph::Library& library);
-std::vector<PathInfo> describe_paths(const graph::Library& library);
-std::vector<EngineInfo> describe_engines(const graph::Library& library);
-ModelInfo describe_model(const graph::Graph& graph, const std::string& name, const SourceMap& sources);
+std::vector<SemanticInfo> describe_semantics(const resolve::Library& library);
+std::vector<PathInfo> describe_paths(const resolve::Library& library);
+std::vector<EngineInfo> describe_engines(const resolve::Library& library);
+ModelInfo describe_model(const format::Graph& graph, const std::string& name, const SourceMap& sources);
 
 }  // namespace patina

@@ -30,7 +30,7 @@ std::string value_text(const SourceMap& sources, Span span) {
     return std::string(text);
 }
 
-ModelInputInfo describe_input(const graph::Input& input, const SourceMap& sources) {
+ModelInputInfo describe_input(const format::Input& input, const SourceMap& sources) {
     return {.name = input.name,
             .type = input.type,
             .default_value = std::string(sources.text(input.default_span)),
@@ -39,7 +39,7 @@ ModelInputInfo describe_input(const graph::Input& input, const SourceMap& source
             .gives = input.gives};
 }
 
-ModelInputInfo describe_property(const graph::Property& property, const SourceMap& sources) {
+ModelInputInfo describe_property(const format::Property& property, const SourceMap& sources) {
     return {.name = property.name,
             .type = std::string(to_string(property.type)),
             .default_value = std::string(sources.text(property.default_span)),
@@ -49,13 +49,13 @@ ModelInputInfo describe_property(const graph::Property& property, const SourceMa
             .is_variant = property.binding == Binding::Variant};
 }
 
-ModelNodeInfo describe_node(const graph::Node& node, const SourceMap& sources) {
+ModelNodeInfo describe_node(const format::Node& node, const SourceMap& sources) {
     ModelNodeInfo info{.id = node.id,
                        .node = node.is_expression ? std::string() : node.type,
                        .expr = node.is_expression ? value_text(sources, node.expr_span) : std::string(),
                        .inputs = {},
                        .doc = read_doc(comment_before(sources, node.span.begin)).text};
-    for (const graph::PortValue& port : node.inputs) {
+    for (const format::PortValue& port : node.inputs) {
         info.inputs.emplace_back(port.name, value_text(sources, port.value_span));
     }
     return info;
@@ -63,7 +63,7 @@ ModelNodeInfo describe_node(const graph::Node& node, const SourceMap& sources) {
 
 }  // namespace
 
-ModelInfo describe_model(const graph::Graph& graph, const std::string& name, const SourceMap& sources) {
+ModelInfo describe_model(const format::Graph& graph, const std::string& name, const SourceMap& sources) {
     Doc doc = read_doc(comment_before(sources, graph.span.begin));
     ModelInfo model{.name = name,
                     .title = graph.name,
@@ -76,13 +76,13 @@ ModelInfo describe_model(const graph::Graph& graph, const std::string& name, con
                     .properties = {},
                     .nodes = {},
                     .outputs = {}};
-    for (const graph::Input& input : graph.inputs) model.inputs.push_back(describe_input(input, sources));
-    for (const graph::Property& property : graph.properties) {
+    for (const format::Input& input : graph.inputs) model.inputs.push_back(describe_input(input, sources));
+    for (const format::Property& property : graph.properties) {
         model.properties.push_back(describe_property(property, sources));
     }
-    for (const graph::Node& node : graph.nodes) model.nodes.push_back(describe_node(node, sources));
-    const bool is_workflow = graph.kind == graph::GraphKind::Workflow;
-    for (const graph::PortValue& output : is_workflow ? graph.surface : graph.outputs) {
+    for (const format::Node& node : graph.nodes) model.nodes.push_back(describe_node(node, sources));
+    const bool is_workflow = graph.kind == format::GraphKind::Workflow;
+    for (const format::PortValue& output : is_workflow ? graph.surface : graph.outputs) {
         model.outputs.emplace_back(output.name, value_text(sources, output.value_span));
     }
     return model;

@@ -17,9 +17,9 @@ std::string_view opening_comment(std::string_view text) {
     return text.substr(0, end);
 }
 
-PassInfo describe_pass(const graph::PassDecl& declaration) {
+PassInfo describe_pass(const paths::PassDecl& declaration) {
     PassInfo pass{.state = declaration.state, .blends = {}, .is_optional = declaration.is_optional};
-    for (const graph::BlendRow& row : declaration.blends) {
+    for (const paths::BlendRow& row : declaration.blends) {
         pass.blends.push_back({.surface = row.surface, .blend = row.blend});
     }
     return pass;
@@ -27,11 +27,11 @@ PassInfo describe_pass(const graph::PassDecl& declaration) {
 
 }  // namespace
 
-std::vector<PathInfo> describe_paths(const graph::Library& library) {
+std::vector<PathInfo> describe_paths(const resolve::Library& library) {
     std::vector<PathInfo> paths;
     for (const std::string_view name : library.paths.names()) {
         PathInfo path{.name = std::string(name), .doc = {}, .source = {}, .file = {}, .passes = {}};
-        for (const graph::PassDecl* pass : library.paths.passes_of(name)) {
+        for (const paths::PassDecl* pass : library.paths.passes_of(name)) {
             if (path.passes.empty()) {
                 Doc doc = read_doc(opening_comment(library.sources.text_before(pass->fragment->span.begin)));
                 path.doc = std::move(doc.text);
@@ -46,7 +46,7 @@ std::vector<PathInfo> describe_paths(const graph::Library& library) {
     return paths;
 }
 
-std::vector<EngineInfo> describe_engines(const graph::Library& library) {
+std::vector<EngineInfo> describe_engines(const resolve::Library& library) {
     std::vector<EngineInfo> made;
     for (const auto& [name, each] : library.engines) {
         const engines::Engine& engine = each.get();

@@ -31,16 +31,16 @@ std::string one_line(std::string text) {
 }  // namespace
 
 std::vector<EngineBlockInfo> engine_blocks(const Compiler& compiler) {
-    const graph::Library& library = CompilerAccess::library(compiler);
-    std::vector<const graph::ExternDecl*> externs;
-    for (const graph::ExternDecl& each : library.paths.externs) {
+    const resolve::Library& library = CompilerAccess::library(compiler);
+    std::vector<const paths::ExternDecl*> externs;
+    for (const paths::ExternDecl& each : library.paths.externs) {
         if (!each.is_target()) externs.push_back(&each);
     }
     std::stable_partition(externs.begin(), externs.end(), [](const auto* each) { return each->with.empty(); });
 
     std::vector<EngineBlockInfo> blocks;
     EngineBlockInfo textures;
-    for (const graph::ExternDecl* each : externs) {
+    for (const paths::ExternDecl* each : externs) {
         EngineBlockInfo* block = each->block.empty() ? &textures : &block_named(blocks, each->block);
         Doc doc = read_doc(each->variable->doc);
         if (!doc.block.empty()) block->doc = one_line(std::move(doc.block));

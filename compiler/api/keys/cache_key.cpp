@@ -11,7 +11,7 @@ namespace patina {
 namespace {
 
 // Each file that was asked for: whether it is there, and its text. The bytes of a texture were not asked for.
-void add_files(Fields& fields, const graph::Files& files) {
+void add_files(Fields& fields, const resolve::Files& files) {
     for (const auto& [path, answer] : files.answers()) {
         const bool is_there = answer.text.has_value() || answer.exists.value_or(false);
         fields.add("file").add(path).add_flag(is_there).add(answer.why);
@@ -26,18 +26,18 @@ bool is_cancelled(const Diagnostics& diagnostics) {
                        [](const DiagnosticRecord& each) { return each.code == Code::Cancelled; });
 }
 
-std::string key_of(const Compiler& compiler, const graph::Library& library, const std::string& path,
+std::string key_of(const Compiler& compiler, const resolve::Library& library, const std::string& path,
                    const std::string* text, const CompileOptions& options) {
-    graph::Files files(options);
+    resolve::Files files(options);
     CompileOptions asked = options;
     asked.targets.clear();
     if (text && asked.accept_parts) files.give_part(path, *text);
-    graph::Session session(library, asked, &files);
-    graph::until_stopped(session, [&] {
+    resolve::Session session(library, asked, &files);
+    resolve::until_stopped(session, [&] {
         std::optional<std::uint32_t> base =
-            text ? std::optional(session.sources.add(path, *text)) : graph::load_source(session, path, {});
-        if (!session.request.functions) graph::find_path(session);
-        if (base) graph::read_material(session, *base, path);
+            text ? std::optional(session.sources.add(path, *text)) : resolve::load_source(session, path, {});
+        if (!session.request.functions) resolve::find_path(session);
+        if (base) resolve::read_material(session, *base, path);
     });
     if (is_cancelled(session.diagnostics)) return {};
     Fields fields;
@@ -53,7 +53,7 @@ std::string key_of(const Compiler& compiler, const graph::Library& library, cons
 
 std::string Compiler::library_hash() const {
     return impl_->hash.get([&] {
-        const graph::Library& library = *impl_->library;
+        const resolve::Library& library = *impl_->library;
         Fields fields;
         fields.add(version()).add(source_hash());
         for (const std::uint32_t file : library.files)

@@ -27,14 +27,14 @@ bool may_be_cached(const CompilerImpl& compiler, const CompileOptions& options) 
     return compiler.overlay_errors.empty() && options.dump.empty() && !options.keep_programs;
 }
 
-bool is_same(const graph::Files::Answer& now, const graph::Files::Answer& then) {
+bool is_same(const resolve::Files::Answer& now, const resolve::Files::Answer& then) {
     return now.text == then.text && now.why == then.why;
 }
 
 // Asks the same questions. Whatever the answers are, a compilation after it does not ask them again.
-bool is_as_before(const CachedResult& cached, graph::Files& files) {
+bool is_as_before(const CachedResult& cached, resolve::Files& files) {
     for (const auto& [from, name, path] : cached.resolved) {
-        const graph::Files::Path now = files.resolve(from, name);
+        const resolve::Files::Path now = files.resolve(from, name);
         if (now.path != path.path || now.why != path.why) return false;
     }
     return std::all_of(cached.answers.begin(), cached.answers.end(), [&](const auto& each) {
@@ -70,7 +70,7 @@ std::size_t size_of(const CachedResult& cached) {
 }  // namespace
 
 Result compile_or_find(const CompilerImpl& compiler, const Source& source, const CompileOptions& options,
-                       graph::Files& files, Trail& trail) {
+                       resolve::Files& files, Trail& trail) {
     if (!may_be_cached(compiler, options)) return compile_source(compiler, source, options, files, trail);
     std::string key = key_of(source, options);
     const auto [known, is_asked_again] = compiler.results.ask(key);

@@ -15,8 +15,8 @@ struct CachedResult {
     static constexpr std::size_t kMostBytes = std::size_t{32} << 20;  // of all that a compiler keeps
 
     Result result;
-    std::map<std::string, graph::Files::Answer> answers;
-    std::vector<graph::Files::Resolved> resolved;
+    std::map<std::string, resolve::Files::Answer> answers;
+    std::vector<resolve::Files::Resolved> resolved;
 };
 
 }  // namespace patina

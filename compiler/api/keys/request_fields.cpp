@@ -9,7 +9,7 @@ namespace {
 
 void add_request(Fields& fields, const CompileOptions& options) {
     fields.add(std::to_string(options.request.index()));
-    const graph::Request request(options);
+    const resolve::Request request(options);
     fields.add(request.path).add(request.passes).add(request.functions.value_or("")).add(request.preview.value_or(""));
 }
 

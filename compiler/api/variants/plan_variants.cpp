@@ -17,20 +17,20 @@ namespace {
 
 // A variant without a value, and its declaration.
 struct Axis {
-    const graph::Property* property;
+    const format::Property* property;
     VariantAxis info;
 };
 
-std::vector<Axis> open_axes(const graph::Material& material) {
+std::vector<Axis> open_axes(const resolve::Material& material) {
     std::vector<Axis> axes;
-    for (const graph::MaterialProperty& entry : material.properties) {
+    for (const resolve::MaterialProperty& entry : material.properties) {
         if (entry.property->binding != Binding::Variant || entry.is_chosen) continue;
         axes.push_back({.property = entry.property,
                         .info = {.property = entry.property->name,
                                  .values = {},
                                  .otherwise = static_cast<std::size_t>(entry.property->value[0]),
                                  .is_bool = entry.property->type == PropertyType::Bool}});
-        for (const std::string_view word : graph::keyword_words(*entry.property))
+        for (const std::string_view word : resolve::keyword_words(*entry.property))
             axes.back().info.values.emplace_back(word);
     }
     return axes;
@@ -39,7 +39,7 @@ std::vector<Axis> open_axes(const graph::Material& material) {
 // The number of combinations without one axis.
 using Without = std::function<std::string(const Axis&)>;
 
-void refuse(graph::Session& session, const graph::Graph& graph, const std::vector<Axis>& axes, std::string count,
+void refuse(resolve::Session& session, const format::Graph& graph, const std::vector<Axis>& axes, std::string count,
             std::size_t limit, const Without& without) {
     DiagnosticRecord& record = session.diagnostics.report(Code::TooMany, {graph.span.begin, graph.span.begin + 1},
                                                           count, "combinations of variants", limit);
@@ -57,7 +57,7 @@ std::string count_text(double count) {
     return fmt::format("{:.0f}", count);
 }
 
-void plan_all(graph::Session& session, const graph::Graph& graph, const std::vector<Axis>& axes, std::size_t limit,
+void plan_all(resolve::Session& session, const format::Graph& graph, const std::vector<Axis>& axes, std::size_t limit,
               VariantPlan& made) {
     const double count = combinations_of(made.axes);
     if (count > static_cast<double>(limit))
@@ -70,30 +70,30 @@ void plan_all(graph::Session& session, const graph::Graph& graph, const std::vec
 // --- listed
 
 // The word that the caller has given a property, or null.
-const std::string* fixed_word(const graph::Session& session, const std::string& property) {
+const std::string* fixed_word(const resolve::Session& session, const std::string& property) {
     const auto& switches = session.options.switches;
     const auto found =
         std::find_if(switches.rbegin(), switches.rend(), [&](const auto& each) { return each.first == property; });
     return found == switches.rend() ? nullptr : &found->second;
 }
 
-bool contradicts(const graph::Session& session, const graph::ListedVariant& listed) {
+bool contradicts(const resolve::Session& session, const format::ListedVariant& listed) {
     return std::any_of(listed.values.begin(), listed.values.end(), [&](const auto& value) {
         const std::string* fixed = fixed_word(session, value.name);
         return fixed && (fixed->empty() ? "true" : *fixed) != value.word;
     });
 }
 
-void plan_listed(graph::Session& session, const graph::Material& material, const std::vector<Axis>& axes,
+void plan_listed(resolve::Session& session, const resolve::Material& material, const std::vector<Axis>& axes,
                  std::size_t limit, VariantPlan& made) {
-    const graph::Graph& graph = *material.graph->graph;
+    const format::Graph& graph = *material.graph->graph;
     if (graph.variants.empty()) {
         session.diagnostics.report(Code::MissingKey, {graph.span.begin, graph.span.begin + 1}, "the graph", "variants")
             .note("list the combinations: \"variants\": [ { \"_DETAIL\": true }, { \"_Mode\": \"Wet\" } ]");
         return;
     }
     std::set<VariantValues> known;
-    for (const graph::ListedVariant& listed : graph.variants) {
+    for (const format::ListedVariant& listed : graph.variants) {
         if (contradicts(session, listed)) continue;
         VariantValues values;
         for (const Axis& axis : axes) {
@@ -108,10 +108,10 @@ void plan_listed(graph::Session& session, const graph::Material& material, const
     if (made.count > limit) return refuse(session, graph, {}, std::to_string(made.count), limit, {});
     if (made.count > 0) return;
     std::vector<std::string> fixed;
-    for (const graph::MaterialProperty& entry : material.properties) {
+    for (const resolve::MaterialProperty& entry : material.properties) {
         if (entry.property->binding == Binding::Variant && entry.is_chosen)
             fixed.push_back(fmt::format("{} = {}", entry.property->name,
-                                        graph::keyword_words(*entry.property)[static_cast<std::size_t>(entry.chosen)]));
+                                        resolve::keyword_words(*entry.property)[static_cast<std::size_t>(entry.chosen)]));
     }
     const std::vector<std::string_view> views(fixed.begin(), fixed.end());
     const bool is_one = views.size() == 1;
@@ -124,7 +124,7 @@ void plan_listed(graph::Session& session, const graph::Material& material, const
 // A tree of choices: the next choice is the first property that is still read after the choices so far.
 class Reachable {
 public:
-    Reachable(const CompilerImpl& compiler, const std::string& path, const CompileOptions& options, graph::Files& files,
+    Reachable(const CompilerImpl& compiler, const std::string& path, const CompileOptions& options, resolve::Files& files,
               const std::vector<Axis>& axes, std::size_t most, std::function<bool(std::size_t)> progress, Trail& trail)
         : compiler_(compiler),
           source_{.path = path},
@@ -194,7 +194,7 @@ private:
     const CompilerImpl& compiler_;
     Source source_;
     CompileOptions options_;
-    graph::Files& files_;
+    resolve::Files& files_;
     const std::vector<Axis>& axes_;
     std::size_t most_;
     std::function<bool(std::size_t)> progress_;
@@ -202,13 +202,13 @@ private:
 };
 
 // Calls the program's function. False: it has thrown, which ends the work as `cancelled` does.
-bool tell(graph::Session& session, const std::function<void(const VariantPlan&)>& progress, const VariantPlan& made) {
+bool tell(resolve::Session& session, const std::function<void(const VariantPlan&)>& progress, const VariantPlan& made) {
     if (!progress) return true;
-    return graph::call_program(session, [&] { progress(made); });
+    return resolve::call_program(session, [&] { progress(made); });
 }
 
-void plan_reachable(const CompilerImpl& compiler, graph::Session& session, const std::string& path,
-                    const graph::Graph& graph, const std::vector<Axis>& axes, std::size_t limit,
+void plan_reachable(const CompilerImpl& compiler, resolve::Session& session, const std::string& path,
+                    const format::Graph& graph, const std::vector<Axis>& axes, std::size_t limit,
                     const std::function<void(const VariantPlan&)>& progress, Trail& trail, VariantPlan& made) {
     if (!tell(session, progress, made)) return;
     const auto told = [&](std::size_t count) {
@@ -236,23 +236,23 @@ void plan_reachable(const CompilerImpl& compiler, graph::Session& session, const
     });
 }
 
-void plan(const CompilerImpl& compiler, graph::Session& session, const std::string& path, VariantsWanted wanted,
+void plan(const CompilerImpl& compiler, resolve::Session& session, const std::string& path, VariantsWanted wanted,
           std::size_t limit, const std::function<void(const VariantPlan&)>& progress, Trail& trail, VariantPlan& made) {
     if (session.request.functions) {
         session.diagnostics.report(Code::NoProgram, {});
         return;
     }
-    graph::find_path(session);
-    const std::optional<std::uint32_t> base = graph::load_source(session, path, {});
+    resolve::find_path(session);
+    const std::optional<std::uint32_t> base = resolve::load_source(session, path, {});
     if (!base) return;
-    const graph::MaterialFile file = graph::read_material(session, *base, path);
+    const resolve::MaterialFile file = resolve::read_material(session, *base, path);
     if (!file.material || session.diagnostics.has_errors()) return;
-    const graph::Graph& graph = *file.material->graph->graph;
+    const format::Graph& graph = *file.material->graph->graph;
     const std::vector<Axis> axes = open_axes(*file.material);
     for (const Axis& axis : axes) made.axes.push_back(axis.info);
     const auto& properties = file.material->properties;
     made.fixed = static_cast<std::size_t>(
-        std::count_if(properties.begin(), properties.end(), [](const graph::MaterialProperty& entry) {
+        std::count_if(properties.begin(), properties.end(), [](const resolve::MaterialProperty& entry) {
             return entry.property->binding == Binding::Variant && entry.is_chosen;
         }));
     switch (wanted) {
@@ -292,11 +292,11 @@ VariantValues VariantPlan::combination(std::size_t index) const {
 VariantPlan Compiler::plan_variants(const std::string& path, VariantsWanted wanted, const CompileOptions& options,
                                     std::size_t limit, const std::function<void(const VariantPlan&)>& progress) const {
     return guarded<VariantPlan>(path, [&](Trail& trail) {
-        graph::Session session(*impl_->library, options);
+        resolve::Session session(*impl_->library, options);
         const TrailGuard guard(trail, session.diagnostics);
         VariantPlan made;
         if (made.diagnostics = impl_->overlay_errors; !made.diagnostics.empty()) return made;
-        graph::until_stopped(session, [&] {
+        resolve::until_stopped(session, [&] {
             plan(*impl_, session, path, wanted, std::min(limit, kMostVariants), progress, trail, made);
         });
         const std::vector<Diagnostic> own = to_public(session.diagnostics, session.sources);

@@ -43,7 +43,7 @@ void forget_choice(Reflection& reflection, const std::vector<VariantAxis>& axes)
 // Compiles, and collects the diagnostics and dependencies that the results share.
 class Gathering {
 public:
-    Gathering(const CompilerImpl& compiler, const std::string& path, graph::Files& files, Trail& trail, VariantSet& set)
+    Gathering(const CompilerImpl& compiler, const std::string& path, resolve::Files& files, Trail& trail, VariantSet& set)
         : compiler_(compiler), source_{.path = path}, files_(files), trail_(trail), set_(set) {}
 
     // `values`: the combination; empty if the messages apply to all combinations, as they do if `is_first`.
@@ -65,7 +65,7 @@ public:
 private:
     const CompilerImpl& compiler_;
     Source source_;
-    graph::Files& files_;
+    resolve::Files& files_;
     Trail& trail_;
     VariantSet& set_;
     std::set<std::string> said_, read_;
@@ -85,7 +85,7 @@ public:
         options_.keep_variants = false;
         // Files that hold all combinations are written once.
         whole_ = options_;
-        const graph::Library& library = *compiler.library;
+        const resolve::Library& library = *compiler.library;
         std::erase_if(whole_.targets, [&](const Target& target) { return !holds_variants(library, target); });
         std::erase_if(options_.targets, [&](const Target& target) { return holds_variants(library, target); });
         fixed_ = options_.switches;
@@ -110,7 +110,7 @@ private:
     template <class Call>
     bool call(const Call& function) {
         std::string why;
-        if (graph::succeeds(function, why)) return true;
+        if (resolve::succeeds(function, why)) return true;
         refuse(Code::Cancelled, ": " + why);
         return false;
     }
@@ -160,7 +160,7 @@ private:
     const VariantPlan& plan_;
     CompileOptions options_, whole_;
     const std::function<void(VariantProgram)>& finished_;
-    graph::Files files_;
+    resolve::Files files_;
     VariantSet made_;
     Gathering gathering_;
     std::vector<std::pair<std::string, std::string>> fixed_;  // switches that the caller has given

@@ -14,10 +14,10 @@ namespace patina::engines::shaderlab {
 namespace {
 
 // Describes the value with this name that Unity fills for a texture, or that its macros declare.
-std::string beside_texture(const graph::Material& material, std::string_view name) {
+std::string beside_texture(const resolve::Material& material, std::string_view name) {
     constexpr std::pair<std::string_view, std::string_view> kBeside[] = {
         {"", "_ST"}, {"", "_TexelSize"}, {"", "_HDR"}, {"sampler", ""}};
-    for (const graph::MaterialProperty& entry : material.properties) {
+    for (const resolve::MaterialProperty& entry : material.properties) {
         if (!is_texture(entry.property->type)) continue;
         for (const auto& [before, behind] : kBeside) {
             if (name == fmt::format("{}{}{}", before, entry.property->name, behind))
@@ -28,7 +28,7 @@ std::string beside_texture(const graph::Material& material, std::string_view nam
 }
 
 // Why a property cannot have the name; empty if it can.
-std::string why_taken(const graph::Material& material, const engines::Engine& engine, std::string_view name) {
+std::string why_taken(const resolve::Material& material, const engines::Engine& engine, std::string_view name) {
     if (const std::string_view declarer = engine.declarer_of(name); !declarer.empty())
         return fmt::format("a name that {} declares", declarer);
     if (languages::is_reserved_word(name)) return "a reserved word of HLSL or GLSL";
@@ -39,7 +39,7 @@ std::string why_taken(const graph::Material& material, const engines::Engine& en
 }
 
 struct Keyword {
-    const graph::Property* property;
+    const format::Property* property;
     std::string name;
     std::string_view value{};  // for an enum
     Span where;
@@ -52,7 +52,7 @@ struct Keyword {
 };
 
 // The keywords of a property.
-std::vector<Keyword> keywords_of(const graph::Property& property) {
+std::vector<Keyword> keywords_of(const format::Property& property) {
     if (property.values.empty())
         return {{.property = &property, .name = keyword_of(property.name, {}), .where = property.name_span}};
     std::vector<Keyword> made;
@@ -66,10 +66,10 @@ std::vector<Keyword> keywords_of(const graph::Property& property) {
 
 class Names {
 public:
-    Names(const graph::Material& material, graph::Session& session)
+    Names(const resolve::Material& material, resolve::Session& session)
         : material_(material), engine_(session.engine), paths_(*session.paths), diagnostics_(session.diagnostics) {}
 
-    void check(const graph::Property& property, bool is_keyword) {
+    void check(const format::Property& property, bool is_keyword) {
         const std::string why = why_taken(material_, engine_, property.name);
         if (!why.empty() && is_foreign_color(property)) return refuse_type(property);
         if (!why.empty()) return static_cast<void>(refuse(property, why));
@@ -91,7 +91,7 @@ public:
 
     // A keyword that is on is a macro, so no value can have its name.
     void finish() {
-        for (const graph::Property* each : values_) {
+        for (const format::Property* each : values_) {
             if (const Keyword* keyword = with_keyword(each->name))
                 refuse(*each, "the keyword " + keyword->owner()).note(keyword->where, "the other declaration is here");
         }
@@ -105,19 +105,19 @@ private:
         return nullptr;
     }
 
-    DiagnosticRecord& refuse(const graph::Property& property, const std::string& why) {
+    DiagnosticRecord& refuse(const format::Property& property, const std::string& why) {
         return diagnostics_.report(Code::TakenName, property.name_span,
                                    fmt::format("'{}' is {}: rename the property", property.name, why));
     }
 
     // A material may have a colour that an included file declares, with the type that it has there.
-    bool is_foreign_color(const graph::Property& property) const {
-        return std::any_of(paths_.foreign.begin(), paths_.foreign.end(), [&](const graph::ForeignDecl& each) {
+    bool is_foreign_color(const format::Property& property) const {
+        return std::any_of(paths_.foreign.begin(), paths_.foreign.end(), [&](const paths::ForeignDecl& each) {
             return each.variable->name == property.name && !each.include.empty();
         });
     }
 
-    void refuse_type(const graph::Property& property) {
+    void refuse_type(const format::Property& property) {
         const bool is_color = property.type == PropertyType::Color;
         diagnostics_.report(Code::TakenName, property.name_span,
                             fmt::format("'{}' must {}, because {} declares it as a colour{}", property.name,
@@ -136,15 +136,15 @@ private:
         if (is_same_enum) refused.note("Unity writes keywords in capitals");
     }
 
-    const graph::Material& material_;
+    const resolve::Material& material_;
     const engines::Engine& engine_;
-    const graph::PathDeclarations& paths_;
+    const paths::PathDeclarations& paths_;
     Diagnostics& diagnostics_;
-    std::vector<const graph::Property*> values_;
+    std::vector<const format::Property*> values_;
     std::vector<Keyword> keywords_;
 };
 
-void check_list(const graph::Property& property, bool is_keyword, Diagnostics& diagnostics) {
+void check_list(const format::Property& property, bool is_keyword, Diagnostics& diagnostics) {
     const std::size_t most = is_keyword ? kMostKeywords : kMostPairs;
     if (property.type != PropertyType::Enum || property.values.size() <= most) return;
     DiagnosticRecord& report =
@@ -158,9 +158,9 @@ constexpr std::string_view kNoEscapes = "has no escapes, so write it without the
 // Reports labels and names of groups that ShaderLab shows differently. A group is reported once.
 class Texts {
 public:
-    explicit Texts(graph::Session& session) : session_(session) {}
+    explicit Texts(resolve::Session& session) : session_(session) {}
 
-    void check(const graph::Property& property) {
+    void check(const format::Property& property) {
         const std::string label = quoted(property.label), header = header_words(property.group);
         if (label != property.label)
             session_.diagnostics.report(Code::InspectorText, property.label_span, fmt::format("\"{}\"", label), "label",
@@ -172,14 +172,14 @@ public:
     }
 
 private:
-    graph::Session& session_;
+    resolve::Session& session_;
     std::set<std::string_view> groups_;
 };
 
 }  // namespace
 
-void check_shader_name(const graph::Material& material, graph::Session& session) {
-    const graph::Graph& graph = *material.graph->graph;
+void check_shader_name(const resolve::Material& material, resolve::Session& session) {
+    const format::Graph& graph = *material.graph->graph;
     const std::string name = shader_name(graph.name);
     if (name == graph.name) return;
     const bool is_given = graph.name_span.begin != graph.name_span.end;
@@ -190,16 +190,16 @@ void check_shader_name(const graph::Material& material, graph::Session& session)
         quoted(graph.name) != graph.name ? kNoEscapes : "makes a menu of each part between slashes");
 }
 
-void check_keywords(const graph::Material& material, const Reflection& reflection, Diagnostics& diagnostics) {
+void check_keywords(const resolve::Material& material, const Reflection& reflection, Diagnostics& diagnostics) {
     constexpr std::size_t kMost = 64;
-    const auto is_read = [&](const graph::Property& property) {
+    const auto is_read = [&](const format::Property& property) {
         return std::any_of(reflection.passes.begin(), reflection.passes.end(), [&](const Pass& pass) {
             return std::find(pass.keywords.begin(), pass.keywords.end(), property.name) != pass.keywords.end();
         });
     };
     std::size_t count = 0;
-    const graph::Property* first = nullptr;  // the first that is too many
-    for (const graph::MaterialProperty& entry : material.properties) {
+    const format::Property* first = nullptr;  // the first that is too many
+    for (const resolve::MaterialProperty& entry : material.properties) {
         if (!is_read(*entry.property)) continue;
         count += keywords_of(*entry.property).size();
         if (count > kMost && !first) first = entry.property;
@@ -208,14 +208,14 @@ void check_keywords(const graph::Material& material, const Reflection& reflectio
         diagnostics.report(Code::KeywordLimit, first->name_span, count, "Unity before 2021.2", kMost, first->name);
 }
 
-void check_shader_properties(const graph::Material& material, const graph::Lowered& lowered, graph::Session& session) {
+void check_shader_properties(const resolve::Material& material, const lower::Lowered& lowered, resolve::Session& session) {
     Diagnostics& diagnostics = session.diagnostics;
     Names names(material, session);
     Texts texts(session);
     for (std::size_t i = 0; i < material.properties.size(); ++i) {
-        const graph::MaterialProperty& entry = material.properties[i];
-        const graph::Property& property = *entry.property;
-        const graph::PropertyGlobals& globals = lowered.property_globals[i];
+        const resolve::MaterialProperty& entry = material.properties[i];
+        const format::Property& property = *entry.property;
+        const lower::PropertyGlobals& globals = lowered.property_globals[i];
         const ir::GlobalId id = globals.texture ? globals.texture : globals.value;
         if (property.type == PropertyType::Sampler && !entry.is_at_port)
             diagnostics.report(Code::FixedSampler, property.name_span, property.name, property.shared_sampler);
@@ -248,7 +248,7 @@ void check_samplers(std::span<const LinkedPass> passes, const engines::Engine& e
     const LinkedPass& pass = passes[static_cast<std::size_t>(worst - use.passes.begin())];
     const auto texture_of = [](std::string_view sampler) { return sampler.substr(std::string_view("sampler").size()); };
     const auto span_of = [&](std::string_view name) {
-        for (const graph::MaterialProperty& entry : pass.material->properties)
+        for (const resolve::MaterialProperty& entry : pass.material->properties)
             if (entry.property->name == name) return entry.property->name_span;
         return pass.material->properties.front().property->name_span;
     };

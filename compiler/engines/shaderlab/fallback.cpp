@@ -19,7 +19,7 @@ std::string_view fallback_of(SurfaceKind kind) {
     return "Off";
 }
 
-bool is_caster(const graph::LoweredPass& pass) {
+bool is_caster(const lower::LoweredPass& pass) {
     return pass.declaration->state.targets.empty();
 }
 
@@ -40,7 +40,7 @@ bool is_in_fallback(const LinkedPass& pass) {
            !moves && !discards(pass.fragment) && !render.is_overridable;
 }
 
-std::string_view fallback_word(const graph::Material& material, const graph::Lowered& lowered,
+std::string_view fallback_word(const resolve::Material& material, const lower::Lowered& lowered,
                                std::span<const LinkedPass> passes) {
     const bool has_caster =
         std::any_of(passes.begin(), passes.end(), [](const LinkedPass& pass) { return is_caster(*pass.pass); });

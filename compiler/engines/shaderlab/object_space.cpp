@@ -19,7 +19,7 @@ bool is_of_object(const ir::Module& module, const Inst& inst) {
 // Follows values of the mesh in object space to the place where they are transformed.
 class Vertices {
 public:
-    Vertices(const ir::Module& module, const graph::LoweredPass& pass, const ir::Module& semantics) : module_(module) {
+    Vertices(const ir::Module& module, const lower::LoweredPass& pass, const ir::Module& semantics) : module_(module) {
         for (const auto& [semantic, global] : pass.attributes) {
             if (semantics.semantics[semantic.index].name.ends_with("OS")) mesh_.push_back(global.index);
         }

@@ -223,7 +223,7 @@ private:
     }
 
     void pass(std::size_t index) {
-        const graph::PassDecl& declared = *in_.passes[index].pass->declaration;
+        const paths::PassDecl& declared = *in_.passes[index].pass->declaration;
         const PassText& text = passes_[index];
         out_.line(0, "");
         out_.line(2, "Pass");

@@ -17,8 +17,8 @@ using link::varyings_of;
 struct SamplerUse;
 
 struct ShaderFile {
-    const graph::Material& material;
-    const graph::Lowered& lowered;
+    const resolve::Material& material;
+    const lower::Lowered& lowered;
     std::span<const LinkedPass> passes;
     const Reflection& reflection;
     const engines::Engine& engine;
@@ -32,7 +32,7 @@ std::vector<ir::Origin> origins_of(std::span<const LinkedPass> passes);
 
 // --- shader_properties.cpp
 // The lines of the block `Properties`.
-std::vector<std::string> shader_properties(const graph::Material& material, const graph::Lowered& lowered);
+std::vector<std::string> shader_properties(const resolve::Material& material, const lower::Lowered& lowered);
 // Text without the characters that cannot be written between quotes: ShaderLab has no escapes there.
 std::string quoted(std::string_view text);
 // The name under which Unity lists the shader: "Patina/Rust".
@@ -44,25 +44,25 @@ std::string shader_name(std::string_view text);
 std::string header_words(std::string_view text);
 // How a texture is sampled, in the words of Unity's import settings, if a new asset is sampled differently: "Wrap Mode:
 // Clamp, Filter Mode: Point". Empty otherwise.
-std::string sampler_words(const graph::Property& property);
+std::string sampler_words(const format::Property& property);
 // True if the asset needs Unity's texture type "Normal map". Unity keeps two channels of such a file, so a swizzle
 // needs a plain texture.
-bool is_unity_normal_map(const graph::Property& property);
+bool is_unity_normal_map(const format::Property& property);
 // The word for a texture's default if that is a file.
-std::string_view default_word(const graph::Property& property);
+std::string_view default_word(const format::Property& property);
 // The method of Unity's class Material that sets a property for which ShaderLab has no type; otherwise empty.
-std::string_view script_setter(const graph::Property& property);
+std::string_view script_setter(const format::Property& property);
 // The limits of Unity's inspector for an enum: [KeywordEnum] lists this many names, [Enum] this many pairs of name and
 // value.
 constexpr std::size_t kMostKeywords = 9, kMostPairs = 7;
 
 // --- check_shader_properties.cpp
 // Reports the shader's name if it differs from the graph's.
-void check_shader_name(const graph::Material& material, graph::Session& session);
+void check_shader_name(const resolve::Material& material, resolve::Session& session);
 // Refuses names that Unity's includes declare, and reports what a ShaderLab file cannot express about a property.
-void check_shader_properties(const graph::Material& material, const graph::Lowered& lowered, graph::Session& session);
+void check_shader_properties(const resolve::Material& material, const lower::Lowered& lowered, resolve::Session& session);
 // Reports too many keywords: Unity before 2021.2 limits those that belong to one shader.
-void check_keywords(const graph::Material& material, const Reflection& reflection, Diagnostics& diagnostics);
+void check_keywords(const resolve::Material& material, const Reflection& reflection, Diagnostics& diagnostics);
 // Reports textures that share a sampler (share_samplers.h), and passes that still have too many.
 void check_samplers(std::span<const LinkedPass> passes, const engines::Engine& engine, Diagnostics& diagnostics);
 
@@ -71,9 +71,9 @@ void check_samplers(std::span<const LinkedPass> passes, const engines::Engine& e
 // stage.
 void order_passes(std::vector<LinkedPass>& passes);
 // The queue of the whole file: the material's, unless a pass reads something that is available only later.
-int shader_queue(const graph::Material& material, std::span<const LinkedPass> passes);
+int shader_queue(const resolve::Material& material, std::span<const LinkedPass> passes);
 // Reports passes that Unity draws at another time than their queue says, if that can be visible.
-void check_queues(const graph::Material& material, std::span<const LinkedPass> passes, const Reflection& reflection,
+void check_queues(const resolve::Material& material, std::span<const LinkedPass> passes, const Reflection& reflection,
                   Diagnostics& diagnostics);
 
 // --- shader_state.cpp
@@ -91,7 +91,7 @@ std::string queue_word(int queue);
 // hold it.
 bool is_in_fallback(const LinkedPass& pass);
 // The word of `FallBack`.
-std::string_view fallback_word(const graph::Material& material, const graph::Lowered& lowered,
+std::string_view fallback_word(const resolve::Material& material, const lower::Lowered& lowered,
                                std::span<const LinkedPass> passes);
 
 // --- object_space.cpp

@@ -45,9 +45,9 @@ bool is_solid(const Pass& pass) {
 }
 
 // True if the pass covers only pixels in which the material itself has written depth.
-bool is_within(const graph::Material& pass, const graph::Material& material) {
-    const graph::Graph &added = *pass.graph->graph, &own = *material.graph->graph;
-    const auto is_same = [](const graph::PortValue& a, const graph::PortValue& b) {
+bool is_within(const resolve::Material& pass, const resolve::Material& material) {
+    const format::Graph &added = *pass.graph->graph, &own = *material.graph->graph;
+    const auto is_same = [](const format::PortValue& a, const format::PortValue& b) {
         return a.name == b.name && a.value_span.begin == b.value_span.begin;
     };
     return own.render.surface == SurfaceKind::Opaque && !own.render.stencil &&
@@ -71,14 +71,14 @@ void order_passes(std::vector<LinkedPass>& passes) {
     share_vertex_stages(passes);
 }
 
-int shader_queue(const graph::Material& material, std::span<const LinkedPass> passes) {
+int shader_queue(const resolve::Material& material, std::span<const LinkedPass> passes) {
     int queue = output::queue_of(material.graph->graph->render);
     for (const LinkedPass& pass : passes)
         queue = std::max({queue, least_queue(pass.vertex), least_queue(pass.fragment)});
     return queue;
 }
 
-void check_queues(const graph::Material& material, std::span<const LinkedPass> passes, const Reflection& reflection,
+void check_queues(const resolve::Material& material, std::span<const LinkedPass> passes, const Reflection& reflection,
                   Diagnostics& diagnostics) {
     const int shader = shader_queue(material, passes);
     const bool fills_depth =

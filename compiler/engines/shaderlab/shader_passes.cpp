@@ -103,7 +103,7 @@ bool is_entry(const Declaration& each) {
 }  // namespace
 
 std::string_view name_of(const LinkedPass& pass) {
-    const graph::PassDecl& declared = *pass.pass->declaration;
+    const paths::PassDecl& declared = *pass.pass->declaration;
     const auto tag =
         std::find_if(declared.tags.begin(), declared.tags.end(), [](const auto& each) { return each.first == "Name"; });
     const bool is_added = pass.pass->name != declared.name;

@@ -66,7 +66,7 @@ std::string joined(std::span<const double> values) {
 }
 
 // "material.SetMatrix("_M", ...): (1, 0), (0, 1)": a matrix by its rows, four vectors on a line.
-void add_script_default(const graph::Property& property, std::string_view setter, std::vector<std::string>& lines) {
+void add_script_default(const format::Property& property, std::string_view setter, std::vector<std::string>& lines) {
     constexpr std::size_t kOnLine = 4;
     const bool is_matrix = property.type <= PropertyType::Float4x4;
     const std::size_t all = property.numbers.size(),
@@ -88,7 +88,7 @@ std::string vector(const std::array<double, 4>& value, std::size_t count) {
     return "(" + made + ")";
 }
 
-std::string texture_word(const graph::MaterialProperty& entry) {
+std::string texture_word(const resolve::MaterialProperty& entry) {
     if (!entry.is_file && !entry.texture_path.empty()) return entry.texture_path;
     return std::string(entry.is_file ? default_word(*entry.property) : "white");
 }
@@ -97,18 +97,18 @@ struct Declared {
     std::string attributes, type, value;
 };
 
-std::string range(const graph::Property& property) {
+std::string range(const format::Property& property) {
     return fmt::format("Range({}, {})", number((*property.range)[0]), number((*property.range)[1]));
 }
 
 // An enum with more values than the inspector can list.
-Declared counted(const graph::Property& property, double value) {
+Declared counted(const format::Property& property, double value) {
     return {"[IntRange] ", fmt::format("Range(0, {})", property.values.size() - 1), number(value)};
 }
 
 // A property that sets keywords. Unity itself derives an enum's keywords from the names.
-Declared switched(const graph::MaterialProperty& entry) {
-    const graph::Property& property = *entry.property;
+Declared switched(const resolve::MaterialProperty& entry) {
+    const format::Property& property = *entry.property;
     if (property.type == PropertyType::Bool)
         return {fmt::format("[Toggle({})] ", engines::shaderlab::keyword_of(property.name, {})), "Float",
                 number(entry.chosen)};
@@ -116,8 +116,8 @@ Declared switched(const graph::MaterialProperty& entry) {
     return {fmt::format("[KeywordEnum({})] ", fmt::join(property.values, ", ")), "Float", number(entry.chosen)};
 }
 
-Declared declared(const graph::MaterialProperty& entry, bool is_decoded) {
-    const graph::Property& property = *entry.property;
+Declared declared(const resolve::MaterialProperty& entry, bool is_decoded) {
+    const format::Property& property = *entry.property;
     const auto& value = property.value;
     switch (property.type) {
         case PropertyType::Float: return {"", property.range ? range(property) : "Float", number(value[0])};
@@ -171,8 +171,8 @@ Declared declared(const graph::MaterialProperty& entry, bool is_decoded) {
 
 std::string keyword_of(std::string_view property, std::string_view value) {
     // Unity's own shaders have other keywords for these two.
-    if (property == graph::kTransparentChoice && value.empty()) return "_SURFACE_TYPE_TRANSPARENT";
-    if (property == graph::kClipChoice && value.empty()) return "_ALPHATEST_ON";
+    if (property == resolve::kTransparentChoice && value.empty()) return "_SURFACE_TYPE_TRANSPARENT";
+    if (property == resolve::kClipChoice && value.empty()) return "_ALPHATEST_ON";
     const auto in_capitals = [](std::string_view text) {
         std::string made(text);
         for (char& c : made) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
@@ -215,7 +215,7 @@ std::string header_words(std::string_view text) {
     return made;
 }
 
-std::string sampler_words(const graph::Property& property) {
+std::string sampler_words(const format::Property& property) {
     const Sampler& sampler = property.sampler;
     std::vector<std::string> words;
     if (sampler.wrap == Wrap::Clamp) words.emplace_back("Wrap Mode: Clamp");
@@ -225,26 +225,26 @@ std::string sampler_words(const graph::Property& property) {
     return fmt::format("{}", fmt::join(words, ", "));
 }
 
-bool is_unity_normal_map(const graph::Property& property) {
+bool is_unity_normal_map(const format::Property& property) {
     return property.usage == TextureUsage::Normal && property.swizzle.empty();
 }
 
-std::string_view script_setter(const graph::Property& property) {
+std::string_view script_setter(const format::Property& property) {
     if (!is_array(property.type)) return {};
     return property.type <= PropertyType::Float4x4 ? "SetMatrix" : "SetVectorArray";
 }
 
-std::string_view default_word(const graph::Property& property) {
+std::string_view default_word(const format::Property& property) {
     return property.usage == TextureUsage::Normal ? "bump" : "white";
 }
 
-std::vector<std::string> shader_properties(const graph::Material& material, const graph::Lowered& lowered) {
+std::vector<std::string> shader_properties(const resolve::Material& material, const lower::Lowered& lowered) {
     std::vector<std::string> lines, by_script;
     std::string group;
     for (std::size_t i = 0; i < material.properties.size(); ++i) {
-        const graph::MaterialProperty& entry = material.properties[i];
-        const graph::Property& property = *entry.property;
-        const graph::PropertyGlobals& globals = lowered.property_globals[i];
+        const resolve::MaterialProperty& entry = material.properties[i];
+        const format::Property& property = *entry.property;
+        const lower::PropertyGlobals& globals = lowered.property_globals[i];
         const ir::GlobalId id = globals.texture ? globals.texture : globals.value;
         if (!id && !globals.keyword) continue;  // it is a constant
         if (const std::string_view setter = script_setter(property); !setter.empty()) {

@@ -110,21 +110,21 @@ bool is_overridable(const LinkedPass& pass) {
 }
 
 // True if the kinds of surfaces that the pass draws differ in the factor.
-bool depends_on_kind(const graph::PassDecl& pass, BlendFactor Blend::*factor) {
-    return std::any_of(pass.blends.begin(), pass.blends.end(), [&](const graph::BlendRow& row) {
+bool depends_on_kind(const paths::PassDecl& pass, BlendFactor Blend::*factor) {
+    return std::any_of(pass.blends.begin(), pass.blends.end(), [&](const paths::BlendRow& row) {
         return row.blend.*factor != pass.blends.front().blend.*factor;
     });
 }
 
 // True if the pass has all state that a material can change: the one that draws the object first.
-bool has_all_state(const graph::PassDecl& pass) {
+bool has_all_state(const paths::PassDecl& pass) {
     return !pass.has_depth && !pass.has_cull && std::all_of(std::begin(kFactors), std::end(kFactors), [&](auto& row) {
         return depends_on_kind(pass, row.factor);
     });
 }
 
 // "Blend [_SrcBlend] One, Zero One". Empty if all kinds of surfaces that the pass draws are blended alike.
-std::string chosen_blend_line(const graph::PassDecl& pass) {
+std::string chosen_blend_line(const paths::PassDecl& pass) {
     std::string made = "Blend";
     bool is_chosen = false;
     for (const FactorRow& row : kFactors) {
@@ -138,7 +138,7 @@ std::string chosen_blend_line(const graph::PassDecl& pass) {
 
 // A pass that draws the object again and has its own test, for example the light's, keeps it.
 void add_chosen_state(const Pass& pass, const LinkedPass& linked, std::vector<std::string>& lines) {
-    const graph::PassDecl& declared = *linked.pass->declaration;
+    const paths::PassDecl& declared = *linked.pass->declaration;
     const Compare own = linked.material->graph->graph->render.depth_test.value_or(Compare::LessEqual);
     if (!declared.has_cull) lines.push_back(fmt::format("Cull [{}]", kCull));
     if (!declared.has_depth) lines.push_back(fmt::format("ZWrite [{}]", kWrite));

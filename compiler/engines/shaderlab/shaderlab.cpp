@@ -13,7 +13,7 @@ namespace {
 
 using output::Compiled;
 
-bool accepts(graph::Session&) {
+bool accepts(resolve::Session&) {
     return true;
 }
 
@@ -25,22 +25,22 @@ std::string inline_sampler(const Sampler& sampler) {
 }
 
 // A macro declares a texture's sampler under a name made from the texture's identifier.
-void name(const graph::Session&, graph::Lowered& lowered) {
+void name(const resolve::Session&, lower::Lowered& lowered) {
     std::vector<ir::Global>& all = lowered.module.globals;
     std::map<std::uint32_t, std::string> inlined;
-    for (const graph::PropertyGlobals& globals : lowered.property_globals) {
+    for (const lower::PropertyGlobals& globals : lowered.property_globals) {
         if (!globals.sampler || globals.texture) continue;
         if (const NamedSampler* const named = find_sampler(all[globals.sampler.index].name))
             inlined[globals.sampler.index] = inline_sampler(named->sampler);
     }
     link::name_interface(lowered.module);
-    for (const graph::PropertyGlobals& globals : lowered.property_globals) {
+    for (const lower::PropertyGlobals& globals : lowered.property_globals) {
         if (globals.texture) all[globals.sampler.index].name = "sampler" + all[globals.texture.index].name;
     }
     for (auto& [sampler, called] : inlined) all[sampler].name = std::move(called);
 }
 
-bool takes(graph::Session& session, const link::Linked& linked, const LinkedPass& pass) {
+bool takes(resolve::Session& session, const link::Linked& linked, const LinkedPass& pass) {
     return link::has_all(session, linked, pass) && !is_in_fallback(pass);
 }
 

@@ -36,8 +36,8 @@ void for_each_global(const ir::Module& stage, Visit visit) {
     }
 }
 
-const graph::Property* property_of(const graph::Material& material, std::string_view sampler) {
-    for (const graph::MaterialProperty& each : material.properties) {
+const format::Property* property_of(const resolve::Material& material, std::string_view sampler) {
+    for (const resolve::MaterialProperty& each : material.properties) {
         if (sampler.ends_with(each.property->name) && sampler.size() == each.property->name.size() + 7)
             return each.property;
     }
@@ -51,7 +51,7 @@ std::string sampler_of(std::string_view texture) {
 // What the fragment stages do with a sampler.
 struct Sampler {
     std::string name;
-    const graph::Property* property = nullptr;  // null if it belongs to no property
+    const format::Property* property = nullptr;  // null if it belongs to no property
     std::vector<bool> reads;                    // for each pass
     // False if some stage needs a declaration of texture and sampler in one: a vertex stage, a pass that only loads
     // texels, or a texture that is not 2D, for which Unity has no other macro.

@@ -47,16 +47,16 @@ const ir::StageVariable* output_of(const LinkedPass& pass, const ir::StageVariab
 }
 
 template <class What>
-bool has_all_of(const std::vector<graph::Given<What>>& list, const std::vector<graph::Given<What>>& other) {
-    return std::all_of(other.begin(), other.end(), [&](const graph::Given<What>& wanted) {
-        return !wanted.in_vertex_stage || std::any_of(list.begin(), list.end(), [&](const graph::Given<What>& each) {
+bool has_all_of(const std::vector<lower::Given<What>>& list, const std::vector<lower::Given<What>>& other) {
+    return std::all_of(other.begin(), other.end(), [&](const lower::Given<What>& wanted) {
+        return !wanted.in_vertex_stage || std::any_of(list.begin(), list.end(), [&](const lower::Given<What>& each) {
             return each.in_vertex_stage && each.what == wanted.what && each.span.begin == wanted.span.begin;
         });
     });
 }
 
 // True if a value means the same at the vertices of both passes.
-bool computes_alike(const graph::LoweredPass& a, const graph::LoweredPass& b) {
+bool computes_alike(const lower::LoweredPass& a, const lower::LoweredPass& b) {
     return has_all_of(a.recipes, b.recipes) && has_all_of(b.recipes, a.recipes) && has_all_of(a.replaced, b.replaced) &&
            has_all_of(b.replaced, a.replaced);
 }

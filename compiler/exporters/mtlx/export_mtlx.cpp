@@ -22,10 +22,10 @@ const ir::Function* surface_of(const ir::Module& module) {
     return nullptr;
 }
 
-std::string document(graph::Session& session, Compilation& compilation, const std::string& folder) {
-    graph::Lowered& lowered = compilation.lowered.front();
-    const graph::Material& material = *compilation.materials.front();
-    const graph::Graph& graph = *material.graph->graph;
+std::string document(resolve::Session& session, Compilation& compilation, const std::string& folder) {
+    lower::Lowered& lowered = compilation.lowered.front();
+    const resolve::Material& material = *compilation.materials.front();
+    const format::Graph& graph = *material.graph->graph;
     const ir::Function* const surface = surface_of(lowered.module);
     const auto function = surface ? flatten(lowered, *surface) : std::nullopt;
     if (!function) {
@@ -68,13 +68,13 @@ MtlxExport write(const Compiler& compiler, const std::string& path, const MtlxOp
     own.request = CompileOptions::Functions{"Mtlx"};  // no pass decides what the surface may read
     own.include_dirs = options.include_dirs;
     own.files = options.files;
-    graph::Session session(CompilerAccess::library(compiler), own);
+    resolve::Session session(CompilerAccess::library(compiler), own);
     const TrailGuard guard(trail, session.diagnostics);
     MtlxExport made;
     Result result;
     ShortName pass;
-    graph::until_stopped(session, [&] {
-        const std::optional<std::uint32_t> base = graph::load_source(session, path, {});
+    resolve::until_stopped(session, [&] {
+        const std::optional<std::uint32_t> base = resolve::load_source(session, path, {});
         if (!base) return;
         Compilation compilation{.session = session, .source = *base, .path = path, .result = result, .pass = pass};
         if (accept(compilation) && read_material(compilation) && lower_material(compilation))

@@ -8,7 +8,7 @@ namespace {
 constexpr std::size_t kMost = 20'000;  // instructions
 
 struct Flattening {
-    graph::Lowered& lowered;
+    lower::Lowered& lowered;
     bool is_too_long = false;
 
     bool open(ir::Copy& copy, ir::Value value);
@@ -18,7 +18,7 @@ struct Flattening {
 // Of a call, or of a value that the graph interpolates; null: it stays.
 const ir::Function* Flattening::body_of(const ir::Inst& inst) const {
     if (inst.op == ir::Op::Semantic) {
-        const graph::SemanticRecipe& semantic = lowered.semantics[inst.data];
+        const lower::SemanticRecipe& semantic = lowered.semantics[inst.data];
         return semantic.recipe && !semantic.declaration ? &lowered.module[semantic.recipe] : nullptr;
     }
     if (inst.op != ir::Op::Call) return nullptr;
@@ -59,7 +59,7 @@ bool Flattening::open(ir::Copy& copy, ir::Value value) {
 
 }  // namespace
 
-std::optional<ir::Function> flatten(graph::Lowered& lowered, const ir::Function& function) {
+std::optional<ir::Function> flatten(lower::Lowered& lowered, const ir::Function& function) {
     ir::Function made = ir::shell(function);
     Flattening flattening{lowered};
     ir::Builder builder(lowered.module, made);

@@ -15,6 +15,6 @@ inline constexpr std::string_view kUnpackNormal = "UnpackNormalRedGreen", kToWor
 bool is_noise(std::string_view function);
 
 // Nothing: the function would be too long.
-std::optional<ir::Function> flatten(graph::Lowered& lowered, const ir::Function& function);
+std::optional<ir::Function> flatten(lower::Lowered& lowered, const ir::Function& function);
 
 }  // namespace patina::exporters::mtlx

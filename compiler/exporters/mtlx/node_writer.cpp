@@ -50,7 +50,7 @@ unsigned width_of(std::string_view type) {
     return type.empty() || type.back() < '2' || type.back() > '4' ? 1 : static_cast<unsigned>(type.back() - '0');
 }
 
-NodeWriter::NodeWriter(graph::Session& session, const graph::Material& material, const graph::Lowered& lowered,
+NodeWriter::NodeWriter(resolve::Session& session, const resolve::Material& material, const lower::Lowered& lowered,
                        const ir::Function& function, std::string folder)
     : session_(session),
       material_(material),
@@ -84,7 +84,7 @@ std::optional<std::vector<double>> NodeWriter::constant(ir::Value value) const {
     }
     if (inst.op == ir::Op::Global) {
         // The tiling of a texture, which a document does not have as a value of its own.
-        for (const graph::PropertyGlobals& each : lowered_.property_globals)
+        for (const lower::PropertyGlobals& each : lowered_.property_globals)
             if (each.tiling && each.tiling.index == inst.data) return std::vector<double>{1, 1, 0, 0};
         return std::nullopt;
     }

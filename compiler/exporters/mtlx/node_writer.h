@@ -45,7 +45,7 @@ unsigned width_of(std::string_view type);
 
 class NodeWriter {
 public:
-    NodeWriter(graph::Session& session, const graph::Material& material, const graph::Lowered& lowered,
+    NodeWriter(resolve::Session& session, const resolve::Material& material, const lower::Lowered& lowered,
                const ir::Function& function, std::string folder);
 
     Ref value(ir::Value value);
@@ -91,7 +91,7 @@ private:
     std::optional<Ref> parts(ir::Value value);
     Ref semantic_value(ir::Value value);
     Ref global_value(ir::Value value);
-    Ref property_value(const graph::Property& property);
+    Ref property_value(const format::Property& property);
     Ref sampled(ir::Value value);
     Ref picture(ir::Value texture, ir::Value at, std::string type);
     Ref turned(const Ref& coordinates);
@@ -99,12 +99,12 @@ private:
     Ref unpacked_normal(ir::Value value);
     Ref world_normal(ir::Value value);
     std::optional<Ref> noise(ir::Value value);
-    Argument picture_input(const graph::MaterialProperty& property);
-    void describe(Element& input, const graph::Property& property) const;
+    Argument picture_input(const resolve::MaterialProperty& property);
+    void describe(Element& input, const format::Property& property) const;
 
-    graph::Session& session_;
-    const graph::Material& material_;
-    const graph::Lowered& lowered_;
+    resolve::Session& session_;
+    const resolve::Material& material_;
+    const lower::Lowered& lowered_;
     const ir::Module& module_;
     const ir::Function& function_;
     std::string folder_;

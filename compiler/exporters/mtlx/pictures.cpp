@@ -62,8 +62,8 @@ Ref NodeWriter::turned(const Ref& coordinates) {
     return made;
 }
 
-Argument NodeWriter::picture_input(const graph::MaterialProperty& property) {
-    const graph::Property& own = *property.property;
+Argument NodeWriter::picture_input(const resolve::MaterialProperty& property) {
+    const format::Property& own = *property.property;
     const std::string colorspace = own.usage == TextureUsage::Color ? "srgb_texture" : "";
     Ref& known = inputs_[own.name];
     if (!known.name.empty()) return {.name = "file", .value = known, .type = known.type, .colorspace = colorspace};
@@ -90,7 +90,7 @@ Argument NodeWriter::picture_input(const graph::MaterialProperty& property) {
 // The picture of a texture at coordinates of the graph.
 Ref NodeWriter::picture(ir::Value texture, ir::Value at, std::string type) {
     const ir::Inst& inst = function_[texture];
-    const graph::MaterialProperty* property = nullptr;
+    const resolve::MaterialProperty* property = nullptr;
     if (inst.op == ir::Op::Global)
         for (std::size_t i = 0; i < lowered_.property_globals.size(); ++i)
             if (lowered_.property_globals[i].texture && lowered_.property_globals[i].texture.index == inst.data)
@@ -101,7 +101,7 @@ Ref NodeWriter::picture(ir::Value texture, ir::Value at, std::string type) {
                        : "a texture that is no picture of two dimensions, or is chosen by a condition");
         return {.numbers = {0, 0, 0, 0}};
     }
-    const graph::Property& own = *property->property;
+    const format::Property& own = *property->property;
     if (own.tiling) differs(own.name_span, fmt::format("'{}' has no tiling of its own", own.name));
     const Sampler& sampler = own.sampler;
     if (type.empty()) type = own.usage == TextureUsage::Color ? "color4" : "vector4";

@@ -35,7 +35,7 @@ constexpr DetailRow kDetails[] = {
 constexpr std::string_view kAlphaInputs[] = {"alpha", "alphaClip"};
 
 // Empty: none has this workflow.
-std::string shader_of(const graph::Material& material) {
+std::string shader_of(const resolve::Material& material) {
     const std::string& workflow = material.workflow->graph->name;
     if (workflow == "unlit") return "surface_unlit";
     if (workflow == "specular-glossiness") return "UsdPreviewSurface";
@@ -45,7 +45,7 @@ std::string shader_of(const graph::Material& material) {
 
 class SurfaceWriter {
 public:
-    SurfaceWriter(graph::Session& session, const graph::Material& material, const ir::Module& module,
+    SurfaceWriter(resolve::Session& session, const resolve::Material& material, const ir::Module& module,
                   NodeWriter& writer, std::string graph_name)
         : session_(session),
           material_(material),
@@ -81,9 +81,9 @@ public:
 
 private:
     Span span_of(std::string_view member) const {
-        for (const graph::PortValue& port : graph_.surface) {
+        for (const format::PortValue& port : graph_.surface) {
             if (port.name == member) return port.value_span;
-            for (const graph::Input* input : material_.surface_inputs())
+            for (const format::Input* input : material_.surface_inputs())
                 if (input->name == port.name && input->gives == member) return port.value_span;
         }
         return graph_.span;
@@ -101,9 +101,9 @@ private:
 
     // An input of a lighting model that is not the shader's.
     void check_stated() {
-        for (const graph::PortValue& port : graph_.surface) {
+        for (const format::PortValue& port : graph_.surface) {
             std::string name = port.name;
-            for (const graph::Input* input : material_.surface_inputs())
+            for (const format::Input* input : material_.surface_inputs())
                 if (input->name == name && !input->gives.empty()) name = input->gives;
             const bool is_known =
                 std::any_of(std::begin(kInputs), std::end(kInputs),
@@ -199,12 +199,12 @@ private:
 
     void report_render_state() {
         if (graph_.render.cull != Cull::Back) writer_.differs(graph_.render.span, "no side of a surface is left out");
-        for (const graph::ExtraPass& pass : graph_.passes)
+        for (const format::ExtraPass& pass : graph_.passes)
             writer_.differs(pass.name_span, fmt::format("the pass '{}' is left out", pass.name));
-        for (const graph::Node& node : graph_.nodes)
-            if (node.stage == graph::NodeStage::Vertex)
+        for (const format::Node& node : graph_.nodes)
+            if (node.stage == format::NodeStage::Vertex)
                 writer_.differs(node.span, fmt::format("'{}' is computed at each pixel", node.id));
-        for (const graph::PortValue& port : graph_.vertex)
+        for (const format::PortValue& port : graph_.vertex)
             writer_.differs(port.name_span, fmt::format("the vertex output '{}' is left out", port.name));
     }
 
@@ -225,9 +225,9 @@ private:
                                            {"output", argument.name + "_out"}}});
     }
 
-    graph::Session& session_;
-    const graph::Material& material_;
-    const graph::Graph& graph_;
+    resolve::Session& session_;
+    const resolve::Material& material_;
+    const format::Graph& graph_;
     const ir::Module& module_;
     NodeWriter& writer_;
     std::string graph_name_, shader_{};
@@ -236,7 +236,7 @@ private:
 
 }  // namespace
 
-SurfaceParts write_surface(graph::Session& session, const graph::Material& material, const ir::Module& module,
+SurfaceParts write_surface(resolve::Session& session, const resolve::Material& material, const ir::Module& module,
                            NodeWriter& writer, const std::string& graph_name, const std::string& shader_name) {
     return SurfaceWriter(session, material, module, writer, graph_name).write(shader_name);
 }

@@ -11,7 +11,7 @@ struct SurfaceParts {
     Element shader{};
     std::vector<Element> outputs{};  // of the node graph
 };
-SurfaceParts write_surface(graph::Session& session, const graph::Material& material, const ir::Module& module,
+SurfaceParts write_surface(resolve::Session& session, const resolve::Material& material, const ir::Module& module,
                            NodeWriter& writer, const std::string& graph_name, const std::string& shader_name);
 
 }  // namespace patina::exporters::mtlx

@@ -50,8 +50,8 @@ Ref NodeWriter::global_value(ir::Value value) {
     const ir::Global& global = module_.globals[inst.data];
     const auto number = [&](double each) { return Ref{.numbers = std::vector<double>(inst.type.components(), each)}; };
     for (std::size_t i = 0; i < lowered_.property_globals.size(); ++i) {
-        const graph::PropertyGlobals& each = lowered_.property_globals[i];
-        const graph::MaterialProperty& property = material_.properties[i];
+        const lower::PropertyGlobals& each = lowered_.property_globals[i];
+        const resolve::MaterialProperty& property = material_.properties[i];
         if (each.value && each.value.index == inst.data) return property_value(*property.property);
         if (each.keyword && each.keyword.index == inst.data) {
             differs(property.property->name_span,
@@ -63,7 +63,7 @@ Ref NodeWriter::global_value(ir::Value value) {
     return number(0);
 }
 
-void NodeWriter::describe(Element& input, const graph::Property& property) const {
+void NodeWriter::describe(Element& input, const format::Property& property) const {
     if (!property.label.empty()) input.add("uiname", property.label);
     if (!property.group.empty()) input.add("uifolder", property.group);
     if (!property.help.empty()) input.add("doc", property.help);
@@ -73,7 +73,7 @@ void NodeWriter::describe(Element& input, const graph::Property& property) const
     }
 }
 
-Ref NodeWriter::property_value(const graph::Property& property) {
+Ref NodeWriter::property_value(const format::Property& property) {
     if (const auto made = inputs_.find(property.name); made != inputs_.end()) return made->second;
     Ref& known = inputs_[property.name];
     const bool is_color = property.type == PropertyType::Color;

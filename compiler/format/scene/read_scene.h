@@ -7,7 +7,7 @@
 #include "compiler/format/read_fields.h"
 #include "patina/scene.h"
 
-namespace patina::graph {
+namespace patina::format {
 
 // Finds the files that a scene names. The caller provides it, because the search belongs to resolve/session.h.
 struct SceneFiles {
@@ -20,7 +20,7 @@ struct SceneFiles {
 };
 
 // Returns a scene even after errors (the parts that could be read). `name`: the scene's name if the file states none.
-SceneFile read_scene(const Reading& reading, const Json& json, const std::string& path, std::string name,
+SceneFile read_scene(const Reading& reading, const json::Json& json, const std::string& path, std::string name,
                      const SceneFiles& files);
 
-}  // namespace patina::graph
+}  // namespace patina::format

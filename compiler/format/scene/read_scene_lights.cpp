@@ -1,6 +1,6 @@
 #include "compiler/format/scene/read_scene_fields.h"
 
-namespace patina::graph {
+namespace patina::format {
 namespace {
 
 // The keys that only some kinds of light have.
@@ -25,7 +25,7 @@ bool has_key(const OwnedKey& owned, LightKind type) {
     return false;
 }
 
-void check_owned_keys(Reading& reading, const Json& json, LightKind type) {
+void check_owned_keys(Reading& reading, const json::Json& json, LightKind type) {
     const std::string what = fmt::format("a {} light", to_string(type));
     for (const OwnedKey& owned : kOwnedKeys) {
         if (has_key(owned, type)) {
@@ -43,10 +43,10 @@ void check_owned_keys(Reading& reading, const Json& json, LightKind type) {
     }
 }
 
-std::optional<SceneShadow> read_shadow(Reading& reading, const Json& json) {
+std::optional<SceneShadow> read_shadow(Reading& reading, const json::Json& json) {
     SceneShadow shadow;
-    if (json.kind == Json::Kind::Bool) return json.boolean ? std::optional(shadow) : std::nullopt;
-    if (json.kind != Json::Kind::Object) {
+    if (json.kind == json::Json::Kind::Bool) return json.boolean ? std::optional(shadow) : std::nullopt;
+    if (json.kind != json::Json::Kind::Object) {
         report_type(reading, json, "'shadow'", "true, false or an object");
         return std::nullopt;
     }
@@ -57,7 +57,7 @@ std::optional<SceneShadow> read_shadow(Reading& reading, const Json& json) {
     return shadow;
 }
 
-void read_cone(Reading& reading, const Json& json, SceneLight& light) {
+void read_cone(Reading& reading, const json::Json& json, SceneLight& light) {
     double angle = 0;
     if (read_number(reading, json, ObjectKind::Light, "inner", angle)) light.inner = angle;
     if (read_number(reading, json, ObjectKind::Light, "outer", angle)) light.outer = angle;
@@ -65,10 +65,10 @@ void read_cone(Reading& reading, const Json& json, SceneLight& light) {
     report_impossible(reading, json, "inner", "at most 'outer'");
 }
 
-SceneLight read_light(SceneReading& reading, const Json& json) {
+SceneLight read_light(SceneReading& reading, const json::Json& json) {
     SceneLight light{.place = place_of(reading, opening(json))};
     check_keys(reading, json, ObjectKind::Light);
-    const Json* type = json.find("type");
+    const json::Json* type = json.find("type");
     if (!type) return light;
     const std::optional<LightKind> known = read_word<LightKind>(reading, *type, "type", "a type of light");
     if (!known) return light;  // the kind decides which other keys there are
@@ -85,25 +85,25 @@ SceneLight read_light(SceneReading& reading, const Json& json) {
     read_number(reading, json, ObjectKind::Light, "range", light.range);
     read_cone(reading, json, light);
     read_word(reading, json, "renderMode", "a render mode", light.render_mode);
-    if (const Json* shadow = json.find("shadow")) light.shadow = read_shadow(reading, *shadow);
-    if (const Json* cookie = json.find("cookie")) light.cookie = read_file_name(reading, *cookie, "'cookie'");
+    if (const json::Json* shadow = json.find("shadow")) light.shadow = read_shadow(reading, *shadow);
+    if (const json::Json* cookie = json.find("cookie")) light.cookie = read_file_name(reading, *cookie, "'cookie'");
     read_number(reading, json, ObjectKind::Light, "cookieSize", light.cookie_size);
     return light;
 }
 
 }  // namespace
 
-std::vector<SceneLight> read_lights(SceneReading& reading, const Json& array) {
+std::vector<SceneLight> read_lights(SceneReading& reading, const json::Json& array) {
     std::vector<SceneLight> lights;
-    if (!expect(reading, array, Json::Kind::Array, "'lights'")) return lights;
+    if (!expect(reading, array, json::Json::Kind::Array, "'lights'")) return lights;
     if (array.elements.size() > kMostSceneLights) {
         reading.diagnostics.report(Code::TooMany, array.elements[kMostSceneLights].span, array.elements.size(),
                                    "lights", kMostSceneLights);
         return lights;
     }
     std::vector<Span> shadows;
-    for (const Json& element : array.elements) {
-        if (!expect(reading, element, Json::Kind::Object, "a light")) continue;
+    for (const json::Json& element : array.elements) {
+        if (!expect(reading, element, json::Json::Kind::Object, "a light")) continue;
         lights.push_back(read_light(reading, element));
         if (lights.back().shadow) shadows.push_back(find_member(element, "shadow")->key_span);
     }
@@ -114,4 +114,4 @@ std::vector<SceneLight> read_lights(SceneReading& reading, const Json& array) {
     return lights;
 }
 
-}  // namespace patina::graph
+}  // namespace patina::format

@@ -3,12 +3,12 @@
 
 #include "compiler/format/scene/read_scene_fields.h"
 
-namespace patina::graph {
+namespace patina::format {
 namespace {
 
 // Nothing: the scene has the studio's ambient light.
-std::optional<SceneAmbient> read_ambient(Reading& reading, const Json& json) {
-    if (json.kind == Json::Kind::Object) {
+std::optional<SceneAmbient> read_ambient(Reading& reading, const json::Json& json) {
+    if (json.kind == json::Json::Kind::Object) {
         SceneAmbient ambient;
         check_keys(reading, json, ObjectKind::Ambient);
         const auto read = [&](std::string_view key, std::optional<SceneVector>& target) {
@@ -23,7 +23,7 @@ std::optional<SceneAmbient> read_ambient(Reading& reading, const Json& json) {
         }
         return ambient;
     }
-    if (json.kind == Json::Kind::String && !json.string.starts_with('#')) {
+    if (json.kind == json::Json::Kind::String && !json.string.starts_with('#')) {
         // The words are those of "environment".
         const auto named = read_word<SceneEnvironment>(reading, json, "ambient", "ambient light");
         if (named == SceneEnvironment::Studio) return std::nullopt;
@@ -34,23 +34,23 @@ std::optional<SceneAmbient> read_ambient(Reading& reading, const Json& json) {
     return SceneAmbient{.horizon = SceneVector{(*color)[0], (*color)[1], (*color)[2]}};
 }
 
-ScenePicture read_picture(SceneReading& reading, const Json& json) {
+ScenePicture read_picture(SceneReading& reading, const json::Json& json) {
     ScenePicture picture;
-    if (json.kind == Json::Kind::String) {
+    if (json.kind == json::Json::Kind::String) {
         picture.file = read_file_name(reading, json, "'environment'");
         return picture;
     }
-    if (!expect(reading, json, Json::Kind::Object, "'environment'")) return picture;
+    if (!expect(reading, json, json::Json::Kind::Object, "'environment'")) return picture;
     check_keys(reading, json, ObjectKind::Environment);
-    if (const Json* file = json.find("file")) picture.file = read_file_name(reading, *file, "'file'");
+    if (const json::Json* file = json.find("file")) picture.file = read_file_name(reading, *file, "'file'");
     read_number(reading, json, ObjectKind::Environment, "rotation", picture.rotation);
     read_number(reading, json, ObjectKind::Environment, "intensity", picture.intensity);
     return picture;
 }
 
 // A text with a dot or a slash is a file; another one is a word.
-void read_environment(SceneReading& reading, const Json& json, SceneFile& scene) {
-    const bool is_text = json.kind == Json::Kind::String;
+void read_environment(SceneReading& reading, const json::Json& json, SceneFile& scene) {
+    const bool is_text = json.kind == json::Json::Kind::String;
     if (is_text && json.string.find_first_of("./\\") == std::string::npos) {
         scene.environment = read_word<SceneEnvironment>(reading, json, "environment", "an environment")
                                 .value_or(SceneEnvironment::Studio);
@@ -60,8 +60,8 @@ void read_environment(SceneReading& reading, const Json& json, SceneFile& scene)
 }
 
 // A colour, or a word.
-void read_background(Reading& reading, const Json& json, SceneFile& scene) {
-    if (json.kind == Json::Kind::String && !json.string.starts_with('#')) {
+void read_background(Reading& reading, const json::Json& json, SceneFile& scene) {
+    if (json.kind == json::Json::Kind::String && !json.string.starts_with('#')) {
         scene.backdrop =
             read_word<SceneBackdrop>(reading, json, "background", "a background").value_or(SceneBackdrop::Color);
         return;
@@ -69,11 +69,11 @@ void read_background(Reading& reading, const Json& json, SceneFile& scene) {
     scene.background = read_scene_color(reading, json, "background", true);
 }
 
-std::optional<SceneFog> read_fog(Reading& reading, const Json& json) {
-    if (!expect(reading, json, Json::Kind::Object, "'fog'")) return std::nullopt;
+std::optional<SceneFog> read_fog(Reading& reading, const json::Json& json) {
+    if (!expect(reading, json, json::Json::Kind::Object, "'fog'")) return std::nullopt;
     SceneFog fog;
     check_keys(reading, json, ObjectKind::Fog);
-    const Json* mode = json.find("mode");
+    const json::Json* mode = json.find("mode");
     const std::optional<FogMode> known = mode ? read_word<FogMode>(reading, *mode, "mode", "a fog mode") : std::nullopt;
     if (!known) return fog;
     fog.mode = *known;
@@ -95,11 +95,11 @@ std::optional<SceneFog> read_fog(Reading& reading, const Json& json) {
     return fog;
 }
 
-SceneMixedLighting read_mixed_lighting(Reading& reading, const Json& json) {
+SceneMixedLighting read_mixed_lighting(Reading& reading, const json::Json& json) {
     SceneMixedLighting mixed;
-    if (!expect(reading, json, Json::Kind::Object, "'mixedLighting'")) return mixed;
+    if (!expect(reading, json, json::Json::Kind::Object, "'mixedLighting'")) return mixed;
     check_keys(reading, json, ObjectKind::MixedLighting);
-    const Json* mode = json.find("mode");
+    const json::Json* mode = json.find("mode");
     const std::optional<LightMixing> known =
         mode ? read_word<LightMixing>(reading, *mode, "mode", "a mode of mixed lighting") : std::nullopt;
     if (!known) return mixed;
@@ -124,8 +124,8 @@ SceneMixedLighting read_mixed_lighting(Reading& reading, const Json& json) {
 
 // --- reflection probes
 
-void read_box(Reading& reading, const Json& json, SceneProbe& probe) {
-    if (!expect(reading, json, Json::Kind::Object, "'box'")) return;
+void read_box(Reading& reading, const json::Json& json, SceneProbe& probe) {
+    if (!expect(reading, json, json::Json::Kind::Object, "'box'")) return;
     check_keys(reading, json, ObjectKind::ProbeBox);
     const bool has_min = read_vector(reading, json, ObjectKind::ProbeBox, "min", probe.box_min);
     const bool has_max = read_vector(reading, json, ObjectKind::ProbeBox, "max", probe.box_max);
@@ -137,11 +137,11 @@ void read_box(Reading& reading, const Json& json, SceneProbe& probe) {
     }
 }
 
-SceneProbe read_probe(SceneReading& reading, const Json& json) {
+SceneProbe read_probe(SceneReading& reading, const json::Json& json) {
     SceneProbe probe;
     check_keys(reading, json, ObjectKind::Probe);
-    if (const Json* environment = json.find("environment")) probe.picture = read_picture(reading, *environment);
-    if (const Json* box = json.find("box")) read_box(reading, *box, probe);
+    if (const json::Json* environment = json.find("environment")) probe.picture = read_picture(reading, *environment);
+    if (const json::Json* box = json.find("box")) read_box(reading, *box, probe);
     for (std::size_t axis = 0; axis < 3; ++axis) probe.position[axis] = (probe.box_min[axis] + probe.box_max[axis]) / 2;
     const bool has_position = read_vector(reading, json, ObjectKind::Probe, "position", probe.position);
     for (std::size_t axis = 0; has_position && axis < 3; ++axis) {
@@ -155,30 +155,30 @@ SceneProbe read_probe(SceneReading& reading, const Json& json) {
     return probe;
 }
 
-std::vector<SceneProbe> read_probes(SceneReading& reading, const Json& array) {
+std::vector<SceneProbe> read_probes(SceneReading& reading, const json::Json& array) {
     std::vector<SceneProbe> probes;
-    if (!expect(reading, array, Json::Kind::Array, "'probes'")) return probes;
+    if (!expect(reading, array, json::Json::Kind::Array, "'probes'")) return probes;
     if (array.elements.size() > kMostSceneProbes) {
         reading.diagnostics.report(Code::TooMany, opening(array), array.elements.size(), "probes", kMostSceneProbes);
         return probes;
     }
-    for (const Json& element : array.elements) {
-        if (expect(reading, element, Json::Kind::Object, "a probe")) probes.push_back(read_probe(reading, element));
+    for (const json::Json& element : array.elements) {
+        if (expect(reading, element, json::Json::Kind::Object, "a probe")) probes.push_back(read_probe(reading, element));
     }
     return probes;
 }
 
 }  // namespace
 
-void read_surroundings(SceneReading& reading, const Json& json, SceneFile& scene) {
-    if (const Json* ambient = json.find("ambient")) scene.ambient = read_ambient(reading, *ambient);
+void read_surroundings(SceneReading& reading, const json::Json& json, SceneFile& scene) {
+    if (const json::Json* ambient = json.find("ambient")) scene.ambient = read_ambient(reading, *ambient);
     if (scene.ambient) scene.environment = SceneEnvironment::None;
     scene.has_studio_ambient = json.find("ambient") && !scene.ambient;
-    if (const Json* environment = json.find("environment")) read_environment(reading, *environment, scene);
-    if (const Json* probes = json.find("probes")) scene.probes = read_probes(reading, *probes);
-    if (const Json* fog = json.find("fog")) scene.fog = read_fog(reading, *fog);
-    if (const Json* mixed = json.find("mixedLighting")) scene.mixed_lighting = read_mixed_lighting(reading, *mixed);
-    if (const Json* background = json.find("background")) read_background(reading, *background, scene);
+    if (const json::Json* environment = json.find("environment")) read_environment(reading, *environment, scene);
+    if (const json::Json* probes = json.find("probes")) scene.probes = read_probes(reading, *probes);
+    if (const json::Json* fog = json.find("fog")) scene.fog = read_fog(reading, *fog);
+    if (const json::Json* mixed = json.find("mixedLighting")) scene.mixed_lighting = read_mixed_lighting(reading, *mixed);
+    if (const json::Json* background = json.find("background")) read_background(reading, *background, scene);
 }
 
-}  // namespace patina::graph
+}  // namespace patina::format

@@ -8,7 +8,7 @@
 #include "compiler/format/keys.h"
 #include "compiler/format/schema/schema_parts.h"
 
-namespace patina::graph {
+namespace patina::format {
 namespace {
 
 constexpr std::string_view kIdentifier = R"({"type":"string","pattern":"^[A-Za-z_][A-Za-z0-9_]*$"})";
@@ -141,9 +141,9 @@ std::string make_schema(const SchemaInput& input) {
     // The schema has no white space yet; lay it out as `fmt` does.
     SourceMap sources;
     Diagnostics diagnostics;
-    const std::unique_ptr<Json> json = parse_json(sources, sources.add("schema", text), diagnostics);
+    const std::unique_ptr<json::Json> json = json::parse_json(sources, sources.add("schema", text), diagnostics);
     assert(json);
     return layout_json(*json, sources);
 }
 
-}  // namespace patina::graph
+}  // namespace patina::format

@@ -12,7 +12,7 @@
 
 #include "patina/patina.h"
 
-namespace patina::graph {
+namespace patina::format {
 
 struct SchemaInput {
     std::span<const NodeInfo> nodes;
@@ -23,4 +23,4 @@ struct SchemaInput {
 
 std::string make_schema(const SchemaInput& input);
 
-}  // namespace patina::graph
+}  // namespace patina::format

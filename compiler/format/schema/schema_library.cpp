@@ -1,7 +1,7 @@
 #include "compiler/base/text.h"
 #include "compiler/format/schema/schema_parts.h"
 
-namespace patina::graph {
+namespace patina::format {
 namespace {
 
 constexpr std::string_view kProperty = "^\\$[A-Za-z_][A-Za-z0-9_]*$";
@@ -150,4 +150,4 @@ std::string surface_schema(std::span<const ModelInfo> workflows, std::span<const
     return list(cases);
 }
 
-}  // namespace patina::graph
+}  // namespace patina::format

@@ -10,13 +10,13 @@
 #include "compiler/format/schema/schema.h"
 #include "compiler/json/json_text.h"
 
-namespace patina::graph {
+namespace patina::format {
 
 using Members = std::vector<std::pair<std::string, std::string>>;  // key, JSON text
 
 inline std::string quoted(std::string_view text) {
     std::string out;
-    append_quoted(out, text);
+    json::append_quoted(out, text);
     return out;
 }
 
@@ -30,7 +30,7 @@ inline std::string object(const Members& members) {
     std::string out = "{";
     for (const auto& [key, value] : members) {
         if (out.size() > 1) out += ',';
-        append_quoted(out, key);
+        json::append_quoted(out, key);
         out += ':' + value;
     }
     return out + "}";
@@ -59,4 +59,4 @@ std::string model_name_schema(std::span<const ModelInfo> models);
 // An if and a then for each workflow, with its surface inputs.
 std::string surface_schema(std::span<const ModelInfo> workflows, std::span<const ModelInfo> models);
 
-}  // namespace patina::graph
+}  // namespace patina::format

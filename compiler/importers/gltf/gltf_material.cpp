@@ -215,7 +215,7 @@ Term set_unlit(MaterialGraph& graph, Object& material, Object& metal, bool has_a
 // Which numbers, "occlusion" or "thickness", a material's textures hold: those that are neither colours nor normals.
 void find_packed(const Json& object, std::map<std::size_t, std::vector<std::string>>& packed) {
     constexpr std::string_view kEnding = "Texture";
-    for (const graph::JsonMember& member : object.members) {
+    for (const json::JsonMember& member : object.members) {
         const std::string& key = member.key;
         if (member.value.kind != Json::Kind::Object) continue;
         const Json* index = member.value.find("index");

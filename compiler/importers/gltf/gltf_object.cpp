@@ -30,7 +30,7 @@ void Report::wrong(const std::string& part, const std::string& what, const Json*
 Object::Object(Report& report, const Json* json, std::string path)
     : report_(&report), json_(json), path_(std::move(path)) {
     if (!json_ || json_->kind == Json::Kind::Object) return;
-    report.wrong(path_, fmt::format("is {}, not an object", graph::describe(json_->kind)), json_);
+    report.wrong(path_, fmt::format("is {}, not an object", json::describe(json_->kind)), json_);
     json_ = nullptr;
 }
 
@@ -41,7 +41,7 @@ std::string Object::part(std::string_view key) const {
 const Json* Object::find(std::string_view key, Json::Kind kind, std::string_view what) {
     const Json* value = json_ ? json_->find(key) : nullptr;
     if (!value || value->kind == kind) return value;
-    report_->wrong(part(key), fmt::format("is {}, not {}", graph::describe(value->kind), what), value);
+    report_->wrong(part(key), fmt::format("is {}, not {}", json::describe(value->kind), what), value);
     return nullptr;
 }
 
@@ -121,7 +121,7 @@ void Object::left_out(std::string_view key, std::string why) {
 
 void Object::all_taken(const std::string& text) {
     if (!json_) return;
-    for (const graph::JsonMember& member : json_->members) {
+    for (const json::JsonMember& member : json_->members) {
         if (member.key != "extensions" && member.key != "extras" && !said_.contains(member.key))
             taken(member.key, text);
     }
@@ -129,13 +129,13 @@ void Object::all_taken(const std::string& text) {
 
 void Object::rest() {
     if (!json_) return;
-    for (const graph::JsonMember& member : json_->members) {
+    for (const json::JsonMember& member : json_->members) {
         if (said_.contains(member.key)) continue;
         if (member.key != "extensions") {
             left_out(member.key, member.key == "extras" ? "data of another program" : "it is not read");
             continue;
         }
-        for (const graph::JsonMember& extension : member.value.members) {
+        for (const json::JsonMember& extension : member.value.members) {
             if (extensions_.contains(extension.key)) continue;
             report_->add(Remark::Kind::LeftOut, part("extensions." + extension.key), "the extension is not read",
                          &extension.value);

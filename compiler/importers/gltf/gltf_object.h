@@ -19,7 +19,7 @@
 
 namespace patina::importers::gltf {
 
-using graph::Json;
+using json::Json;
 
 // What the importer found, in the order in which it was found.
 class Report {

@@ -187,7 +187,7 @@ std::string Pictures::file_of(std::size_t index, const std::string& name) {
     const runtime::PictureKind& kind = *runtime::picture_kind(bytes);
     const std::string stated = image.word("mimeType").value_or(""), held = mime_type(kind);
     if (!stated.empty() && stated != held)
-        image.changed("mimeType", fmt::format("'{}' is wrong: the bytes are a {} file, '{}'", graph::shown(stated),
+        image.changed("mimeType", fmt::format("'{}' is wrong: the bytes are a {} file, '{}'", json::shown(stated),
                                               kind.name, held));
     image.taken("mimeType", "the ending of the file");
     image.taken("name", fmt::format("the file {}", found->second));

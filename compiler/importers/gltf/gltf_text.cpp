@@ -107,12 +107,12 @@ std::string element_mistake(std::string_view list, const Json& element, std::str
         } else if (uri && uri->kind == Json::Kind::String) {
             const DiskFile held = look_on_disk((fs::path(folder) / uri->string).string());
             if (uri->string.find("%") == std::string::npos && !held.bytes)
-                return fmt::format("the file '{}' cannot be read", graph::shown(uri->string));
+                return fmt::format("the file '{}' cannot be read", json::shown(uri->string));
             if (held.bytes && length && length->kind == Json::Kind::Number &&
                 length->number > static_cast<double>(held.size)) {
                 key = "byteLength";
                 return fmt::format("the buffer shall have {:.0f} bytes, and the file '{}' has fewer", length->number,
-                                   graph::shown(uri->string));
+                                   json::shown(uri->string));
             }
         }
     }
@@ -128,7 +128,7 @@ GltfText read_gltf_text(const std::string& path) {
     made.looks_like_json = !made.is_binary && first_letter != json.npos && json[first_letter] == '{';
     const std::uint32_t begin = made.sources.add(path, std::move(json));
     Diagnostics diagnostics;
-    made.root = graph::parse_json(made.sources, begin, diagnostics, graph::JsonOf::OtherProgram);
+    made.root = json::parse_json(made.sources, begin, diagnostics, json::JsonOf::OtherProgram);
     if (made.root && !diagnostics.has_errors()) return made;
     made.root = nullptr;
     if (!diagnostics.records().empty()) {

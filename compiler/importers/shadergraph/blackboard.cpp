@@ -39,7 +39,7 @@ struct Declaration {
 std::string plain(std::string_view name) {
     std::string made;
     for (const char c : identifier(name))
-        if (c != '_') made += lower(c);
+        if (c != '_') made += to_lower(c);
     return made;
 }
 

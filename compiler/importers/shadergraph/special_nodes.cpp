@@ -144,7 +144,7 @@ void swizzle(GraphMaker& maker, std::size_t node) {
     std::string mask(text_of(at.json, "_maskInput"));
     static constexpr std::string_view kLetters = "xyzwrgba";
     for (char& c : mask) {
-        const std::size_t found = kLetters.find(lower(c));
+        const std::size_t found = kLetters.find(to_lower(c));
         c = found == kLetters.npos ? '?' : kLetters[found % 4];
     }
     if (mask.empty() && member(at.json, "m_RedChannel")) {  // the first version: always four

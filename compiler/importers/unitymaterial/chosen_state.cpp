@@ -9,7 +9,7 @@
 namespace patina::importers::unitymaterial {
 namespace {
 
-using graph::Json;
+using json::Json;
 using Words = std::span<const std::string_view>;
 
 // By Unity's numbers.
@@ -104,7 +104,7 @@ std::string render_text(const Json& render, const State& state, std::uint32_t be
     if (state.cull != "back") members.push_back({"cull", importers::text(state.cull)});
     if (state.writes_depth != is_solid(state.surface)) members.push_back({"depthWrite", flag(state.writes_depth)});
     if (state.test != "lessEqual") members.push_back({"depthTest", importers::text(state.test)});
-    for (const graph::JsonMember& each : render.members) {
+    for (const json::JsonMember& each : render.members) {
         const std::string_view key = each.key;
         if (key == "surface" || key == "cull" || key == "depthWrite" || key == "depthTest") continue;
         const Span at = each.value.span;

@@ -15,7 +15,7 @@ namespace patina::importers::unitymaterial {
 namespace {
 
 namespace fs = std::filesystem;
-using graph::Json;
+using json::Json;
 
 std::string_view word(const Json& object, std::string_view key) {
     const Json* value = object.find(key);
@@ -187,7 +187,7 @@ Imported make_instance(MaterialMaker& maker, const std::string& name, const Opti
     SourceMap sources;
     Diagnostics diagnostics;
     const std::uint32_t begin = sources.add(graph_name, graph_text);
-    const std::unique_ptr<Json> root = graph::parse_json(sources, begin, diagnostics);
+    const std::unique_ptr<Json> root = json::parse_json(sources, begin, diagnostics);
     if (!root) return {.error = fmt::format("'{}' in the output folder is not a graph", graph_name)};
     Values values(maker);
     if (const Json* properties = root->find("properties"))

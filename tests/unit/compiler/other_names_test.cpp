@@ -17,8 +17,8 @@
 namespace patina::nodelang {
 namespace {
 
-const graph::Library& library() {
-    static const auto kLibrary = graph::load_library(embedded_files(), engines::printable());
+const resolve::Library& library() {
+    static const auto kLibrary = resolve::load_library(embedded_files(), engines::printable());
     return *kLibrary;
 }
 

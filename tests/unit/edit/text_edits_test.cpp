@@ -5,7 +5,9 @@
 
 #include "compiler/json/json.h"
 
-namespace patina::graph {
+namespace patina::edit {
+
+using namespace json;
 namespace {
 
 struct Parsed {
@@ -139,4 +141,4 @@ TEST(TextEdits, ReordersChildrenWithTheirComments) {
 }
 
 }  // namespace
-}  // namespace patina::graph
+}  // namespace patina::edit

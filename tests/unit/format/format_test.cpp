@@ -7,7 +7,9 @@
 #include "compiler/format/canonical_form.h"
 #include "compiler/json/json_text.h"
 
-namespace patina::graph {
+namespace patina::format {
+
+using namespace json;
 namespace {
 
 std::string format(const std::string& text) {
@@ -243,4 +245,4 @@ TEST(Format, IsAFixedPointThatSaysTheSame) {
 }
 
 }  // namespace
-}  // namespace patina::graph
+}  // namespace patina::format

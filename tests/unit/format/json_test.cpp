@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace patina::graph {
+namespace patina::json {
 namespace {
 
 struct Parsed {
@@ -226,4 +226,4 @@ TEST(Json, LimitsTheNumberOfItems) {
 }
 
 }  // namespace
-}  // namespace patina::graph
+}  // namespace patina::json

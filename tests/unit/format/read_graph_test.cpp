@@ -6,7 +6,9 @@
 #include "compiler/format/color.h"
 #include "compiler/format/keys.h"
 
-namespace patina::graph {
+namespace patina::format {
+
+using namespace json;
 namespace {
 
 using nodelang::Expr;
@@ -513,4 +515,4 @@ TEST(Keys, AreNamedOnceAndExplained) {
 }
 
 }  // namespace
-}  // namespace patina::graph
+}  // namespace patina::format

@@ -12,7 +12,9 @@
 #include "compiler/format/keys.h"
 #include "compiler/json/json_text.h"
 
-namespace patina::graph {
+namespace patina::format {
+
+using namespace json;
 namespace {
 
 // --- a validator
@@ -372,4 +374,4 @@ TEST(Schema, ManagesWithoutALibrary) {
 }
 
 }  // namespace
-}  // namespace patina::graph
+}  // namespace patina::format

@@ -40,7 +40,7 @@ const Json* Documents::parse(std::string_view text, Piece piece, std::string& wr
     piece.size = static_cast<std::uint32_t>(text.size());
     pieces_[begin] = std::move(piece);
     Diagnostics diagnostics;
-    std::unique_ptr<Json> tree = graph::parse_json(*sources_, begin, diagnostics, graph::JsonOf::OtherProgram);
+    std::unique_ptr<Json> tree = json::parse_json(*sources_, begin, diagnostics, json::JsonOf::OtherProgram);
     if (diagnostics.has_errors()) {
         const DiagnosticRecord& first = diagnostics.records().front();
         const Place at = resolve(first.span.begin);
@@ -83,7 +83,7 @@ const Json* Documents::inner(const Json& string) {
     inner_bytes_ += string.string.size();
     if (inner_bytes_ > kMostInnerBytes) return nullptr;
     std::string wrong;
-    Piece piece{.offsets = graph::string_offsets(string, *sources_), .string_begin = string.span.begin};
+    Piece piece{.offsets = json::string_offsets(string, *sources_), .string_begin = string.span.begin};
     found->second = parse(string.string, std::move(piece), wrong);
     return found->second;
 }
@@ -91,8 +91,8 @@ const Json* Documents::inner(const Json& string) {
 Documents read_documents(const std::string& path, std::string text) {
     Documents made;
     made.path_ = path;
-    if (text.size() > graph::kMaxJsonBytes) {
-        made.error = fmt::format("{}: the file has more than {} MiB", path, graph::kMaxJsonBytes >> 20);
+    if (text.size() > json::kMaxJsonBytes) {
+        made.error = fmt::format("{}: the file has more than {} MiB", path, json::kMaxJsonBytes >> 20);
         return made;
     }
     std::string_view rest = text;

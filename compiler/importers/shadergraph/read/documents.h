@@ -20,7 +20,7 @@
 
 namespace patina::importers::shadergraph {
 
-using graph::Json;
+using json::Json;
 
 struct Place {
     int line = 0;    // from 1; 0: nowhere

@@ -14,7 +14,7 @@ std::string said(const Json& value) {
         case Json::Kind::Null: return "null";
         case Json::Kind::Bool: return value.boolean ? "true" : "false";
         case Json::Kind::Number: return fmt::format("{}", value.number);
-        case Json::Kind::String: return fmt::format("\"{}\"", graph::shown(value.string));
+        case Json::Kind::String: return fmt::format("\"{}\"", json::shown(value.string));
         case Json::Kind::Array: return "a list";
         case Json::Kind::Object: return "an object";
     }

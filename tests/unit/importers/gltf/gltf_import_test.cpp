@@ -212,22 +212,22 @@ TEST(GltfImport, AWrongMimeTypeIsReported) {
 // --- nothing is dropped silently
 
 // Every key of the JSON has a remark: of itself, of something inside, or of what it lies in.
-void expect_remarks(const graph::Json& json, const std::string& path, const Imported& made) {
+void expect_remarks(const json::Json& json, const std::string& path, const Imported& made) {
     const auto lies_in = [](const std::string& part, const std::string& whole) {
         return part == whole || part.starts_with(whole + ".") || part.starts_with(whole + "[");
     };
-    for (const graph::JsonMember& member : json.members) {
+    for (const json::JsonMember& member : json.members) {
         const std::string part = path.empty() ? member.key : path + "." + member.key;
         const bool has_own = std::any_of(made.remarks.begin(), made.remarks.end(),
                                          [&](const Remark& remark) { return lies_in(part, remark.part); });
         if (has_own) continue;
-        EXPECT_TRUE(member.value.kind == graph::Json::Kind::Object || member.value.kind == graph::Json::Kind::Array)
+        EXPECT_TRUE(member.value.kind == json::Json::Kind::Object || member.value.kind == json::Json::Kind::Array)
             << part << " has no remark";
         expect_remarks(member.value, part, made);
     }
     for (std::size_t i = 0; i < json.elements.size(); ++i) {
         const std::string part = path + "[" + std::to_string(i) + "]";
-        if (json.elements[i].kind == graph::Json::Kind::Object) expect_remarks(json.elements[i], part, made);
+        if (json.elements[i].kind == json::Json::Kind::Object) expect_remarks(json.elements[i], part, made);
     }
 }
 
@@ -264,7 +264,7 @@ TEST(GltfImport, EveryPropertyHasARemark) {
     SourceMap sources;
     Diagnostics diagnostics;
     const std::uint32_t begin = sources.add(path, std::string(std::istreambuf_iterator<char>(file), {}));
-    const auto root = graph::parse_json(sources, begin, diagnostics, graph::JsonOf::OtherProgram);
+    const auto root = json::parse_json(sources, begin, diagnostics, json::JsonOf::OtherProgram);
     expect_remarks(*root, "", made);
     // What nobody reads is refused, at its line.
     const auto refused = [&](const std::string& part) {
