@@ -111,6 +111,26 @@ foreach(file IN LISTS files)
   endif()
 endforeach()
 
+# A room has the namespace of its folder, or of a folder around it: compiler/lower has patina::lower. What embedding
+# programs see, and the rooms that all others use, have patina alone. A block that only declares structs and classes
+# of another room is allowed.
+file(GLOB_RECURSE files RELATIVE ${ROOT}/compiler ${ROOT}/compiler/*.h ${ROOT}/compiler/*.cpp)
+list(FILTER files EXCLUDE REGEX "^include/")
+foreach(file IN LISTS files)
+  get_filename_component(folder "${file}" DIRECTORY)
+  file(READ ${ROOT}/compiler/${file} text)
+  string(REGEX REPLACE "\nnamespace patina::[a-z:]+ {\n((class|struct) [A-Za-z]+;\n)+}" "" text "${text}")
+  string(REGEX MATCHALL "\nnamespace patina::[a-z:]+ {" opened "${text}")
+  foreach(line IN LISTS opened)
+    string(REGEX REPLACE "^.namespace patina::([a-z:]+) {$" "\\1" space "${line}")
+    string(REPLACE "::" ";" parts "${space}")
+    list(GET parts 0 first)
+    if(NOT folder MATCHES "^${first}(/|$)")
+      string(APPEND breaches "compiler/${file} is in the namespace patina::${space}, which is not that of its room\n")
+    endif()
+  endforeach()
+endforeach()
+
 # The library also compiles with libc++ 13 (the preset emscripten), which has none of these.
 file(GLOB_RECURSE files ${ROOT}/compiler/*.h ${ROOT}/compiler/*.cpp)
 list(FILTER files EXCLUDE REGEX "/compiler/(cli|importers|validate)/")

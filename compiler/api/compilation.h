@@ -21,9 +21,9 @@ struct Compilation {
     const output::Writer* writer = nullptr;
     resolve::MaterialFile file{};
     std::vector<const resolve::Material*> materials{};  // the material itself, then its extra passes that are drawn
-    std::vector<lower::Lowered> lowered{};            // of each material, until it is linked
-    std::vector<link::Linked> linked{};               // of each material
-    std::vector<link::LinkedPass> passes{};           // of all materials
+    std::vector<lower::Lowered> lowered{};              // of each material, until it is linked
+    std::vector<link::Linked> linked{};                 // of each material
+    std::vector<link::LinkedPass> passes{};             // of all materials
 };
 
 // The list of steps (compile.cpp). False if it stopped; the session's diagnostics say why.

@@ -134,7 +134,8 @@ bool holds_variants(const resolve::Library& library, const Target& target) {
     return engine && engine->variants == engines::Variants::Keywords;
 }
 
-Result compile_targets(const resolve::Library& library, const CompileOptions& options, const CompileForEngine& compile) {
+Result compile_targets(const resolve::Library& library, const CompileOptions& options,
+                       const CompileForEngine& compile) {
     if (std::optional<Diagnostic> twice = two_values(library, options)) return refused(std::move(*twice));
     for (const Target& target : options.targets) {
         if (std::optional<Diagnostic> unknown = unknown_target(library, target)) return refused(std::move(*unknown));

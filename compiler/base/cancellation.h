@@ -4,7 +4,7 @@
 // counted, and no clock is read, so the same work always asks at the same steps.
 //
 // Work that ends early ends by an exception, Stopped: a reader, an IR pass or a printer that is half done has nothing
-// that anybody could use. Only the function that began the call catches it (graph::until_stopped()).
+// that anybody could use. Only the function that began the call catches it (resolve::until_stopped()).
 //
 // A Cancellation belongs to the thread that made it, for as long as it lives: a thread works for one call at a time.
 // Where there is none, a step does nothing. What all compilations share (a library's file that is read when it is first

@@ -10,8 +10,8 @@
 namespace patina::capi {
 namespace {
 
-using json::Json;
 using format::ObjectKind;
+using json::Json;
 
 class Reader {
 public:

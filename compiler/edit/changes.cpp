@@ -34,7 +34,8 @@ private:
         for (const TreeChild& child : children_of(after)) {
             if (old_values.find(child.name) == old_values.end()) visit(child.name, {}, child.value);
         }
-        if (shape_of(before) == Shape::ByName && format::is_ordered(before.kind) && !is_in_order(order_like(before, after)))
+        if (shape_of(before) == Shape::ByName && format::is_ordered(before.kind) &&
+            !is_in_order(order_like(before, after)))
             changes_.push_back({path_, before, after, true});
     }
 

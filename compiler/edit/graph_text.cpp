@@ -182,7 +182,8 @@ bool is_same_object(const TreeValue& a, const TreeValue& b, const Renaming& rena
         const auto found = others.find(member.key);
         if (found == others.end()) return false;
         const json::JsonMember& other = *found->second;
-        if (const NamePairs* names = names_of(a, member, renaming); names && other.value.kind == json::Json::Kind::String)
+        if (const NamePairs* names = names_of(a, member, renaming);
+            names && other.value.kind == json::Json::Kind::String)
             return names->match(member.value.string, other.value.string);
         return is_same(member_value(a, member), member_value(b, other), renaming);
     });
@@ -264,7 +265,8 @@ Shape shape_of(const TreeValue& value) {
 std::vector<TreeChild> children_of(const TreeValue& value) {
     Cancellation::step(1 + (value.json->members.size() + value.json->elements.size()) / kChildrenOfAStep);
     std::vector<TreeChild> children;
-    for (const json::JsonMember& member : value.json->members) children.push_back({member.key, member_value(value, member)});
+    for (const json::JsonMember& member : value.json->members)
+        children.push_back({member.key, member_value(value, member)});
     const Shape shape = shape_of(value);
     for (std::size_t i = 0; i < value.json->elements.size(); ++i) {
         const json::Json& element = value.json->elements[i];

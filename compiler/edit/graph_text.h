@@ -25,9 +25,9 @@ struct GraphText;
 // A value of a text, and what the format says of its place.
 struct TreeValue {
     const GraphText* text = nullptr;
-    const json::Json* json = nullptr;          // null: there is none
+    const json::Json* json = nullptr;                    // null: there is none
     format::ObjectKind kind = format::ObjectKind::Free;  // of the object, or of the objects in the array
-    bool is_set = false;                 // the order of the array has no meaning
+    bool is_set = false;                                 // the order of the array has no meaning
 
     explicit operator bool() const { return json != nullptr; }
 };
@@ -39,7 +39,7 @@ struct GraphText {
     std::uint32_t base = 0;
     std::unique_ptr<json::Json> json{};
     format::ObjectKind kind = format::ObjectKind::Material;
-    std::shared_ptr<const format::Graph> graph{};                               // null: a scene
+    std::shared_ptr<const format::Graph> graph{};                       // null: a scene
     std::unordered_map<std::uint32_t, const nodelang::Expr*> values{};  // by the first byte of the JSON value
     // Of lists and objects in which something was looked for: the index of each child by its name.
     mutable std::unordered_map<const json::Json*, std::unordered_map<std::string, std::size_t>> children{};

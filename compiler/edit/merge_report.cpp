@@ -23,7 +23,8 @@ FilePlace place_in(const GraphText& text, Path path) {
     for (;;) {
         if (const TreeValue value = find(text, path)) {
             const Span span = value.json->span;
-            const bool is_long = value.json->kind == json::Json::Kind::Object || value.json->kind == json::Json::Kind::Array;
+            const bool is_long =
+                value.json->kind == json::Json::Kind::Object || value.json->kind == json::Json::Kind::Array;
             return format::place_of(text.sources, is_there && !is_long ? span : Span{span.begin, span.begin + 1});
         }
         is_there = false;

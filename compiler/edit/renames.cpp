@@ -355,7 +355,8 @@ std::vector<TextEdit> rename_edits(const GraphText& text, std::span<const Rename
         if (graph.kind == format::GraphKind::Lighting) edit(input.name_span, input.name, ReadAs::Surface);
     }
     for (const format::ListedVariant& variant : graph.variants) {
-        for (const format::ListedVariant::Value& value : variant.values) edit(value.name_span, value.name, ReadAs::Dollar);
+        for (const format::ListedVariant::Value& value : variant.values)
+            edit(value.name_span, value.name, ReadAs::Dollar);
     }
     for (const PlacedExpr& placed : expressions_of(graph)) {
         for_each_name(*placed.expr, [&](const Expr& name, ReadAs as) {

@@ -41,10 +41,12 @@ public:
         std::uint32_t from = container.span.begin + 1;
         for (std::size_t i = 0; i <= count; ++i) {
             const bool is_last = i == count;
-            const std::uint32_t to = is_last                                ? container.span.end - 1
-                                     : container.kind == json::Json::Kind::Object ? container.members[i].key_span.begin - 1
-                                                                            : container.elements[i].span.begin;
-            const json::JsonComments* comments = is_last ? container.comments.get() : child_of(container, i).comments.get();
+            const std::uint32_t to = is_last ? container.span.end - 1
+                                     : container.kind == json::Json::Kind::Object
+                                         ? container.members[i].key_span.begin - 1
+                                         : container.elements[i].span.begin;
+            const json::JsonComments* comments =
+                is_last ? container.comments.get() : child_of(container, i).comments.get();
             std::size_t own = 0;
             if (comments) {
                 const std::vector<std::string>& list = is_last ? comments->end : comments->before;
@@ -173,7 +175,8 @@ ChildText text_of(const NewChild& child, bool is_object, const std::string& inde
         json::append_quoted(made.value, child.key);
         made.value += ": ";
     }
-    made.value += format::layout_value(child.value.json, child.value.sources, indent.size(), indent.size() + made.value.size());
+    made.value +=
+        format::layout_value(child.value.json, child.value.sources, indent.size(), indent.size() + made.value.size());
     return made;
 }
 

@@ -22,8 +22,9 @@ std::size_t rank(std::span<const KeyInfo> keys, std::string_view name) {
 void sort_keys(json::Json& json, ObjectKind kind) {
     for (json::Json& element : json.elements) sort_keys(element, kind);
     const std::span<const KeyInfo> keys = keys_of(kind);
-    std::stable_sort(json.members.begin(), json.members.end(),
-                     [&](const json::JsonMember& a, const json::JsonMember& b) { return rank(keys, a.key) < rank(keys, b.key); });
+    std::stable_sort(
+        json.members.begin(), json.members.end(),
+        [&](const json::JsonMember& a, const json::JsonMember& b) { return rank(keys, a.key) < rank(keys, b.key); });
     for (json::JsonMember& member : json.members) {
         const KeyInfo* key = find_key(kind, member.key);
         sort_keys(member.value, key ? value_kind(*key, member.value) : ObjectKind::Free);

@@ -72,7 +72,8 @@ std::optional<bool> read_bool(Reading& reading, const json::Json& json, std::str
 std::optional<double> read_float(Reading& reading, const json::Json& json, std::string_view what) {
     if (!expect(reading, json, json::Json::Kind::Number, what)) return std::nullopt;
     if (std::fabs(json.number) <= FLT_MAX) return json.number;
-    reading.diagnostics.report(Code::BadNumber, json.span, json::shown(reading.sources.text(json.span)), "32-bit float");
+    reading.diagnostics.report(Code::BadNumber, json.span, json::shown(reading.sources.text(json.span)),
+                               "32-bit float");
     return std::nullopt;
 }
 
@@ -231,7 +232,8 @@ void read_name(Reading& reading, const json::Json& json, std::string_view what, 
     if (value->kind == json::Json::Kind::String) names.add(reading, *value, what);
 }
 
-std::vector<PortValue> read_ports(Reading& reading, const json::Json& object, std::string_view what, std::string_view node) {
+std::vector<PortValue> read_ports(Reading& reading, const json::Json& object, std::string_view what,
+                                  std::string_view node) {
     std::vector<PortValue> ports;
     if (!expect(reading, object, json::Json::Kind::Object, what)) return ports;
     if (object.members.size() > kMostPorts) {

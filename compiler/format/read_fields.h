@@ -72,7 +72,8 @@ void read_limits(Reading& reading, const json::Json& object, std::optional<std::
 
 // Reports each key that an object of this kind cannot have, and each missing key that it requires. The keys in `unfit`
 // are not suggested, because they have no use in this place.
-void check_keys(Reading& reading, const json::Json& object, ObjectKind kind, std::span<const std::string_view> unfit = {});
+void check_keys(Reading& reading, const json::Json& object, ObjectKind kind,
+                std::span<const std::string_view> unfit = {});
 // Reports a key of the format that `what` cannot use, because it belongs to `owner`.
 void refuse_key(Reading& reading, const json::Json& object, std::string_view key, std::string_view what,
                 std::string_view owner);
@@ -114,7 +115,8 @@ std::optional<E> read_word(Reading& reading, const json::Json& json, std::string
 
 // The same for a key of an object, as read_int(). Returns the value; null if the key is absent.
 template <HasWords E>
-const json::Json* read_word(Reading& reading, const json::Json& object, std::string_view key, std::string_view what, E& target) {
+const json::Json* read_word(Reading& reading, const json::Json& object, std::string_view key, std::string_view what,
+                            E& target) {
     const json::Json* json = object.find(key);
     if (json) target = read_word<E>(reading, *json, key, what).value_or(target);
     return json;
@@ -124,7 +126,8 @@ const json::Json* read_word(Reading& reading, const json::Json& object, std::str
 // Reads the top of every file: its version and its kind, which must be one of `allowed`. Nothing if an error leaves no
 // file to read.
 std::optional<ObjectKind> read_header(Reading& reading, const json::Json& json, std::span<const ObjectKind> allowed);
-std::vector<PortValue> read_ports(Reading& reading, const json::Json& object, std::string_view what, std::string_view node);
+std::vector<PortValue> read_ports(Reading& reading, const json::Json& object, std::string_view what,
+                                  std::string_view node);
 std::vector<Node> read_nodes(Reading& reading, const json::Json& array);
 RenderState read_render(Reading& reading, const json::Json& json);
 // `names` collects the names that this graph can read as $name.

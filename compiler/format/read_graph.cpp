@@ -82,7 +82,8 @@ void read_variants(Reading& reading, const json::Json& array, std::vector<Listed
             const json::Json& value = member.value;
             const bool is_bool = value.kind == json::Json::Kind::Bool;
             if (!is_bool && value.kind != json::Json::Kind::String) {
-                report_type(reading, value, fmt::format("'{}'", json::shown(member.key)), "true, false or one of its values");
+                report_type(reading, value, fmt::format("'{}'", json::shown(member.key)),
+                            "true, false or one of its values");
                 continue;
             }
             listed.values.push_back({.name = member.key,
@@ -125,7 +126,8 @@ void read_models(Reading& reading, const json::Json& json, Graph& graph) {
 
 void read_look(Reading& reading, const json::Json& json, Graph& graph) {
     if (const json::Json* vertex = json.find("vertex")) graph.vertex = read_ports(reading, *vertex, "'vertex'", {});
-    if (const json::Json* surface = json.find("surface")) graph.surface = read_ports(reading, *surface, "'surface'", {});
+    if (const json::Json* surface = json.find("surface"))
+        graph.surface = read_ports(reading, *surface, "'surface'", {});
     if (const json::Json* render = json.find("render")) graph.render = read_render(reading, *render);
 }
 
@@ -187,7 +189,8 @@ void read_subgraph(Reading& reading, const json::Json& json, Graph& graph) {
 void read_lighting_graph(Reading& reading, const json::Json& json, Graph& graph) {
     UniqueNames surface_names, names;  // @surface.name and $name are separate namespaces
     check_keys(reading, json, ObjectKind::Lighting);
-    if (const json::Json* surface = json.find("surface")) graph.inputs = read_inputs(reading, *surface, surface_names, false);
+    if (const json::Json* surface = json.find("surface"))
+        graph.inputs = read_inputs(reading, *surface, surface_names, false);
     read_common(reading, json, graph, names);
     for (const std::string_view key : {"direct", "indirect", "final"}) {
         const json::JsonMember* output = find_member(json, key);
@@ -207,8 +210,9 @@ void check_input_name(Reading& reading, const Graph& graph, std::string_view nam
     std::vector<std::string_view> inputs;
     for (const Input& input : graph.inputs) inputs.push_back(input.name);
     if (std::find(inputs.begin(), inputs.end(), name) != inputs.end()) return;
-    suggest(reading, reading.diagnostics.report(Code::UnknownWord, span, json::shown(name), "an input of this workflow"),
-            name, inputs);
+    suggest(reading,
+            reading.diagnostics.report(Code::UnknownWord, span, json::shown(name), "an input of this workflow"), name,
+            inputs);
 }
 
 void read_workflow(Reading& reading, const json::Json& json, Graph& graph) {
@@ -226,7 +230,8 @@ void read_workflow(Reading& reading, const json::Json& json, Graph& graph) {
     }
     if (const json::Json* lighting = json.find("lighting")) read_lighting_use(reading, *lighting, graph.lighting);
     read_common(reading, json, graph, names);
-    if (const json::Json* surface = json.find("surface")) graph.surface = read_ports(reading, *surface, "'surface'", {});
+    if (const json::Json* surface = json.find("surface"))
+        graph.surface = read_ports(reading, *surface, "'surface'", {});
 }
 
 // --- the file
@@ -253,8 +258,8 @@ std::string name_of_file(std::string_view path) {
     return std::string(path);
 }
 
-std::shared_ptr<Graph> read_graph(const json::Json& json, std::string path, const SourceMap& sources, nodelang::Ast& ast,
-                                  Diagnostics& diagnostics, std::optional<GraphKind> expected) {
+std::shared_ptr<Graph> read_graph(const json::Json& json, std::string path, const SourceMap& sources,
+                                  nodelang::Ast& ast, Diagnostics& diagnostics, std::optional<GraphKind> expected) {
     Reading reading{sources, ast, diagnostics};
     auto graph = std::make_shared<Graph>();
     graph->kind = expected.value_or(GraphKind::Material);

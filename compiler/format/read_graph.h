@@ -13,8 +13,8 @@ std::string name_of_file(std::string_view path);
 
 // Returns a graph even after errors (the parts that could be read). `ast` owns the expressions. `expected`: the kind
 // that the place requires (a material file, a sub-graph at a node, ...), or nothing if every kind is allowed.
-std::shared_ptr<Graph> read_graph(const json::Json& json, std::string path, const SourceMap& sources, nodelang::Ast& ast,
-                                  Diagnostics& diagnostics, std::optional<GraphKind> expected);
+std::shared_ptr<Graph> read_graph(const json::Json& json, std::string path, const SourceMap& sources,
+                                  nodelang::Ast& ast, Diagnostics& diagnostics, std::optional<GraphKind> expected);
 
 // Reads the value grammar: one JSON value at a port -> an expression. Null after an error.
 const nodelang::Expr* read_value(const json::Json& json, const SourceMap& sources, nodelang::Ast& ast,

@@ -53,7 +53,8 @@ std::optional<ObjectKind> check_kind(Reading& reading, const json::Json& json, s
 
 std::optional<ObjectKind> read_header(Reading& reading, const json::Json& json, std::span<const ObjectKind> allowed) {
     const std::string_view what = allowed.front() == ObjectKind::Scene ? describe(ObjectKind::Scene) : "a graph";
-    if (!expect(reading, json, json::Json::Kind::Object, what) || !check_version(reading, json, what)) return std::nullopt;
+    if (!expect(reading, json, json::Json::Kind::Object, what) || !check_version(reading, json, what))
+        return std::nullopt;
     return check_kind(reading, json, allowed);
 }
 

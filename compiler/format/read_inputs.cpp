@@ -20,8 +20,8 @@ void read_type(Reading& reading, const json::Json& json, Input& input) {
     input.type_span = inside(type->span);
     if (std::find(kInputTypes.begin(), kInputTypes.end(), *text) != kInputTypes.end()) return;
     suggest(reading,
-            reading.diagnostics.report(Code::UnknownWord, input.type_span, json::shown(*text), "the type of an input"), *text,
-            kInputTypes);
+            reading.diagnostics.report(Code::UnknownWord, input.type_span, json::shown(*text), "the type of an input"),
+            *text, kInputTypes);
 }
 
 // Checks literals only; computed values are checked when their types are known.

@@ -22,8 +22,9 @@ struct KeyList {
 };
 
 // Reads the keys of a list: their times, and by `read_rest` what follows the time. Nothing after an error.
-std::optional<std::vector<Row>> read_key_list(Reading& reading, const json::Json& json, const KeyList& list,
-                                              const std::function<std::optional<Row>(const json::Json&, double)>& read_rest) {
+std::optional<std::vector<Row>> read_key_list(
+    Reading& reading, const json::Json& json, const KeyList& list,
+    const std::function<std::optional<Row>(const json::Json&, double)>& read_rest) {
     const std::size_t errors = reading.diagnostics.error_count();
     std::vector<Row> rows;
     if (!expect(reading, json, json::Json::Kind::Array, fmt::format("'{}'", list.name))) return std::nullopt;

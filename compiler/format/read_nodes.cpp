@@ -59,7 +59,8 @@ Node read_node(Reading& reading, const json::Json& json, UniqueNames& ids) {
             .note("or the key 'expr', with an expression");
     }
 
-    if (const json::Json* stage = read_word(reading, json, "stage", "a stage", node.stage)) node.stage_span = stage->span;
+    if (const json::Json* stage = read_word(reading, json, "stage", "a stage", node.stage))
+        node.stage_span = stage->span;
     read_word(reading, json, "precision", "a precision", node.precision);
     node.note = read_text(reading, json, "note");
     return node;
@@ -73,7 +74,8 @@ std::vector<Node> read_nodes(Reading& reading, const json::Json& array) {
     UniqueNames ids;
     nodes.reserve(array.elements.size());
     for (const json::Json& element : array.elements) {
-        if (expect(reading, element, json::Json::Kind::Object, "a node")) nodes.push_back(read_node(reading, element, ids));
+        if (expect(reading, element, json::Json::Kind::Object, "a node"))
+            nodes.push_back(read_node(reading, element, ids));
         reading.diagnostics.set_context({}, {});
     }
     return nodes;

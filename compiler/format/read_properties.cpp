@@ -226,14 +226,16 @@ Property read_property(Reading& reading, const json::Json& json, UniqueNames& na
     check_keys_of_type(reading, json, property);
     const bool is_choice = property.type == PropertyType::Bool || property.type == PropertyType::Enum;
     if (is_keyword(property.binding) && !is_choice) {
-        reading.diagnostics.report(Code::TypeMismatch, property.binding_span, fmt::format("'{}'", json::shown(property.name)),
-                                   to_string(property.type), "a bool or an enum");
+        reading.diagnostics.report(Code::TypeMismatch, property.binding_span,
+                                   fmt::format("'{}'", json::shown(property.name)), to_string(property.type),
+                                   "a bool or an enum");
     }
     const bool is_number =
         !is_texture(property.type) && !is_array(property.type) && property.type != PropertyType::Sampler;
     if (property.binding == Binding::Instance && !is_number) {
-        reading.diagnostics.report(Code::TypeMismatch, property.binding_span, fmt::format("'{}'", json::shown(property.name)),
-                                   to_string(property.type), "a number, a vector, a color, a bool or an enum");
+        reading.diagnostics.report(Code::TypeMismatch, property.binding_span,
+                                   fmt::format("'{}'", json::shown(property.name)), to_string(property.type),
+                                   "a number, a vector, a color, a bool or an enum");
     }
     if (property.type == PropertyType::Enum) read_enum_values(reading, json, property);
     if (is_texture(property.type)) read_texture_keys(reading, json, property);
@@ -255,7 +257,8 @@ std::vector<Property> read_properties(Reading& reading, const json::Json& array,
                                    "properties", kMostProperties);
     }
     std::set<std::string> known;
-    for (const json::Json& element : std::span(array.elements).first(std::min(array.elements.size(), kMostProperties))) {
+    for (const json::Json& element :
+         std::span(array.elements).first(std::min(array.elements.size(), kMostProperties))) {
         if (!expect(reading, element, json::Json::Kind::Object, "a property")) continue;
         Property property = read_property(reading, element, names);
         // A second one has been reported, and so has one without a name.

@@ -114,7 +114,8 @@ RenderState read_render(Reading& reading, const json::Json& json) {
     if (const json::Json* surface = read_word(reading, json, "surface", "a surface kind", render.surface))
         render.surface_span = surface->span;
     read_word(reading, json, "cull", "a cull mode", render.cull);
-    if (const json::Json* write = json.find("depthWrite")) render.depth_write = read_bool(reading, *write, "'depthWrite'");
+    if (const json::Json* write = json.find("depthWrite"))
+        render.depth_write = read_bool(reading, *write, "'depthWrite'");
     if (const json::Json* test = json.find("depthTest")) {
         render.depth_test = read_word<Compare>(reading, *test, "depthTest", "a depth test");
     }

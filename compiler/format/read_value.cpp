@@ -58,7 +58,8 @@ const Expr* rows_expr(Reading& reading, Span span, std::span<const double> numbe
 
 // As a property of a texture has it. A value has a name.
 bool is_sampler(const json::Json& json) {
-    return json.kind == json::Json::Kind::Object && (json.find("wrap") || json.find("filter") || json.find("anisotropy"));
+    return json.kind == json::Json::Kind::Object &&
+           (json.find("wrap") || json.find("filter") || json.find("anisotropy"));
 }
 
 // A matrix; or a gradient or a curve: a struct of the node library with one member, an array of float4.
@@ -164,7 +165,8 @@ const Expr* read_link(Reading& reading, const json::Json& json) {
     const nodelang::Text text = source.text();
     const char first = text.text.front();
     if ((first >= '0' && first <= '9') || first == '-' || first == '+') {
-        reading.diagnostics.report(Code::Syntax, inside(json.span), "a link", fmt::format("'{}'", json::shown(text.text)))
+        reading.diagnostics
+            .report(Code::Syntax, inside(json.span), "a link", fmt::format("'{}'", json::shown(text.text)))
             .note("write a number without quotes; start an expression with '='");
         return nullptr;
     }

@@ -13,11 +13,11 @@
 
 namespace patina::link {
 
-using paths::SemanticSource;
 using ir::Op;
 using ir::SemanticId;
 using ir::Type;
 using ir::Value;
+using paths::SemanticSource;
 
 namespace {
 
@@ -152,7 +152,7 @@ public:
         return made;
     }
 
-    // The value as the library changes it for every pass (graph::Wraps).
+    // The value as the library changes it for every pass (lower::Wraps).
     Value wrapped(ir::FunctionId wrap, Value value) {
         return wraps(wrap) ? builder_.call(imported(wrap), {&value, 1}) : value;
     }

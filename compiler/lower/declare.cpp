@@ -38,7 +38,8 @@ bool is_wanted(const paths::ExternDecl& value, std::span<const std::string_view>
 
 // The values that are declared: those that are wanted, and in a block those before them, which hold their places. So no
 // switch moves a value, and an engine fills its blocks in one way for all shaders.
-std::set<const paths::ExternDecl*> held(std::span<const paths::ExternDecl* const> externs, std::span<const std::string_view> on) {
+std::set<const paths::ExternDecl*> held(std::span<const paths::ExternDecl* const> externs,
+                                        std::span<const std::string_view> on) {
     std::set<const paths::ExternDecl*> declared;
     std::set<std::string_view> followed;  // blocks
     for (auto each = externs.rbegin(); each != externs.rend(); ++each) {
@@ -54,7 +55,8 @@ std::set<const paths::ExternDecl*> held(std::span<const paths::ExternDecl* const
 std::vector<const paths::ExternDecl*> in_order(const paths::PathDeclarations& paths) {
     std::vector<const paths::ExternDecl*> externs;
     for (const paths::ExternDecl& each : paths.externs) externs.push_back(&each);
-    std::stable_partition(externs.begin(), externs.end(), [](const paths::ExternDecl* each) { return each->with.empty(); });
+    std::stable_partition(externs.begin(), externs.end(),
+                          [](const paths::ExternDecl* each) { return each->with.empty(); });
     return externs;
 }
 

@@ -18,7 +18,8 @@ using ir::Type;
 using ir::Value;
 using nodelang::Expr;
 
-GraphScope::GraphScope(Lowering& lowering, const resolve::CheckedGraph& graph, ir::Builder& builder, bool in_vertex_stage)
+GraphScope::GraphScope(Lowering& lowering, const resolve::CheckedGraph& graph, ir::Builder& builder,
+                       bool in_vertex_stage)
     : lowering_(lowering), graph_(graph), values_(graph.nodes.size()), emitted_(graph.nodes.size(), false) {
     scope_.builder = &builder;
     scope_.declarations = &lowering.session.library.declarations;
@@ -246,7 +247,8 @@ Typed GraphScope::property(const Expr& expr, emit::Scope&) {
         if (port.name == expr.text) return bound_property(port);
     }
     const auto& own = graph_.graph->properties;
-    const auto declared = std::find_if(own.begin(), own.end(), [&](const format::Property& p) { return p.name == expr.text; });
+    const auto declared =
+        std::find_if(own.begin(), own.end(), [&](const format::Property& p) { return p.name == expr.text; });
     if (declared != own.end()) {
         const auto variant = lowering_.material.variants.find(&*declared);
         if (variant != lowering_.material.variants.end())
@@ -298,7 +300,8 @@ const std::vector<std::string_view>* words_of(Lowering& lowering, const format::
 // scope, but emitted into this function.
 Typed GraphScope::bound_property(const format::PortValue& port) {
     const auto& own = graph_.graph->properties;
-    const auto property = std::find_if(own.begin(), own.end(), [&](const format::Property& p) { return p.name == port.name; });
+    const auto property =
+        std::find_if(own.begin(), own.end(), [&](const format::Property& p) { return p.name == port.name; });
     if (property == own.end() || !port.value) return {};
     GraphScope reader(lowering_, property_scope_->graph_, *scope_.builder, false);
     reader.emit_nodes(reader.graph_.reachable(std::span(&port, 1)));

@@ -89,8 +89,8 @@ const SubgraphUses* shared_uses(const Lowering& lowering, const resolve::Checked
 // --- inputs
 
 void GraphScope::fill_input(GraphScope& inner, const format::Node& node, const format::Input& input) {
-    const auto port =
-        std::find_if(node.inputs.begin(), node.inputs.end(), [&](const format::PortValue& p) { return p.name == input.name; });
+    const auto port = std::find_if(node.inputs.begin(), node.inputs.end(),
+                                   [&](const format::PortValue& p) { return p.name == input.name; });
     const Type type = input_type(lowering_, input);
     if (type.is_error()) return;
     const std::string what = fmt::format("the input '{}'", input.name);

@@ -140,8 +140,9 @@ void index_reads(ir::Module& module, ir::Function& function, const std::set<std:
 }  // namespace
 
 bool is_instanced(const resolve::Material& material) {
-    return std::any_of(material.properties.begin(), material.properties.end(),
-                       [](const resolve::MaterialProperty& each) { return each.property->binding == Binding::Instance; });
+    return std::any_of(
+        material.properties.begin(), material.properties.end(),
+        [](const resolve::MaterialProperty& each) { return each.property->binding == Binding::Instance; });
 }
 
 bool reads_instance(const Lowered& lowered) {

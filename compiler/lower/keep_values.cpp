@@ -24,7 +24,8 @@ bool node_reads(const format::Node& node, std::string_view property) {
 }
 
 // Marks the outputs of a node that the expression reads. The node's name alone may mean any of them.
-void mark_outputs(const Expr& expr, const format::Node& node, std::span<const format::PortValue> outputs, std::vector<bool>& read) {
+void mark_outputs(const Expr& expr, const format::Node& node, std::span<const format::PortValue> outputs,
+                  std::vector<bool>& read) {
     const bool is_member = expr.kind == Expr::Kind::Member && expr.args[0]->text == node.id;
     const bool is_node = expr.kind == Expr::Kind::Name && expr.text == node.id;
     for (std::size_t i = 0; i < outputs.size(); ++i) {
@@ -35,8 +36,9 @@ void mark_outputs(const Expr& expr, const format::Node& node, std::span<const fo
 }
 
 // The outputs of a sub-graph's node that the ports read, and the other nodes that they read.
-std::vector<format::PortValue> outputs_read(const resolve::CheckedGraph& graph, std::span<const format::PortValue> ports,
-                                    const std::vector<bool>& nodes, std::uint32_t at) {
+std::vector<format::PortValue> outputs_read(const resolve::CheckedGraph& graph,
+                                            std::span<const format::PortValue> ports, const std::vector<bool>& nodes,
+                                            std::uint32_t at) {
     const std::vector<format::PortValue>& outputs = graph.nodes[at].subgraph->graph->outputs;
     const format::Node& node = graph.graph->nodes[at];
     std::vector<bool> read(outputs.size(), false);
@@ -74,11 +76,13 @@ bool reaches(const resolve::CheckedGraph& graph, std::span<const format::PortVal
 
 // True for a colour that may be brighter than white: its range ends above 1, or its default is above 1, or only emitted
 // light reads it ([hdr] members of the lighting surface).
-bool is_hdr(const paths::PathDeclarations& paths, const resolve::CheckedGraph& graph, const format::Property& property) {
+bool is_hdr(const paths::PathDeclarations& paths, const resolve::CheckedGraph& graph,
+            const format::Property& property) {
     if (property.range && (*property.range)[1] > 1) return true;
     if (std::any_of(property.value.begin(), property.value.begin() + 3, [](double v) { return v > 1; })) return true;
     std::vector<format::PortValue> light, others = graph.graph->vertex;
-    for (const format::PortValue& port : graph.graph->surface) (paths.is_hdr(port.name) ? light : others).push_back(port);
+    for (const format::PortValue& port : graph.graph->surface)
+        (paths.is_hdr(port.name) ? light : others).push_back(port);
     return reaches(graph, light, property.name) && !reaches(graph, others, property.name);
 }
 
@@ -88,7 +92,8 @@ std::string_view stored_as(const engines::Engine& engine, const format::Property
     return engine.stored_as(is_within_one ? "floatWithinOne" : to_string(property.type));
 }
 
-std::string_view usage_of(const paths::PathDeclarations& paths, const resolve::CheckedGraph& graph, const format::Property& property) {
+std::string_view usage_of(const paths::PathDeclarations& paths, const resolve::CheckedGraph& graph,
+                          const format::Property& property) {
     if (property.type == PropertyType::Color) return is_hdr(paths, graph, property) ? "" : "color";
     if (!is_texture(property.type)) return {};
     // An engine's own normal maps keep only what a decoder makes of them: other channels are those of a plain texture.

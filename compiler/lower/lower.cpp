@@ -65,8 +65,8 @@ Value read_kind(const Lowering& lowering, std::span<const std::string_view> word
     }
     if (is_asked(SurfaceKind::Cutout)) is_any = either(is_any, read_choice(lowering, resolve::kClipChoice, builder));
     if (is_asked(SurfaceKind::Opaque)) {
-        const Value other =
-            either(read_choice(lowering, resolve::kTransparentChoice, builder), read_choice(lowering, resolve::kClipChoice, builder));
+        const Value other = either(read_choice(lowering, resolve::kTransparentChoice, builder),
+                                   read_choice(lowering, resolve::kClipChoice, builder));
         is_any = either(is_any, builder.emit(Op::Not, ir::kBool, {other}));
     }
     return is_any;
@@ -370,7 +370,8 @@ std::string_view Lowering::slot_name(ir::FunctionId function) const {
 
 bool Lowering::is_packing(std::string_view slot) const {
     const paths::SlotDecl* found = session.paths->slot(slot);
-    return found && (found->making == paths::SlotDecl::Making::Pack || found->making == paths::SlotDecl::Making::Unpack);
+    return found &&
+           (found->making == paths::SlotDecl::Making::Pack || found->making == paths::SlotDecl::Making::Unpack);
 }
 
 ir::FunctionId add_function(ir::Module& module, ir::Function function) {

@@ -121,7 +121,8 @@ bool reads(const nodelang::Expr& value, std::string_view semantic) {
 }
 
 // True if a value of the lighting graph, or a node that it reads, reads a parameter of the slot other than the surface.
-bool reads_parameter(const resolve::CheckedGraph& lighting, const format::PortValue& value, const paths::SlotDecl& slot) {
+bool reads_parameter(const resolve::CheckedGraph& lighting, const format::PortValue& value,
+                     const paths::SlotDecl& slot) {
     const std::vector<bool> reached = lighting.reachable(std::span(&value, 1));
     for (std::size_t p = 1; p < slot.function->params.size(); ++p) {
         const std::string_view name = slot.function->params[p].name;

@@ -47,7 +47,8 @@ private:
 
     bool is_extra(std::string_view name) const {
         const std::vector<format::ExtraPass>& passes = lowering_.material.graph->graph->passes;
-        return std::any_of(passes.begin(), passes.end(), [&](const format::ExtraPass& pass) { return pass.name == name; });
+        return std::any_of(passes.begin(), passes.end(),
+                           [&](const format::ExtraPass& pass) { return pass.name == name; });
     }
 
     void lower_extra() {
@@ -90,7 +91,8 @@ private:
     // A pass may ask which other passes are drawn with it, so the optional ones are lowered first.
     void begin_path() { first_of_path_ = lowering_.out.passes.size(); }
     static std::vector<const paths::PassDecl*> optional_first(std::vector<const paths::PassDecl*> passes) {
-        std::stable_partition(passes.begin(), passes.end(), [](const paths::PassDecl* pass) { return pass->is_optional; });
+        std::stable_partition(passes.begin(), passes.end(),
+                              [](const paths::PassDecl* pass) { return pass->is_optional; });
         return passes;
     }
     template <class Place>
@@ -114,7 +116,7 @@ private:
         const std::size_t own = passes.size();
         for (const paths::PassDecl* pass : paths_.passes_of(path)) passes.push_back(pass);
         std::vector<std::pair<const paths::PassDecl*, Refusal>> left_out;  // told only if the path draws the material
-        std::set<std::string> told;                                 // one mistake may stop several passes
+        std::set<std::string> told;                                        // one mistake may stop several passes
         for (const paths::PassDecl* pass : optional_first(passes)) {
             const Refusal refusal = lower_pass(*pass);
             if (refusal.is_news) left_out.emplace_back(pass, refusal);
@@ -245,9 +247,9 @@ private:
     // True if the pass leaves the picture as it is where its light is 0.
     static bool only_adds(const paths::PassDecl& pass) {
         return pass.state.each == PassEach::Light ||
-               (!pass.blends.empty() && std::all_of(pass.blends.begin(), pass.blends.end(), [](const paths::BlendRow& row) {
-                   return row.blend.destination == BlendFactor::One;
-               }));
+               (!pass.blends.empty() &&
+                std::all_of(pass.blends.begin(), pass.blends.end(),
+                            [](const paths::BlendRow& row) { return row.blend.destination == BlendFactor::One; }));
     }
 
     // The slot that a pass needs, if it is always 0: a pass that adds light, or that a material can be without.
@@ -352,7 +354,8 @@ private:
 
     void give_recipe(LoweredPass& pass, const paths::GivenDecl& given, ir::SemanticId semantic) {
         const paths::SemanticSource source = paths_.semantics[semantic.index].source;
-        const bool is_interpolated = source == paths::SemanticSource::Vertex || source == paths::SemanticSource::Attribute;
+        const bool is_interpolated =
+            source == paths::SemanticSource::Vertex || source == paths::SemanticSource::Attribute;
         const bool is_at_vertices = is_interpolated && !given.is_of_fragment;
         const ir::FunctionId made = emit::semantic_function(
             lowering_.emitter, *given.function, *lowering_.session.declarations, environment_, is_at_vertices);

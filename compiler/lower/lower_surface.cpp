@@ -32,8 +32,8 @@ Typed as_color(Lowering& lowering, Typed value, GraphScope& scope, Span span) {
 namespace {
 
 // The value of one surface input: as given, or converted from another input that gives it, or its default.
-Typed surface_value(Lowering& lowering, GraphScope& scope, std::span<const format::Input* const> inputs, const format::Input& input,
-                    Type type) {
+Typed surface_value(Lowering& lowering, GraphScope& scope, std::span<const format::Input* const> inputs,
+                    const format::Input& input, Type type) {
     const std::vector<format::PortValue>& ports = lowering.material.graph->graph->surface;
     const resolve::Material& material = lowering.material;
     const bool shows_input = material.is_preview && !material.shown_value.value && !material.shows_all_light;
@@ -158,8 +158,8 @@ ir::FunctionId lower_setup(Lowering& lowering, const FunctionDecl& slot, ir::Fun
         if (port != workflow.graph->surface.end()) {
             value = scope.value_as(*port, member.type, fmt::format("'{}'", member.name));
         } else {
-            const auto input =
-                std::find_if(members.begin(), members.end(), [&](const format::Input* i) { return i->name == member.name; });
+            const auto input = std::find_if(members.begin(), members.end(),
+                                            [&](const format::Input* i) { return i->name == member.name; });
             if (input == members.end()) {
                 lowering.session.diagnostics.report(Code::MissingInput, workflow.graph->span, member.name,
                                                     workflow.graph->name);

@@ -117,7 +117,8 @@ private:
             return refuse(place, fmt::format("{} reads '@{}', which the pass cannot provide", said(place), name));
         if (builtin == ir::Builtin::FragCoord && is_graph(place) && place.at_vertex)
             return refuse(place, fmt::format("{} reads '@{}', which vertices do not have", said(place), name));
-        if (recipe.source == paths::SemanticSource::Builtin && !is_graph(place)) check_builtin(*recipe.declaration, place);
+        if (recipe.source == paths::SemanticSource::Builtin && !is_graph(place))
+            check_builtin(*recipe.declaration, place);
         if (!recipe.recipe) return;
         if (recipe.declaration && !place.is_given) inside.span = recipe.declaration->function->name_span;
         inside.at_vertex = place.at_vertex || recipe.source == paths::SemanticSource::Vertex;

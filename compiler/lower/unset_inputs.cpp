@@ -38,7 +38,8 @@ std::map<std::uint32_t, std::vector<double>> unset_members(const Lowering& lower
         const format::PortValue* given = lowering.material.given_by_workflow(input);
         const auto& value = given ? given->value : input.value;
         if (!value) continue;
-        if (!given && std::any_of(set.begin(), set.end(), [&](const format::PortValue& p) { return p.name == input.name; }))
+        if (!given &&
+            std::any_of(set.begin(), set.end(), [&](const format::PortValue& p) { return p.name == input.name; }))
             continue;
         const auto member =
             std::find_if(members.begin(), members.end(), [&](const ir::Member& m) { return m.name == input.name; });
@@ -192,7 +193,8 @@ void leave_out_unset_inputs(Lowering& lowering) {
     const ir::Type lit = module[lowering.setup].result, given = module[lowering.surface].result;
     const std::vector<format::PortValue>& set = lowering.material.graph->graph->surface;
     for (const format::Input& input : lowering.material.lighting->graph->inputs) {
-        if (std::any_of(set.begin(), set.end(), [&](const format::PortValue& p) { return p.name == input.name; })) continue;
+        if (std::any_of(set.begin(), set.end(), [&](const format::PortValue& p) { return p.name == input.name; }))
+            continue;
         const auto place = member_named(module, lit, input.name), source = member_named(module, given, input.name);
         const bool has_source = source || lowering.material.given_by_workflow(input);
         if (!place || !has_source || !module.structs[lit.ref].members[*place].type.is_numeric()) continue;

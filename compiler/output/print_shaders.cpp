@@ -71,8 +71,8 @@ std::string base_name(const Compiled& compiled) {
 
 // --- a file for each stage
 
-TextPrinter stage_printer(const resolve::Session& session, const ir::Module& tidied, Stage stage, const std::string& pass,
-                          const std::string& name) {
+TextPrinter stage_printer(const resolve::Session& session, const ir::Module& tidied, Stage stage,
+                          const std::string& pass, const std::string& name) {
     return TextPrinter({.tidied = tidied,
                         .pass = pass,
                         .stage = stage,

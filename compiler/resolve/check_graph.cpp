@@ -31,7 +31,8 @@ std::vector<std::string_view> input_names(const ResolvedNode& node) {
     return names;
 }
 
-void find_meaning(Session& session, const format::Graph& graph, const format::Node& node, const Shown& inside, ResolvedNode& resolved) {
+void find_meaning(Session& session, const format::Graph& graph, const format::Node& node, const Shown& inside,
+                  ResolvedNode& resolved) {
     resolved.ok = false;
     if (!node.type_span) return;  // it has no type: reported already
     if (!is_file_name(node.type)) {

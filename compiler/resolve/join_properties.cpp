@@ -56,7 +56,8 @@ std::string default_text(const Session& session, const format::Property& propert
     return fmt::format("the default {}", json::shown(session.sources.text(property.default_span)));
 }
 
-Difference difference(const format::Property& first, const format::Property& second, auto text, Span format::Property::*at = nullptr) {
+Difference difference(const format::Property& first, const format::Property& second, auto text,
+                      Span format::Property::*at = nullptr) {
     const auto place = [&](const format::Property& p) { return at && p.*at ? p.*at : p.name_span; };
     return {text(first), text(second), place(first), place(second)};
 }
@@ -111,7 +112,8 @@ MaterialProperty entry_of(Session& session, const format::Property& property, co
 
 // A default that the material gives to its lighting graph also applies to the sub-graphs that declared the property
 // before.
-void take_over(Session& session, MaterialProperty& entry, const format::Property& property, const JoinOptions& options) {
+void take_over(Session& session, MaterialProperty& entry, const format::Property& property,
+               const JoinOptions& options) {
     format::Property& said = session.file_properties.emplace_back(property);
     said.label = entry.property->label;
     said.group = entry.property->group;

@@ -1,7 +1,6 @@
 #include "compiler/resolve/material.h"
 
 #include <algorithm>
-
 #include <set>
 
 #include "compiler/base/file_names.h"
@@ -43,8 +42,8 @@ const format::LightingUse& lighting_of(const format::Graph& graph, const format:
     return graph.lighting.present && workflow.is_lit() ? graph.lighting : workflow.lighting;
 }
 
-const CheckedGraph* find_lighting(Session& session, const format::Graph& graph, const format::LightingUse& use, std::string& name,
-                                  const Shown& shown) {
+const CheckedGraph* find_lighting(Session& session, const format::Graph& graph, const format::LightingUse& use,
+                                  std::string& name, const Shown& shown) {
     if (use.inlined) {
         name = use.inlined->name;
         return check_graph(session, use.inlined, shown);
@@ -131,7 +130,8 @@ bool set_default(Session& session, format::Property& property, const Expr& value
 
 // Binds a lighting graph's property that is known when the graph is compiled: to its default, to a constant of the
 // material, or to a keyword of the material, which must have the same values.
-void bind_variant(Session& session, Material& material, const format::Property& property, const format::PortValue* input) {
+void bind_variant(Session& session, Material& material, const format::Property& property,
+                  const format::PortValue* input) {
     const Expr* value = input ? input->value : nullptr;
     if (const MaterialProperty* keyword = value ? keyword_named(material, *value) : nullptr) {
         if (keyword->property->type == property.type && keyword->property->values == property.values) {
@@ -167,8 +167,8 @@ void bind_variant(Session& session, Material& material, const format::Property& 
 void bind_lighting_properties(Session& session, Material& material, std::span<const format::PortValue> inputs) {
     const std::vector<format::Property>& own = material.lighting->graph->properties;
     for (const format::Property& property : own) {
-        const auto input =
-            std::find_if(inputs.begin(), inputs.end(), [&](const format::PortValue& p) { return p.name == property.name; });
+        const auto input = std::find_if(inputs.begin(), inputs.end(),
+                                        [&](const format::PortValue& p) { return p.name == property.name; });
         if (property.binding == Binding::Variant) {
             bind_variant(session, material, property, input == inputs.end() ? nullptr : &*input);
             continue;
@@ -197,7 +197,8 @@ void bind_lighting_properties(Session& session, Material& material, std::span<co
         }
     }
     for (const format::PortValue& port : inputs) {
-        if (std::any_of(own.begin(), own.end(), [&](const format::Property& p) { return p.name == port.name; })) continue;
+        if (std::any_of(own.begin(), own.end(), [&](const format::Property& p) { return p.name == port.name; }))
+            continue;
         std::vector<std::string_view> names;
         for (const format::Property& property : own) names.push_back(property.name);
         session.diagnostics.report(Code::UnknownPort, port.name_span, material.lighting_name, "property", port.name)

@@ -23,8 +23,8 @@ struct Material {
     const CheckedGraph* workflow = nullptr;
     const CheckedGraph* lighting = nullptr;
     std::string lighting_name;
-    std::vector<format::PortValue> lighting_inputs;              // values for the lighting graph's properties
-    std::map<const format::Property*, double> variants;          // the lighting graph's properties that are known already
+    std::vector<format::PortValue> lighting_inputs;      // values for the lighting graph's properties
+    std::map<const format::Property*, double> variants;  // the lighting graph's properties that are known already
     std::set<std::string, std::less<>> unused_variants;  // of a preview: those of the lighting that it leaves out
     std::vector<MaterialProperty> properties;            // in binding order
     std::map<std::string, std::size_t, std::less<>> property_index;
@@ -32,8 +32,8 @@ struct Material {
     // Of a preview of a value that lighting computes or reads: it takes the place of the lighting graph's outputs. Its
     // value is null in other previews.
     format::PortValue shown_value{};
-    bool shows_all_light = false;     // a preview of what a lighting graph without a value of its own for it shows
-    Shown shown_in_lighting{};        // the port of the lighting graph that this reads; else null
+    bool shows_all_light = false;  // a preview of what a lighting graph without a value of its own for it shows
+    Shown shown_in_lighting{};     // the port of the lighting graph that this reads; else null
     const format::ExtraPass* pass = nullptr;  // the extra pass that this is; null: the material itself
 
     // The inputs that the surface may set: the workflow's and those that the lighting model declares.
@@ -65,8 +65,8 @@ const CheckedGraph* find_workflow(Session& session, const format::Graph& graph);
 // A workflow without lighting keeps its own, which is none; the material's has no effect (check_render.cpp).
 const format::LightingUse& lighting_of(const format::Graph& graph, const format::Graph& workflow);
 // The lighting graph and its name. Null after an error.
-const CheckedGraph* find_lighting(Session& session, const format::Graph& graph, const format::LightingUse& use, std::string& name,
-                                  const Shown& shown = {});
+const CheckedGraph* find_lighting(Session& session, const format::Graph& graph, const format::LightingUse& use,
+                                  std::string& name, const Shown& shown = {});
 // Turns the graph into one that shows a value (preview.cpp). `shown`: where the graph itself has it. False after an
 // error.
 bool make_preview(Session& session, format::Graph& graph, std::string_view preview, Material& material, Shown& shown);

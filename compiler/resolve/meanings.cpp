@@ -29,7 +29,7 @@ struct Value {
     Meaning meaning{};
     const format::Property* texel_of = nullptr;  // Kind::Texel
     const format::Property* texture = nullptr;   // the value is this texture itself, or another property
-    bool is_constant = false;            // made of numbers alone
+    bool is_constant = false;                    // made of numbers alone
     std::set<const format::Property*> textures{};
     friend bool operator==(const Value&, const Value&) = default;
 };

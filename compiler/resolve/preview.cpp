@@ -94,7 +94,8 @@ bool show_lit(format::Graph& graph, const Expr* value, Material& material) {
 }
 
 // Names the members of the lighting surface, and the model's own inputs.
-bool is_member_of_surface(Session& session, const format::Graph& graph, const format::Graph& workflow, std::string_view name) {
+bool is_member_of_surface(Session& session, const format::Graph& graph, const format::Graph& workflow,
+                          std::string_view name) {
     for (const paths::SlotDecl& slot : session.paths->slots) {
         if (!slot.function->params.empty()) continue;
         const nodelang::StructDecl* surface = session.declarations->structure(slot.function->result.name);
@@ -122,7 +123,8 @@ bool is_sum(Session& session, std::string_view name) {
     return slot && !slot->is_derived() && slot->function->has_body && slot->function->params.size() > 1;
 }
 
-bool show_lighting(Session& session, format::Graph& graph, const format::Graph& workflow, const Shown& port, Material& material) {
+bool show_lighting(Session& session, format::Graph& graph, const format::Graph& workflow, const Shown& port,
+                   Material& material) {
     std::string ignored;
     const CheckedGraph* lighting = find_lighting(session, graph, lighting_of(graph, workflow), ignored);
     if (!lighting) return false;
@@ -145,8 +147,8 @@ bool make_preview(Session& session, format::Graph& graph, std::string_view previ
     const bool is_input = shown.text.starts_with(kSurface) && !has_node(graph, id);
     const std::string_view name = is_input ? shown.text.substr(kSurface.size()) : shown.text;
     if (is_input || !has_node(graph, id)) {
-        const auto set =
-            find_named(graph.surface, name, [](const format::PortValue& port) -> std::string_view { return port.name; });
+        const auto set = find_named(graph.surface, name,
+                                    [](const format::PortValue& port) -> std::string_view { return port.name; });
         if (set != graph.surface.end() && set->value) {
             const Expr* value = set->value;
             shown = {};
@@ -170,8 +172,8 @@ bool make_preview(Session& session, format::Graph& graph, std::string_view previ
             }
         }
         if (workflow) {
-            const auto unset =
-                find_named(workflow->inputs, name, [](const format::Input& input) -> std::string_view { return input.name; });
+            const auto unset = find_named(workflow->inputs, name,
+                                          [](const format::Input& input) -> std::string_view { return input.name; });
             if (unset != workflow->inputs.end() && unset->value) {
                 shown = {};
                 return show_unlit(session, graph, unset->value, material);

@@ -10,8 +10,9 @@ MaterialFile read_material(Session& session, std::uint32_t base, const std::stri
     const std::unique_ptr<json::Json> json = json::parse_json(session.sources, base, session.diagnostics);
     if (!json || must_stop(session)) return {};
     const bool any_kind = session.options.accept_parts;
-    std::shared_ptr<format::Graph> graph = format::read_graph(*json, path, session.sources, session.ast, session.diagnostics,
-                                              any_kind ? std::nullopt : std::optional(format::GraphKind::Material));
+    std::shared_ptr<format::Graph> graph =
+        format::read_graph(*json, path, session.sources, session.ast, session.diagnostics,
+                           any_kind ? std::nullopt : std::optional(format::GraphKind::Material));
     if (graph && any_kind) graph = material_around(session, std::move(graph));
     if (!graph) return {};
     choose_lighting(session, *graph);

@@ -10,7 +10,8 @@ Span opening(const format::RenderState& render) {
     return {render.span.begin, render.span.begin + 1};
 }
 
-format::Property choice(std::string_view name, std::string_view label, double value, const format::RenderState& render) {
+format::Property choice(std::string_view name, std::string_view label, double value,
+                        const format::RenderState& render) {
     format::Property made;
     made.name = std::string(name);
     made.label = std::string(label);
@@ -48,7 +49,8 @@ void add_surface_choices(Session& session, format::Graph& graph) {
     const auto first = std::begin(kBlendingKinds), end = std::end(kBlendingKinds);
     const auto kind = std::find_if(first, end, [&](const BlendingKind& each) { return each.kind == render.surface; });
     add(session, graph, choice(kTransparentChoice, "Transparent", kind != end, render));
-    format::Property blend = choice(kBlendChoice, "Blending", kind == end ? 0 : static_cast<double>(kind - first), render);
+    format::Property blend =
+        choice(kBlendChoice, "Blending", kind == end ? 0 : static_cast<double>(kind - first), render);
     blend.type = PropertyType::Enum;
     for (const BlendingKind& each : kBlendingKinds) {
         blend.values.emplace_back(each.word);

@@ -7,7 +7,7 @@
 // the result is not ok and has no diagnostics.
 //
 //   return guarded<Result>(path, [&](Trail& trail) {
-//       graph::Session session(...);
+//       resolve::Session session(...);
 //       const TrailGuard guard(trail, session.diagnostics);   // remembers which node it was
 //       ...
 //       return result;

@@ -32,7 +32,7 @@ LoweredMaterial::LoweredMaterial(std::string text, const std::string& path, ir::
     const auto json = json::parse_json(session_.sources, base, session_.diagnostics);
     if (json) {
         graph_ = format::read_graph(*json, path, session_.sources, session_.ast, session_.diagnostics,
-                                   format::GraphKind::Material);
+                                    format::GraphKind::Material);
     }
     if (graph_) material_ = resolve::resolve_material(session_, graph_, std::nullopt);
     if (material_) lowered_ = lower::lower(session_, *material_, build);

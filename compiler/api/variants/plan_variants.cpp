@@ -110,8 +110,9 @@ void plan_listed(resolve::Session& session, const resolve::Material& material, c
     std::vector<std::string> fixed;
     for (const resolve::MaterialProperty& entry : material.properties) {
         if (entry.property->binding == Binding::Variant && entry.is_chosen)
-            fixed.push_back(fmt::format("{} = {}", entry.property->name,
-                                        resolve::keyword_words(*entry.property)[static_cast<std::size_t>(entry.chosen)]));
+            fixed.push_back(
+                fmt::format("{} = {}", entry.property->name,
+                            resolve::keyword_words(*entry.property)[static_cast<std::size_t>(entry.chosen)]));
     }
     const std::vector<std::string_view> views(fixed.begin(), fixed.end());
     const bool is_one = views.size() == 1;
@@ -124,8 +125,9 @@ void plan_listed(resolve::Session& session, const resolve::Material& material, c
 // A tree of choices: the next choice is the first property that is still read after the choices so far.
 class Reachable {
 public:
-    Reachable(const CompilerImpl& compiler, const std::string& path, const CompileOptions& options, resolve::Files& files,
-              const std::vector<Axis>& axes, std::size_t most, std::function<bool(std::size_t)> progress, Trail& trail)
+    Reachable(const CompilerImpl& compiler, const std::string& path, const CompileOptions& options,
+              resolve::Files& files, const std::vector<Axis>& axes, std::size_t most,
+              std::function<bool(std::size_t)> progress, Trail& trail)
         : compiler_(compiler),
           source_{.path = path},
           options_(options),

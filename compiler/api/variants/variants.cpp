@@ -43,7 +43,8 @@ void forget_choice(Reflection& reflection, const std::vector<VariantAxis>& axes)
 // Compiles, and collects the diagnostics and dependencies that the results share.
 class Gathering {
 public:
-    Gathering(const CompilerImpl& compiler, const std::string& path, resolve::Files& files, Trail& trail, VariantSet& set)
+    Gathering(const CompilerImpl& compiler, const std::string& path, resolve::Files& files, Trail& trail,
+              VariantSet& set)
         : compiler_(compiler), source_{.path = path}, files_(files), trail_(trail), set_(set) {}
 
     // `values`: the combination; empty if the messages apply to all combinations, as they do if `is_first`.

@@ -208,7 +208,8 @@ void check_keywords(const resolve::Material& material, const Reflection& reflect
         diagnostics.report(Code::KeywordLimit, first->name_span, count, "Unity before 2021.2", kMost, first->name);
 }
 
-void check_shader_properties(const resolve::Material& material, const lower::Lowered& lowered, resolve::Session& session) {
+void check_shader_properties(const resolve::Material& material, const lower::Lowered& lowered,
+                             resolve::Session& session) {
     Diagnostics& diagnostics = session.diagnostics;
     Names names(material, session);
     Texts texts(session);

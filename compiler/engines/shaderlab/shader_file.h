@@ -60,7 +60,8 @@ constexpr std::size_t kMostKeywords = 9, kMostPairs = 7;
 // Reports the shader's name if it differs from the graph's.
 void check_shader_name(const resolve::Material& material, resolve::Session& session);
 // Refuses names that Unity's includes declare, and reports what a ShaderLab file cannot express about a property.
-void check_shader_properties(const resolve::Material& material, const lower::Lowered& lowered, resolve::Session& session);
+void check_shader_properties(const resolve::Material& material, const lower::Lowered& lowered,
+                             resolve::Session& session);
 // Reports too many keywords: Unity before 2021.2 limits those that belong to one shader.
 void check_keywords(const resolve::Material& material, const Reflection& reflection, Diagnostics& diagnostics);
 // Reports textures that share a sampler (share_samplers.h), and passes that still have too many.

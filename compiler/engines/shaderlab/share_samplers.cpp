@@ -52,7 +52,7 @@ std::string sampler_of(std::string_view texture) {
 struct Sampler {
     std::string name;
     const format::Property* property = nullptr;  // null if it belongs to no property
-    std::vector<bool> reads;                    // for each pass
+    std::vector<bool> reads;                     // for each pass
     // False if some stage needs a declaration of texture and sampler in one: a vertex stage, a pass that only loads
     // texels, or a texture that is not 2D, for which Unity has no other macro.
     bool is_free = true;

@@ -176,8 +176,8 @@ std::size_t find_material(Reading& reading, const json::Json& json, const Materi
     const std::string* name = read_string(reading, json, "'material'");
     if (!name) return 0;
     if (const auto found = materials.indices.find(*name); found != materials.indices.end()) return found->second;
-    suggest(reading, reading.diagnostics.report(Code::UnknownName, inside(json.span), "material", json::shown(*name)), *name,
-            materials.names);
+    suggest(reading, reading.diagnostics.report(Code::UnknownName, inside(json.span), "material", json::shown(*name)),
+            *name, materials.names);
     return 0;
 }
 
@@ -220,7 +220,8 @@ SceneObject read_object(SceneReading& reading, const json::Json& json, const Mat
         const Form& form = form_of(ObjectKind::SceneObject, "segments", Form::Of::Integer);
         object.segments = read_int(reading, *segments, "'segments'", form);
     }
-    if (const json::Json* material = json.find("material")) object.material = find_material(reading, *material, materials);
+    if (const json::Json* material = json.find("material"))
+        object.material = find_material(reading, *material, materials);
     read_vector(reading, json, ObjectKind::SceneObject, "position", object.position);
     read_vector(reading, json, ObjectKind::SceneObject, "rotation", object.rotation);
     read_scale(reading, json, ObjectKind::SceneObject, object.scale);
@@ -234,7 +235,8 @@ SceneObject read_object(SceneReading& reading, const json::Json& json, const Mat
             refuse_key(reading, json, "lightmapEncoding", "an object without a lightmap", "one with 'lightmap'");
         }
     }
-    if (const json::Json* mask = json.find("shadowMask")) object.shadow_mask = read_file_name(reading, *mask, "'shadowMask'");
+    if (const json::Json* mask = json.find("shadowMask"))
+        object.shadow_mask = read_file_name(reading, *mask, "'shadowMask'");
     if (const json::Json* instances = json.find("instances")) object.instances = read_instances(reading, *instances);
     return object;
 }

@@ -25,7 +25,8 @@ bool read_number(Reading& reading, const json::Json& object, ObjectKind kind, st
     return value.has_value();
 }
 
-bool read_vector(Reading& reading, const json::Json& object, ObjectKind kind, std::string_view key, SceneVector& target) {
+bool read_vector(Reading& reading, const json::Json& object, ObjectKind kind, std::string_view key,
+                 SceneVector& target) {
     const json::Json* json = object.find(key);
     if (!json) return false;
     const Form& form = form_of(kind, key, Form::Of::Numbers);

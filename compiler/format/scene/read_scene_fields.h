@@ -20,7 +20,8 @@ inline FilePlace place_of(const Reading& reading, Span span) {
 
 // True if the key is present and valid; `target` changes only then. The limits are those of the table of keys.
 bool read_number(Reading& reading, const json::Json& object, ObjectKind kind, std::string_view key, double& target);
-bool read_vector(Reading& reading, const json::Json& object, ObjectKind kind, std::string_view key, SceneVector& target);
+bool read_vector(Reading& reading, const json::Json& object, ObjectKind kind, std::string_view key,
+                 SceneVector& target);
 // Reads "#rrggbb", a grey, or three linear numbers; a fourth number where alpha has a meaning.
 std::optional<std::array<double, 4>> read_scene_color(Reading& reading, const json::Json& json, std::string_view key,
                                                       bool with_alpha = false);

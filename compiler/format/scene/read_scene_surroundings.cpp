@@ -163,7 +163,8 @@ std::vector<SceneProbe> read_probes(SceneReading& reading, const json::Json& arr
         return probes;
     }
     for (const json::Json& element : array.elements) {
-        if (expect(reading, element, json::Json::Kind::Object, "a probe")) probes.push_back(read_probe(reading, element));
+        if (expect(reading, element, json::Json::Kind::Object, "a probe"))
+            probes.push_back(read_probe(reading, element));
     }
     return probes;
 }
@@ -177,7 +178,8 @@ void read_surroundings(SceneReading& reading, const json::Json& json, SceneFile&
     if (const json::Json* environment = json.find("environment")) read_environment(reading, *environment, scene);
     if (const json::Json* probes = json.find("probes")) scene.probes = read_probes(reading, *probes);
     if (const json::Json* fog = json.find("fog")) scene.fog = read_fog(reading, *fog);
-    if (const json::Json* mixed = json.find("mixedLighting")) scene.mixed_lighting = read_mixed_lighting(reading, *mixed);
+    if (const json::Json* mixed = json.find("mixedLighting"))
+        scene.mixed_lighting = read_mixed_lighting(reading, *mixed);
     if (const json::Json* background = json.find("background")) read_background(reading, *background, scene);
 }
 

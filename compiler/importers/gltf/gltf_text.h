@@ -15,7 +15,7 @@ namespace patina::importers::gltf {
 struct GltfText {
     SourceMap sources{};
     std::unique_ptr<json::Json> root{};  // null: it is not JSON
-    bool is_binary = false;               // it lies in a .glb, where lines say nothing
+    bool is_binary = false;              // it lies in a .glb, where lines say nothing
     bool looks_like_json = false;  // it begins as the JSON of a .gltf does, so what stops its reader is of interest
     std::string error{};           // "a.gltf:3:9: ..."; why `root` is null
 };

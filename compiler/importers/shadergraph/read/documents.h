@@ -6,8 +6,8 @@
 //
 //   Documents documents = read_documents("x.shadergraph", text);
 //   if (!documents.error.empty()) ...                  // "x.shadergraph:3:9: ..."
-//   for (const graph::Json* root : documents.roots) ...
-//   const graph::Json* inner = documents.inner(*string);  // of the old layout
+//   for (const json::Json* root : documents.roots) ...
+//   const json::Json* inner = documents.inner(*string);  // of the old layout
 #pragma once
 
 #include <map>
