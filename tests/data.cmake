@@ -41,6 +41,7 @@ add_python_test(graph_drawing ${CMAKE_CURRENT_SOURCE_DIR}/report/graph_test.py $
 add_python_test(guard ${CMAKE_CURRENT_SOURCE_DIR}/guard/guard_test.py $<TARGET_FILE:patina_cli> ${CMAKE_SOURCE_DIR})
 
 add_python_test(brdf_values ${CMAKE_CURRENT_SOURCE_DIR}/data/derive_brdf_values.py)
+add_python_test(noise_values ${CMAKE_CURRENT_SOURCE_DIR}/data/noise_values.py)
 add_python_test(sources ${CMAKE_CURRENT_SOURCE_DIR}/docs/sources.py ${CMAKE_SOURCE_DIR})
 
 # The pages of nodes, models and values, which `scripts/reference` makes.

@@ -35,7 +35,7 @@ float2 CellPoint(int2 cell, int2 stepTo, float jitter) {
 /// test: Worley(float2(-1.3, 2.65), 1, 0.8, Chebyshev) == 0.1275032520294188
 /// test: Worley(float2(-1.3, 2.65), 1, 0.8).edge == 0.14917368687283364
 /// test: Worley(float2(0.5, 0.75), 1, 0).edge == 0.25
-[node("Procedural/Noise/Worley")] [also("CellNoise", "Cellular", "F1F2")]
+[node("Procedural/Noise/Worley")] [also("CellNoise", "Cellular", "F1F2", "WorleyNoise", "Worley2D")]
 float Worley(
     float2 uv = uv0,                      ///< texture coordinates
     [range(0, 100)] float scale = 8,      ///< cells in one unit of uv

@@ -23,7 +23,7 @@ float2 RandomAt(int2 cell) {
 ///
 /// formula: t^3 (6 t^2 - 15 t + 10)
 /// source: Perlin, "Improving Noise", SIGGRAPH 2002
-float2 LatticeFade(float2 t) {
+floatN LatticeFade(floatN t) {
     return t * t * t * (t * (t * 6 - 15) + 10);
 }
 
@@ -33,7 +33,7 @@ float2 LatticeFade(float2 t) {
 /// test: Random(float2(0, 0)) == 0.097231924533844
 /// test: Random(float2(3.5, 7.25)) == 0.2815369963645935
 /// test: Random(float2(-0.5, -1.5)) == 0.7766901254653931
-[node("Procedural/Noise/Random")] [also("CellNoise2D", "WhiteNoise")]
+[node("Procedural/Noise/Random")] [also("WhiteNoise", "Random2D")]
 float Random(
     float2 position = uv0,  ///< anywhere in the cell; cells are one unit wide and begin at whole numbers
     out float second        ///< another random number of the same cell
@@ -89,7 +89,7 @@ float SignedGradientNoise(float2 position) {
 /// test: GradientNoise(float2(0.375, 0.625), 8) == 0.5
 /// test: GradientNoise(float2(3.5, 7.5), 1) == 0.3744928613305092
 /// test: GradientNoise(float2(-1.25, 2.75), 1) == 0.500304522816009
-[node("Procedural/Noise/Gradient Noise")] [also("Noise2D", "PerlinNoise", "Perlin")]
+[node("Procedural/Noise/Gradient Noise")] [also("GradientNoise2D")]
 float GradientNoise(
     float2 uv = uv0,                 ///< texture coordinates
     [range(0, 100)] float scale = 8  ///< lattice cells in one unit of uv
@@ -104,7 +104,7 @@ float GradientNoise(
 /// test: FractalNoise(float2(0.375, 0.625), 8, 5) == 0.5
 /// test: FractalNoise(float2(3.5, 7.5), 1, 1) == 0.3744928613305092
 /// test: FractalNoise(float2(0.3, 0.45), 2, 3, 2, 0.5) == 0.4788152412317103
-[node("Procedural/Noise/Fractal Noise")] [also("Fractal2D", "Fractal3D", "Fbm")]
+[node("Procedural/Noise/Fractal Noise")] [also("Fbm", "FractalNoise2D")]
 float FractalNoise(
     float2 uv = uv0,                       ///< texture coordinates
     [range(0, 100)] float scale = 4,       ///< lattice cells of the coarsest octave in one unit of uv

@@ -53,7 +53,7 @@ float Bricks(
 /// test: Voronoi(float2(0.25, -0.25), 2, 0) == 0
 /// test: Voronoi(float2(0.25, 0.25), 2, 0).random == 0.097231924533844
 /// test: Voronoi(float2(0.3, 0.6), 4, 1) == 0.3980660311555204
-[node("Procedural/Noise/Voronoi")] [also("WorleyNoise2D", "WorleyNoise")]
+[node("Procedural/Noise/Voronoi")] [also("Voronoi2D")]
 float Voronoi(
     float2 uv = uv0,                  ///< texture coordinates
     [range(0, 100)] float scale = 8,  ///< cells in one unit of uv

@@ -1,5 +1,4 @@
-// Noise of MaterialX, which an import has written as files of nodes (compiler/importers/mtlx/noise_code.h): the
-// functions are known by their names.
+// Noise of the library that MaterialX has nodes for, by the table nodes.def.
 #include <algorithm>
 
 #include "compiler/base/text.h"
@@ -9,25 +8,13 @@
 namespace patina::exporters::mtlx {
 namespace {
 
-// The inputs are the function's parameters, in order.
 struct Row {
-    std::string_view function, category, inputs;
+    std::string_view function, category, inputs, type;
 };
-constexpr std::string_view kOctaves2 = "texcoord octaves lacunarity diminish",
-                           kOctaves3 = "position octaves lacunarity diminish";
 constexpr Row kNoises[] = {
-    {"MaterialXNoise2D", "noise2d", "texcoord"},
-    {"MaterialXNoise2DVector", "noise2d", "texcoord"},
-    {"MaterialXNoise3D", "noise3d", "position"},
-    {"MaterialXNoise3DVector", "noise3d", "position"},
-    {"MaterialXFractal2D", "fractal2d", kOctaves2},
-    {"MaterialXFractal2DVector", "fractal2d", kOctaves2},
-    {"MaterialXFractal3D", "fractal3d", kOctaves3},
-    {"MaterialXFractal3DVector", "fractal3d", kOctaves3},
-    {"MaterialXCellNoise2D", "cellnoise2d", "texcoord"},
-    {"MaterialXCellNoise3D", "cellnoise3d", "position"},
-    {"MaterialXWorleyNoise2D", "worleynoise2d", "texcoord jitter"},
-    {"MaterialXWorleyNoise3D", "worleynoise3d", "position jitter"},
+#define MTLX_NODE(function, category, inputs, type) {#function, category, inputs, type},
+#include "compiler/exporters/mtlx/nodes.def"
+#undef MTLX_NODE
 };
 
 const Row* row_of(std::string_view function) {
@@ -48,6 +35,12 @@ std::optional<Ref> NodeWriter::noise(ir::Value value) {
     std::vector<Argument> arguments;
     const auto args = function_.args(value);
     for (const std::string_view name : split(row->inputs, " ")) {
+        if (const std::size_t equals = name.find('='); equals != name.npos) {
+            const double number = read_number(name.substr(equals + 1)).value_or(0);
+            arguments.push_back(
+                {.name = std::string(name.substr(0, equals)), .value = {.numbers = {number}}, .type = "integer"});
+            continue;
+        }
         const ir::Value given = args[arguments.size()];
         Argument made{.name = std::string(name), .value = this->value(given), .type = "float"};
         if (name == "octaves") made.type = "integer";
@@ -62,7 +55,8 @@ std::optional<Ref> NodeWriter::noise(ir::Value value) {
         arguments.push_back(std::move(made));
     }
     current_ = value;
-    return node(row->category, type_word(function_[value].type.width()), std::move(arguments));
+    const std::string type = type_word(function_[value].type.width());
+    return as(node(row->category, row->type.empty() ? type : std::string(row->type), std::move(arguments)), type);
 }
 
 }  // namespace patina::exporters::mtlx

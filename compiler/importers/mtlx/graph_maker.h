@@ -9,7 +9,7 @@
 //   library.cpp         definitions of the standard library
 //   rules.cpp           nodes of the table
 //   special_nodes.cpp   nodes that no row can say, by a list of functions
-//   noise.cpp           noise, as files of nodes
+//   noise.cpp           noise, whose nodes the library has
 //   textures.cpp        pictures
 //   surface.cpp         what the shader gets
 //   refusals.cpp        what the compiler would refuse of the result
@@ -37,10 +37,8 @@ struct Import {
     const Document& document;
     std::string path{}, folder{};        // of the document; that will be written to
     std::vector<std::string> folders{};  // that are searched for pictures
-    std::vector<TextFile> files{};
     std::vector<Remark> remarks{};
     terms::Names file_names{};
-    std::map<std::string, std::string> node_files{};  // noise: kind -> file
     std::set<const Element*> reached{};
     std::unordered_map<const Element*, std::size_t> order{};  // of all elements in the document; empty: not asked yet
     bool has_refused = false;
@@ -115,7 +113,6 @@ public:
     static void describe(const Element& input, GraphProperty& property);
 
     Term sampled_normal(const Element& node, const Term& texel, const Term& scale);
-    std::string noise_file(std::string_view kind);
     std::size_t uses(const Scope& scope, const Element& node) const;
     // Its number among the nodes of terms; it is reported.
     std::size_t note(const Element& node);

@@ -210,7 +210,6 @@ Imported read(const importers::Source& source, const Options& options) {
     import.has_refused |= std::ranges::any_of(import.remarks, is_left_out);
     std::ranges::stable_sort(import.remarks, {}, [](const Remark& each) { return std::pair(each.line, each.column); });
     made.graphs = std::move(graphs);
-    for (TextFile& each : import.files) made.graphs.push_back(std::move(each));
     made.remarks = std::move(import.remarks);
     made.has_refused = import.has_refused;
     return made;

@@ -5,6 +5,7 @@
 
 namespace patina::importers::mtlx {
 
-Term make_noise(GraphMaker& maker, Scope& scope, const Element& node);  // noise2d, fractal3d, worleynoise2d, ...
+bool is_noise(std::string_view category);  // noise2d, fractal3d, worleynoise2d, ...
+Term make_noise(GraphMaker& maker, Scope& scope, const Element& node);
 
 }  // namespace patina::importers::mtlx

@@ -34,8 +34,7 @@ void GraphMaker::refuse_invalid(const Element& shader, std::size_t first_remark)
         if (!is_said) remark(Remark::Kind::LeftOut, place, reason, shader);
     };
     const std::string error = importers::refuse_invalid(
-        file_, import_.files, [&](const Diagnostic& wrong) { return has_constant(file_, wrong, type_of(wrong)); },
-        report);
+        file_, {}, [&](const Diagnostic& wrong) { return has_constant(file_, wrong, type_of(wrong)); }, report);
     if (!error.empty() && import_.error.empty())
         import_.error = fmt::format("{}:{}:{}: {}", import_.path, shader.line, shader.column, error);
 }

@@ -466,9 +466,7 @@ constexpr Row kRows[] = {
 }  // namespace
 
 std::optional<Term> apply_special(GraphMaker& maker, Scope& scope, const Element& node, std::string_view output) {
-    for (const std::string_view noise : {"noise2d", "noise3d", "fractal2d", "fractal3d", "cellnoise2d", "cellnoise3d",
-                                         "worleynoise2d", "worleynoise3d"})
-        if (node.category == noise) return make_noise(maker, scope, node);
+    if (is_noise(node.category)) return make_noise(maker, scope, node);
     // A turn by 0 changes nothing.
     const At at{maker, scope, node, output};
     if ((node.category == "rotate2d" || node.category == "rotate3d") && at.input("amount", "float", "0").is_all(0))

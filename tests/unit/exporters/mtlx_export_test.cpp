@@ -301,7 +301,6 @@ TEST(MtlxExport, WholeNumbersSwitchesAndChoices) {
 })json"));
 }
 
-// The files of nodes that an import has written.
 TEST(MtlxExport, NoiseBecomesNoiseAgain) {
     std::string nodes, inputs;
     const std::pair<std::string, std::string> noises[] = {{"noise2d", "roughness"},
