@@ -64,6 +64,12 @@ float FractionOf(uint bits) {
     return float(bits) / 4294967295.0;
 }
 
+// A random number for a cell of space, from 0 to 1: CellNoise3D of whole numbers.
+[inFloat]
+float RandomOf(int3 cell) {
+    return FractionOf(HashOf3(cell.x, cell.y, cell.z));
+}
+
 /// A random number for each cell of a line, from 0 to 1.
 ///
 /// source: Jenkins, "lookup3.c", 2006 (the hash); MaterialX 1.39: the cell noise of one number
@@ -98,8 +104,7 @@ float CellNoise2D(
 float CellNoise3D(
     float3 position = positionOS  ///< anywhere in the cell; cells are one unit wide and begin at whole numbers
 ) {
-    int3 cell = int3(floor(position));
-    return FractionOf(HashOf3(cell.x, cell.y, cell.z));
+    return RandomOf(int3(floor(position)));
 }
 
 /// A random number for each cell of a space of four dimensions, from 0 to 1.

@@ -2,31 +2,13 @@
 // no texture coordinates, so it has no seams and no poles. The random numbers are those of MaterialX (lookup3.node.hlsl), and a
 // MaterialX document can hold these nodes.
 
-/// How layers of noise are added.
-enum FractalKind {
-    Smooth,      ///< the noise itself: clouds and hills
-    Turbulence,  ///< its absolute value: round lumps between sharp creases, also called billow
-    Ridged       ///< sharp ridges; each layer counts most near the ridges of the previous one
-};
-
-// What one layer adds. `before` is what the previous layer gave, for ridges.
-float FractalLayer(float noise, float before, const FractalKind kind) {
-    float ridge = saturate(1 - abs(noise));
-    return kind == Smooth ? noise : kind == Turbulence ? abs(noise) : ridge * ridge * saturate(2 * before);
-}
-
-// A sum of layers as a number from 0 to 1.
-float FractalShare(float sum, float total, const FractalKind kind) {
-    return kind == Smooth ? sum / total * 0.5 + 0.5 : sum / total;
-}
-
 // The numbers of the eight corners of a cell, interpolated. `low` and `high` are two opposite corners.
 [inFloat]
 float ValueCell3(int3 low, int3 high, float3 t) {
-    float a = lerp(FractionOf(HashOf3(low.x, low.y, low.z)), FractionOf(HashOf3(high.x, low.y, low.z)), t.x);
-    float b = lerp(FractionOf(HashOf3(low.x, high.y, low.z)), FractionOf(HashOf3(high.x, high.y, low.z)), t.x);
-    float c = lerp(FractionOf(HashOf3(low.x, low.y, high.z)), FractionOf(HashOf3(high.x, low.y, high.z)), t.x);
-    float d = lerp(FractionOf(HashOf3(low.x, high.y, high.z)), FractionOf(HashOf3(high.x, high.y, high.z)), t.x);
+    float a = lerp(RandomOf(int3(low.x, low.y, low.z)), RandomOf(int3(high.x, low.y, low.z)), t.x);
+    float b = lerp(RandomOf(int3(low.x, high.y, low.z)), RandomOf(int3(high.x, high.y, low.z)), t.x);
+    float c = lerp(RandomOf(int3(low.x, low.y, high.z)), RandomOf(int3(high.x, low.y, high.z)), t.x);
+    float d = lerp(RandomOf(int3(low.x, high.y, high.z)), RandomOf(int3(high.x, high.y, high.z)), t.x);
     return lerp(lerp(a, b, t.y), lerp(c, d, t.y), t.z);
 }
 
@@ -110,7 +92,7 @@ float GradientNoise4D(
 /// test: FractalNoise3D(float3(0.3, 0.45, 0.7), 4, 3) == 0.5118343781555637
 /// test: FractalNoise3D(float3(0.3, 0.45, 0.7), 4, 3, 2, 0.5, Turbulence) == 0.08317063539443025
 /// test: FractalNoise3D(float3(0.3, 0.45, 0.7), 4, 3, 2.5, 0.6, Ridged) == 0.6791361320768433
-[node("Procedural/Noise/Fractal Noise 3D")] [also("Fbm3D", "Turbulence", "Billow", "RidgedNoise", "Ridged")]
+[node("Procedural/Noise/Fractal Noise 3D")] [also("Fbm3D", "Turbulence", "Billow", "RidgedNoise", "Ridged", "Noise3")]
 float FractalNoise3D(
     float3 position = positionOS,          ///< where
     [range(0, 100)] float scale = 4,       ///< lattice cells of the coarsest octave in one unit
@@ -120,18 +102,18 @@ float FractalNoise3D(
     const FractalKind kind = Smooth        ///< how the layers are added
 ) {
     float3 place = position * scale;
+    float total = FractalTotal(octaves, gain);
+    if (kind == Smooth) { return PerlinFractal3D(place, min(octaves, 12), lacunarity, gain) / total * 0.5 + 0.5; }
     float sum = 0;
-    float total = 0;
     float amplitude = 1;
     float before = 1;
-    [unroll] for (int i = 0; i < min(octaves, 12); i++) {
+    for (int i = 0; i < min(octaves, 12); i++) {
         before = FractalLayer(PerlinNoise3D(place), before, kind);
         sum += amplitude * before;
-        total += amplitude;
         amplitude *= gain;
         place *= lacunarity;
     }
-    return FractalShare(sum, total, kind);
+    return sum / total;
 }
 
 /// Layers of ever finer gradient noise in space that change with time, from 0 to 1.
@@ -152,18 +134,17 @@ float FractalNoise4D(
     const FractalKind kind = Smooth        ///< how the layers are added
 ) {
     float4 place = position * scale;
+    float total = FractalTotal(octaves, gain);
     float sum = 0;
-    float total = 0;
     float amplitude = 1;
     float before = 1;
-    [unroll] for (int i = 0; i < min(octaves, 12); i++) {
+    for (int i = 0; i < min(octaves, 12); i++) {
         before = FractalLayer(PerlinNoise4D(place), before, kind);
         sum += amplitude * before;
-        total += amplitude;
         amplitude *= gain;
         place *= lacunarity;
     }
-    return FractalShare(sum, total, kind);
+    return kind == Smooth ? sum / total * 0.5 + 0.5 : sum / total;
 }
 
 // --- without a seam
@@ -226,16 +207,15 @@ float FractalNoise3DTiled(
     const FractalKind kind = Smooth        ///< how the layers are added
 ) {
     float3 period = max(round(scale), 1);
+    float total = FractalTotal(octaves, gain);
     float sum = 0;
-    float total = 0;
     float amplitude = 1;
     float before = 1;
-    [unroll] for (int i = 0; i < min(octaves, 12); i++) {
+    for (int i = 0; i < min(octaves, 12); i++) {
         before = FractalLayer(PerlinNoise3DTiled(position * period, period), before, kind);
         sum += amplitude * before;
-        total += amplitude;
         amplitude *= gain;
         period *= 2;
     }
-    return FractalShare(sum, total, kind);
+    return kind == Smooth ? sum / total * 0.5 + 0.5 : sum / total;
 }

@@ -16,8 +16,7 @@ float3 NearestWith(float3 nearest, float another) {
 // The random point of a cell, from the corner of the lattice.
 [inFloat]
 float2 PointOf2(int2 cell, float jitter) {
-    float2 random = float2(FractionOf(HashOf3(cell.x, cell.y, 0)), FractionOf(HashOf3(cell.x, cell.y, 1)));
-    return (random - 0.5) * jitter + 0.5;
+    return (RandomAt(cell) - 0.5) * jitter + 0.5;
 }
 
 [inFloat]
@@ -60,8 +59,7 @@ float3 WorleyNoise2D(
     int2 home = int2(floor(toPoint + position));
     if (style == Cell) { return FractionOf(HashOf2(home.x, home.y)); }
     if (style == CellVector) {
-        return float3(FractionOf(HashOf3(home.x, home.y, 0)), FractionOf(HashOf3(home.x, home.y, 1)),
-                      FractionOf(HashOf3(home.x, home.y, 2)));
+        return float3(RandomAt(home), RandomOf(int3(home, 2)));
     }
     return sqrt(nearest);
 }
@@ -98,7 +96,7 @@ float3 WorleyNoise3D(
         }
     }
     int3 home = int3(floor(toPoint + position));
-    if (style == Cell) { return FractionOf(HashOf3(home.x, home.y, home.z)); }
+    if (style == Cell) { return RandomOf(home); }
     if (style == CellVector) {
         return float3(FractionOf(HashOf4(home.x, home.y, home.z, 0)), FractionOf(HashOf4(home.x, home.y, home.z, 1)),
                       FractionOf(HashOf4(home.x, home.y, home.z, 2)));
@@ -157,7 +155,7 @@ float Worley3D(
         }
     }
     f2 = second;
-    random = FractionOf(HashOf3(home.x, home.y, home.z));
+    random = RandomOf(home);
     return nearest;
 }
 
@@ -200,6 +198,6 @@ float Worley3DTiled(
         }
     }
     f2 = second;
-    random = FractionOf(HashOf3(home.x, home.y, home.z));
+    random = RandomOf(home);
     return nearest;
 }

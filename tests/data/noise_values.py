@@ -162,6 +162,10 @@ def GradientNoise3D(p, scale=4):
 GradientNoise4D = GradientNoise3D
 
 
+def GradientNoise(p, scale=8):
+    return 0.5 + 0.5 * perlin(scaled(p, scale))
+
+
 def value(p, period=None):
     cell = cell_of(p)
     d = [a - b for a, b in zip(p, cell)]
@@ -178,10 +182,34 @@ def ValueNoise3D(p, scale=4):
 ValueNoise4D = ValueNoise3D
 
 
+# The random numbers of a plane are those of space at 0 and 1.
+def random2(cell):
+    return [fraction(*cell, 0), fraction(*cell, 1)]
+
+
+def ValueNoise(p, scale=8):
+    return value([*scaled(p, scale), 0])
+
+
+def Random(p):
+    made = Outputs(random2(cell_of(p))[0])
+    made.second = random2(cell_of(p))[1]
+    return made
+
+
+class Outputs(float):
+    pass
+
+
 def tiled(p, cells):
     cells = Vector([cells] * len(p)) if not isinstance(cells, tuple) else cells
     period = [max(round(each), 1) for each in cells]
     return [a * b for a, b in zip(p, period)], period
+
+
+def ValueNoiseTiled(p, scale=8):
+    at, period = tiled(p, scale)
+    return value([*at, 0], [*period, 2])
 
 
 def ValueNoise3DTiled(p, scale=4):
@@ -191,6 +219,9 @@ def ValueNoise3DTiled(p, scale=4):
 def GradientNoise3DTiled(p, scale=4):
     at, period = tiled(p, scale)
     return 0.5 + 0.5 * perlin(at, 0, period)
+
+
+GradientNoiseTiled = GradientNoise3DTiled
 
 
 Smooth, Turbulence, Ridged = range(3)
@@ -214,12 +245,46 @@ def FractalNoise3D(p, scale=4, octaves=4, lacunarity=2, gain=0.5, kind=Smooth):
     return layers([perlin(scaled(p, scale * lacunarity**i)) for i in range(octaves)], gain, kind)
 
 
-FractalNoise4D = FractalNoise3D
+FractalNoise = FractalNoise4D = FractalNoise3D
 
 
 def FractalNoise3DTiled(p, scale=4, octaves=4, gain=0.5, kind=Smooth):
     at, period = tiled(p, scale)
     return layers([perlin(scaled(at, 2**i), 0, scaled(period, 2**i)) for i in range(octaves)], gain, kind)
+
+
+FractalNoiseTiled = FractalNoise3DTiled
+
+
+def WarpedNoise(p, scale=3, strength=1, octaves=4):
+    at = Vector(scaled(p, scale))
+    moved = [2 * FractalNoise([at.x + x, at.y + y], 1, octaves) - 1 for x, y in ((0, 0), (5.2, 1.3))]
+    made = Outputs(FractalNoise([a + strength * b for a, b in zip(at, moved)], 1, octaves))
+    made.moved = Vector(moved)
+    return made
+
+
+def CurlNoise(p, scale=4):
+    """The derivatives of the interpolation by the product rule; slopes from -1 to 1."""
+    at = scaled(p, scale)
+    cell = cell_of(at)
+    d = [a - b for a, b in zip(at, cell)]
+    height, change = 0, [0, 0]
+    for corner in itertools.product((0, 1), repeat=2):
+        slope_here = [2 * each - 1 for each in random2([a + b for a, b in zip(cell, corner)])]
+        own = sum(s * (a - c) for s, a, c in zip(slope_here, d, corner))
+        share = [fade(t) if c else 1 - fade(t) for c, t in zip(corner, d)]
+        steep = [(1 if c else -1) * 30 * (t * (1 - t)) ** 2 for c, t in zip(corner, d)]
+        height += share[0] * share[1] * own
+        change[0] += steep[0] * share[1] * own + share[0] * share[1] * slope_here[0]
+        change[1] += share[0] * steep[1] * own + share[0] * share[1] * slope_here[1]
+    made = CurlOutputs((change[1], -change[0]))
+    made.height = height
+    return made
+
+
+class CurlOutputs(Vector):
+    pass
 
 
 # --- Perlin 2001, as Gustavson, "Simplex Noise Demystified", 2005, describes it
@@ -276,10 +341,6 @@ def worley(p, jitter=1, style=Distance):
 WorleyNoise2D = WorleyNoise3D = worley
 
 
-class Outputs(float):
-    pass
-
-
 def Worley3D(p, scale=4, jitter=1, metric=Euclidean, period=None):
     found = points(scaled(p, scale) if period is None else p, jitter, 1, metric, period)
     made = Outputs(found[0][0])
@@ -290,6 +351,49 @@ def Worley3D(p, scale=4, jitter=1, metric=Euclidean, period=None):
 def Worley3DTiled(p, scale=4, jitter=1, metric=Euclidean):
     at, period = tiled(p, scale)
     return Worley3D(at, 1, jitter, metric, period)
+
+
+def Voronoi(p, scale=8, jitter=1, period=None, reach=1, metric=Euclidean):
+    at = scaled(p, scale) if period is None else p
+    found = []
+    for step in itertools.product(range(-reach, reach + 1), repeat=2):
+        cell = [a + b for a, b in zip(cell_of(at), step)]
+        hashed = random2(wrapped(cell, period))
+        away = [c + 0.5 + (h - 0.5) * jitter - a for c, h, a in zip(cell, hashed, at)]
+        found.append((METRICS[metric](away), step[::-1], hashed, away))
+    found.sort()
+    made = Outputs(found[0][0])
+    made.f2, made.random, made.toPoint = found[1][0], found[0][2][0], Vector(found[0][3])
+    nearest = made.toPoint
+    edges = [9]
+    for _, _, _, away in found[1:]:
+        between = [b - a for a, b in zip(nearest, away)]
+        length = math.hypot(*between)
+        if length > 1e-3:
+            edges.append(sum((a + b) / 2 * c for a, b, c in zip(nearest, away, between)) / length)
+    made.edge = min(edges)
+    return made
+
+
+def Worley(p, scale=8, jitter=1, metric=Euclidean):
+    return Voronoi(p, scale, jitter, None, 3, metric)
+
+
+def VoronoiTiled(p, scale=8, jitter=1):
+    at, period = tiled(p, scale)
+    return Voronoi(at, 1, jitter, period)
+
+
+# --- patterns that have random numbers
+def Bricks(p, frequency=(4, 8), shift=0.5, mortar=0.01, bevel=0.005):
+    x, y = p.x * frequency[0], p.y * frequency[1]
+    x += shift * (math.floor(y) % 2)
+    local = Vector([x - math.floor(x), y - math.floor(y)])
+    t = (min(min(a, 1 - a) / b for a, b in zip(local, frequency)) - mortar) / bevel
+    t = min(max(t, 0), 1)
+    made = Outputs(t * t * (3 - 2 * t))
+    made.local, made.random = local, random2([math.floor(x), math.floor(y)])[0]
+    return made
 
 
 # --- the lines
