@@ -30,7 +30,7 @@ const ir::Function* Flattening::body_of(const ir::Inst& inst) const {
     if (inst.op != ir::Op::Call) return nullptr;
     const ir::Function& callee = lowered.module.functions[inst.data];
     const bool is_kept =
-        ir::is_elsewhere(callee) || callee.name == kUnpackNormal || callee.name == kToWorld || is_noise(callee.name);
+        ir::is_elsewhere(callee) || callee.name == kUnpackNormal || callee.name == kToWorld || has_node(callee.name);
     return is_kept ? nullptr : &callee;
 }
 

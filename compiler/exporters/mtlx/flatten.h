@@ -11,8 +11,8 @@ namespace patina::exporters::mtlx {
 // How a normal map is read: two functions of the library that a document has one node for.
 inline constexpr std::string_view kUnpackNormal = "UnpackNormalRedGreen", kToWorld = "NormalTangentToWorld";
 
-// Noise of MaterialX (noise.cpp).
-bool is_noise(std::string_view function);
+// MaterialX has a node for it (calls.cpp).
+bool has_node(std::string_view function);
 
 // Nothing: the function would be too long.
 std::optional<ir::Function> flatten(lower::Lowered& lowered, const ir::Function& function);

@@ -453,7 +453,7 @@ Ref NodeWriter::made(ir::Value value) {
     } else if (callee(value) == kToWorld) {
         found = world_normal(value);
     } else {
-        found = noise(value);
+        found = called(value);
         if (!found) found = sharp_edge(*this, value);
         if (!found) found = arithmetic(value);
         if (!found) found = composed(value);

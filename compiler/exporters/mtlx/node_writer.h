@@ -9,7 +9,7 @@
 //   conditions.cpp    choices: MaterialX compares and chooses in one node
 //   values.cpp        properties, and values of the mesh and of the engine
 //   pictures.cpp      pictures and normal maps
-//   noise.cpp         noise that was imported
+//   calls.cpp         functions that MaterialX has a node for, by the table nodes.def
 #pragma once
 
 #include <map>
@@ -98,7 +98,7 @@ private:
     Ref coordinates(std::uint32_t index);
     Ref unpacked_normal(ir::Value value);
     Ref world_normal(ir::Value value);
-    std::optional<Ref> noise(ir::Value value);
+    std::optional<Ref> called(ir::Value value);
     Argument picture_input(const resolve::MaterialProperty& property);
     void describe(Element& input, const format::Property& property) const;
 

@@ -340,6 +340,43 @@ TEST(MtlxExport, NoiseBecomesNoiseAgain) {
     expect_same(graph);
 }
 
+// A function of the library that MaterialX has, too, is that node, and functions that are made of it contain it.
+TEST(MtlxExport, NodesThatMaterialXHasStayOneNode) {
+    const std::pair<std::string, std::string> nodes[] = {
+        {"= float3(PerlinNoise2D(@uv0 * 3))", "noise2d"},
+        {"= PerlinNoise3DVector(@positionOS)", "noise3d"},
+        {"= float3(GradientNoise3D(@positionOS, 5))", "noise3d"},
+        {"= float3(FractalNoise(@uv0, 5, 3))", "fractal2d"},
+        {"= float3(FractalNoise3D(@positionOS, 5, 3, 2, 0.5, Ridged))", "noise3d"},
+        {"= float3(ValueNoise3D(@positionOS, 5))", "cellnoise3d"},
+        {"= float3(ValueNoise(@uv0, 5))", "cellnoise3d"},
+        {"= float3(Random(@uv0 * 8), Voronoi(@uv0, 4), Voronoi(@uv0, 4).random)", "cellnoise3d"},
+        {"= float3(Worley(@uv0, 4).f2)", "cellnoise3d"},
+        {"= float3(CurlNoise(@uv0, 4), 0)", "cellnoise3d"},
+        {"= float3(VoronoiTiled(@uv0, 4))", "cellnoise3d"},
+        {"= WorleyNoise2D(@uv0 * 4, 0.5)", "worleynoise2d"},
+        {"= WorleyNoise3D(@positionOS, 1, Cell)", "worleynoise3d"},
+        {"= WorleyNoise3D(@positionOS, 0.75, CellVector)", "worleynoise3d"},
+        {"= float3(Checker(@uv0, float2(3, 5)))", "checkerboard"},
+        {"= RgbToHsv($_Tint.rgb * @uv0.x)", "rgbtohsv"},
+        {"= HsvToRgb(float3(@uv0, 0.5))", "hsvtorgb"},
+        {"= HsvAdjust($_Tint.rgb, @uv0.x, $_Amount, 0.5)", "hsvadjust"},
+        {"= float3(Luminance($_Tint.rgb * @uv0.x))", "luminance"},
+        {"= Saturation($_Tint.rgb, @uv0.x)", "saturate"},
+        {"= Contrast($_Tint.rgb, @uv0.x, 0.25)", "contrast"},
+        {"= float3(Remap(@uv0.x, 0.25, 0.75, 1, $_Amount))", "remap"},
+        {"= Remap($_Tint.rgb, float3(0.25), float3(0.75), float3(1), float3(@uv0, 0))", "remap"},
+    };
+    for (const auto& [expression, category] : nodes) {
+        SCOPED_TRACE(expression);
+        const std::string graph = save("n.graph.json", material("\"baseColor\": \"" + expression + "\""));
+        const MtlxExport made = export_mtlx(Compiler(), graph, {.folder = folder().string()});
+        EXPECT_TRUE(made.ok) << errors(made.diagnostics);
+        EXPECT_NE(made.text.find("<" + category + " "), std::string::npos) << made.text;
+        expect_same(graph);
+    }
+}
+
 // Programs read the colour space of a picture at the node that reads it, and not at the input of the node graph.
 TEST(MtlxExport, ColourSpacesStandWherePicturesAreRead) {
     const Compiler compiler;
