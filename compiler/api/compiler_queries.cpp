@@ -96,7 +96,7 @@ std::vector<const nodelang::Expr*> read_arguments(resolve::Session& session, con
             }
             session.diagnostics.report(Code::UnknownPort, {}, function.name, "input", name)
                 .at(function.name)
-                .note(Diagnostics::suggestion(name, known));
+                .note(nodelang::port_advice(name, known, &function));
             continue;
         }
         session.diagnostics.set_context(function.name, name);

@@ -248,6 +248,16 @@ const FunctionDecl* known_as(const Declarations& declarations, std::string_view 
     return found;
 }
 
+std::string port_advice(std::string_view word, std::span<const std::string_view> known, const FunctionDecl* function) {
+    if (known.empty()) return "it has no inputs";
+    for (const ParamDecl& param : function ? std::span(function->params) : std::span<const ParamDecl>())
+        for (const Attribute& attribute : param.attributes)
+            for (const Expr* each : attribute.args)
+                if (attribute.name == "also" && each->text == word)
+                    return fmt::format("'{}' is the input '{}' here", word, param.name);
+    return Diagnostics::suggestion(word, known);
+}
+
 std::string node_advice(std::string_view word, std::span<const std::string_view> known,
                         const Declarations& declarations) {
     if (const FunctionDecl* node = known_as(declarations, word))

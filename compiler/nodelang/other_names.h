@@ -29,6 +29,10 @@ std::string word_advice(std::string_view word);
 // The node that has `word` in its attribute [also("mix")]; null if there is none. Capitals, spaces and _ do not count.
 const FunctionDecl* known_as(const Declarations& declarations, std::string_view word);
 
+// What a graph writes for an unknown input: that one that has `word` in its attribute [also("frequency")], or the
+// nearest.
+std::string port_advice(std::string_view word, std::span<const std::string_view> known, const FunctionDecl* function);
+
 // What is written here for an unknown function, or for an unknown node; else the nearest of `known`, or nothing.
 std::string node_advice(std::string_view word, std::span<const std::string_view> known,
                         const Declarations& declarations);

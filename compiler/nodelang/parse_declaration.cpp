@@ -68,6 +68,7 @@ constexpr AttributeInfo kAttributes[] = {
     {kFunction, "tag"},
     {kFunction, "text"},
     {kFunction, "perObject"},
+    {kParameter, "also"},
     {kParameter, "range"},
     {kParameter, "color"},
     {kParameter, "unit"},

@@ -84,7 +84,7 @@ void check_ports(Session& session, const format::Node& node, const ResolvedNode&
     for (const format::PortValue& port : node.inputs) {
         if (std::find(names.begin(), names.end(), port.name) == names.end()) {
             session.diagnostics.report(Code::UnknownPort, port.name_span, node.type, "input", port.name)
-                .note(names.empty() ? "it has no inputs" : Diagnostics::suggestion(port.name, names));
+                .note(nodelang::port_advice(port.name, names, resolved.function));
             continue;
         }
         if (!port.value) continue;

@@ -2,16 +2,16 @@
 
 /// A checkerboard: squares alternate between 0 and 1.
 ///
-/// test: Checker(float2(0.1, 0.1), 4) == 0
-/// test: Checker(float2(0.3, 0.1), 4) == 1
-/// test: Checker(float2(-0.1, 0.1), 4) == 1
-/// test: Checker(float2(0.9, 0.6), float2(2, 4)) == 1
-[node("Procedural/Pattern/Checker")]
-float Checker(
+/// test: Checkerboard(float2(0.1, 0.1), 4) == 0
+/// test: Checkerboard(float2(0.3, 0.1), 4) == 1
+/// test: Checkerboard(float2(-0.1, 0.1), 4) == 1
+/// test: Checkerboard(float2(0.9, 0.6), float2(2, 4)) == 1
+[node("Procedural/Pattern/Checkerboard")] [also("Checker", "CheckerTexture")]
+float Checkerboard(
     float2 uv = uv0,      ///< texture coordinates
-    float2 frequency = 4  ///< squares in one unit of u and v
+    [also("frequency")] float2 scale = 4  ///< squares in one unit of u and v
 ) {
-    int2 cell = int2(floor(uv * frequency));
+    int2 cell = int2(floor(uv * scale));
     return float((cell.x + cell.y) & 1);
 }
 
@@ -26,20 +26,20 @@ float Checker(
 [node("Procedural/Pattern/Bricks")]
 float Bricks(
     float2 uv = uv0,                      ///< texture coordinates
-    float2 count = float2(4, 8),          ///< bricks in one unit of u and v
+    [also("count")] float2 scale = float2(4, 8),  ///< bricks in one unit of u and v
     [range(0, 1)] float shift = 0.5,      ///< how far every second row is moved, in bricks
     [range(0, 0.1)] float mortar = 0.01,  ///< half the width of a joint, in units of uv
     [range(0, 0.1)] float bevel = 0.005,  ///< width of the brick's soft edge, in units of uv; not zero
     out float2 local,                     ///< position in the brick, from 0 to 1
     out float random                      ///< a random number for each brick, from 0 to 1
 ) {
-    float2 position = uv * count;
+    float2 position = uv * scale;
     float row = floor(position.y);
     position.x += shift * (row - 2 * floor(row / 2));
     float2 corner = floor(position);
     local = position - corner;
     random = RandomAt(int2(corner)).x;
-    float2 toEdge = min(local, 1 - local) / count;
+    float2 toEdge = min(local, 1 - local) / scale;
     return smoothstep(mortar, mortar + bevel, min(toEdge.x, toEdge.y));
 }
 

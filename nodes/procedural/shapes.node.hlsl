@@ -158,18 +158,18 @@ float RoundedPolygon(
 /// formula: wave = product over x, y of (4 |frac(f (uv + 1/2) + 1/4) - 1/2| - 1); its zero is the edge, 0.35 / pixel its slope
 /// source: two triangle waves whose product changes its sign at each edge; the contrast fades as sqrt(1.1 - pixel), pixel: the
 /// source: change of f uv over one pixel (Unity Shader Graph, node Checkerboard)
-/// test: Checkerboard(float2(0.5, 0.5), 0, 1, 1).wave == 0
-/// test: Checkerboard(float2(0.25, 0.75), 0, 1, 1).wave == -1
-/// test: Checkerboard(float2(0.3, 0.6), 0, 1, float2(2, 3)).wave == -0.32
-[node("Procedural/Pattern/Checkerboard")]
-float3 Checkerboard(
+/// test: CheckerboardUnity(float2(0.5, 0.5), 0, 1, 1).wave == 0
+/// test: CheckerboardUnity(float2(0.25, 0.75), 0, 1, 1).wave == -1
+/// test: CheckerboardUnity(float2(0.3, 0.6), 0, 1, float2(2, 3)).wave == -0.32
+[node("Procedural/Pattern/Checkerboard (Unity)")]
+float3 CheckerboardUnity(
     float2 uv = uv0,             ///< texture coordinates
     [color] float3 colorA = 0.2,  ///< of the squares where `wave` is below zero
     [color] float3 colorB = 0.7,  ///< of the others
-    float2 frequency = 1,        ///< pairs of squares in one unit of u and v
+    [also("frequency")] float2 scale = 1,  ///< pairs of squares in one unit of u and v
     out float wave               ///< from -1 to 1; its sign tells the two kinds of squares apart
 ) {
-    float2 position = (uv + 0.5) * frequency;
+    float2 position = (uv + 0.5) * scale;
     float2 right = ddx(position);
     float2 down = ddy(position);
     float2 pixel = max(sqrt(right * right + down * down), 1e-6);

@@ -27,7 +27,7 @@ float PerlinNoise2DTiled(float2 position, float2 period) {
 [node("Procedural/Noise/Value Noise (Tiled)")]
 float ValueNoiseTiled(
     float2 uv = uv0,                  ///< texture coordinates
-    [range(1, 100)] float2 scale = 8  ///< lattice cells in one unit of u and v: whole numbers
+    [range(1, 100)] [also("cells")] float2 scale = 8  ///< lattice cells in one unit of u and v: whole numbers
 ) {
     float2 period = WholeCells(scale);
     float2 position = uv * period;
@@ -49,7 +49,7 @@ float ValueNoiseTiled(
 [node("Procedural/Noise/Gradient Noise (Tiled)")]
 float GradientNoiseTiled(
     float2 uv = uv0,                  ///< texture coordinates
-    [range(1, 100)] float2 scale = 8  ///< lattice cells in one unit of u and v: whole numbers
+    [range(1, 100)] [also("cells")] float2 scale = 8  ///< lattice cells in one unit of u and v: whole numbers
 ) {
     float2 period = WholeCells(scale);
     return PerlinNoise2DTiled(uv * period, period) * 0.5 + 0.5;
@@ -66,7 +66,7 @@ float GradientNoiseTiled(
 [node("Procedural/Noise/Fractal Noise (Tiled)")]
 float FractalNoiseTiled(
     float2 uv = uv0,                       ///< texture coordinates
-    [range(1, 100)] float2 scale = 4,      ///< lattice cells of the coarsest layer in one unit of u and v: whole numbers
+    [range(1, 100)] [also("cells")] float2 scale = 4,      ///< lattice cells of the coarsest layer in one unit of u and v: whole numbers
     [range(1, 12)] const int octaves = 4,  ///< how many layers of noise
     [range(0, 1)] float gain = 0.5,        ///< height of each layer as a fraction of the previous one
     const FractalKind kind = Smooth        ///< how the layers are added
@@ -95,7 +95,7 @@ float FractalNoiseTiled(
 [node("Procedural/Noise/Voronoi (Tiled)")]
 float VoronoiTiled(
     float2 uv = uv0,                   ///< texture coordinates
-    [range(1, 100)] float2 scale = 8,  ///< cells in one unit of u and v: whole numbers
+    [range(1, 100)] [also("cells")] float2 scale = 8,  ///< cells in one unit of u and v: whole numbers
     [range(0, 1)] float jitter = 1,    ///< how far the points are from their cell's centre: 0 makes a grid
     out float random,                  ///< a random number for each point, from 0 to 1
     out float2 toPoint                 ///< from here to the nearest point, in cells

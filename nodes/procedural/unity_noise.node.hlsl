@@ -125,11 +125,11 @@ float SimpleNoise(
 float VoronoiUnity(
     float2 uv = uv0,                        ///< texture coordinates; Unity's are (u, 1 - v)
     float angleOffset = 2,                  ///< moves the points: each on a path of its own; 0 makes a grid
-    [range(0, 100)] float cellDensity = 5,  ///< cells in one unit of uv
+    [range(0, 100)] [also("cellDensity")] float scale = 5,  ///< cells in one unit of uv
     const NoiseHash hash = Deterministic,   ///< which random numbers; `Legacy` is Unity's "Legacy Sine"
     out float cells                         ///< a number for each point, from 0 to 1: how far right in its cell it is
 ) {
-    float2 position = uv * cellDensity;
+    float2 position = uv * scale;
     float2 cell = floor(position);
     float2 d = position - cell;
     float nearest = 8;

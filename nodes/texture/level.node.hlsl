@@ -13,13 +13,13 @@ float4 SampleTexture2DBias(
 
 /// Samples a texture with given derivatives, from which the mip level and the direction of anisotropic filtering follow.
 ///
-/// It works everywhere, also in a branch and for each light. SampleTexture2DGrad takes them from coordinates.
-[node("Texture/Sample Texture 2D Derivatives")] [also("SampleTexture2DGradient")] [is("texel")]
-float4 SampleTexture2DDerivatives(
+/// It works everywhere, also in a branch and for each light. SampleTexture2DMoved takes the derivatives from coordinates.
+[node("Texture/Sample Texture 2D Grad")] [also("Tex2Dgrad", "TextureGrad", "SampleTexture2DGradient", "SampleTexture2DDerivatives")] [is("texel")]
+float4 SampleTexture2DGrad(
     Texture2D texture,                      ///< texture to read
     float2 uv = uv0,                        ///< texture coordinates, before the texture's own tiling
-    float2 right = 0,                       ///< change of uv from this pixel to the next one on the right
-    float2 down = 0,                        ///< change of uv from this pixel to the next one below
+    float2 right,                           ///< change of uv from this pixel to the next one on the right
+    float2 down,                            ///< change of uv from this pixel to the next one below
     SamplerState sampler = texture.sampler  ///< how it is read; default: as the texture says
 ) {
     float2 tiling = texture.tiling.xy;
@@ -39,8 +39,8 @@ float4 SampleTexture2DArrayBias(
 }
 
 /// Samples one layer of an array of textures with given derivatives.
-[node("Texture/Sample Texture 2D Array Derivatives")] [also("SampleTexture2DArrayGradient")] [is("texel")]
-float4 SampleTexture2DArrayDerivatives(
+[node("Texture/Sample Texture 2D Array Grad")] [also("SampleTexture2DArrayDerivatives")] [also("SampleTexture2DArrayGradient")] [is("texel")]
+float4 SampleTexture2DArrayGrad(
     Texture2DArray texture,                 ///< array to read
     float2 uv = uv0,                        ///< texture coordinates
     float index = 0,                        ///< layer, from 0; rounded to the nearest one that exists

@@ -29,8 +29,8 @@ float4 SampleTexture2DLevel(
 /// The mip level is derived from other coordinates, which do not jump. SampleTexture2D would treat an edge as a
 /// texture seen from far away, and draw a seam of its smallest mip levels along the edge. If the texture is a normal map,
 /// UnpackNormal decodes the normal.
-[node("Texture/Sample Texture 2D Grad")] [also("Tex2Dgrad", "TextureGrad")] [is("texel")]
-float4 SampleTexture2DGrad(
+[node("Texture/Sample Texture 2D Moved")] [is("texel")]
+float4 SampleTexture2DMoved(
     Texture2D texture,                      ///< texture to read
     float2 uv = uv0,                        ///< texture coordinates, before the texture's own tiling
     float2 smoothUV = uv0,                  ///< the coordinates before they were moved: their change between pixels selects the mip level

@@ -66,7 +66,7 @@ float ReliefDepth(Texture2D texture, SamplerState sampler, float2 start, float2 
 /// part that is thinner than a step can be missed: flat views take more steps. Views flatter than 6 degrees are treated
 /// as 6 degrees.
 ///
-/// Where a high part hides another, the moved coordinates jump. Read textures there with SampleTexture2DGrad, which
+/// Where a high part hides another, the moved coordinates jump. Read textures there with SampleTexture2DMoved, which
 /// takes the mip level from the original coordinates; SampleTexture2D would draw seams along the edges.
 ///
 /// formula: uv(t) = uv - t height v.xy / v.z, the first t at which 1 - t is not above the map's red

@@ -32,12 +32,12 @@ float4 Triplanar(
     Texture2D texture,                      ///< texture to read
     float3 position = positionWS,           ///< where, in any space
     float3 normal = normalWS,               ///< direction that the surface faces, in the same space; not zero
-    float tile = 1,                         ///< textures in one unit of length
+    [also("tile")] float tiling = 1,          ///< textures in one unit of length
     [range(1, 64)] float blend = 1,         ///< 1: soft transitions; the larger, the sharper
     SamplerState sampler = texture.sampler  ///< how it is read; default: as the texture says
 ) {
     float3 weights = TriplanarWeights(normal, blend);
-    float3 p = position * tile;
+    float3 p = position * tiling;
     return SampleTexture2D(texture, SideX(p), sampler) * weights.x + SampleTexture2D(texture, SideY(p), sampler) * weights.y +
            SampleTexture2D(texture, SideZ(p), sampler) * weights.z;
 }
@@ -53,7 +53,7 @@ float3 TriplanarNormal(
     [is("normalMap")] Texture2D texture,           ///< a normal map
     float3 position = positionWS,                  ///< where, in world space
     float3 normal = geometryNormalWS,              ///< unit normal of the surface, in world space
-    float tile = 1,                                ///< textures in one metre
+    [also("tile")] float tiling = 1,                 ///< textures in one metre
     [range(1, 64)] float blend = 1,                ///< 1: soft transitions; the larger, the sharper
     [range(-2, 2)] float strength = 1,             ///< strength of the bumps
     const SurfaceSpace space = Tangent,            ///< the coordinate system of the result
@@ -63,7 +63,7 @@ float3 TriplanarNormal(
     [hidden] float3 meshNormal = geometryNormalWS  ///< the frame, for tangent space
 ) {
     float3 weights = TriplanarWeights(normal, blend);
-    float3 p = position * tile;
+    float3 p = position * tiling;
     float3 a = SampleNormalMap(texture, SideX(p), strength, sampler);
     float3 b = SampleNormalMap(texture, SideY(p), strength, sampler);
     float3 c = SampleNormalMap(texture, SideZ(p), strength, sampler);

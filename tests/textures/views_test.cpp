@@ -18,7 +18,7 @@ const std::map<std::string, std::string> kNormalReaders = {
     {"map", R"({ "id": "n", "node": "SampleNormalMap", "in": { "texture": "$_Bump" } })"},
     {"plain", R"j({ "id": "n", "expr": "UnpackNormal(SampleTexture2D($_Bump))" })j"},
     {"level", R"j({ "id": "n", "expr": "UnpackNormal(SampleTexture2DLevel($_Bump))" })j"},
-    {"grad", R"j({ "id": "n", "expr": "UnpackNormal(SampleTexture2DGrad($_Bump))" })j"},
+    {"grad", R"j({ "id": "n", "expr": "UnpackNormal(SampleTexture2DMoved($_Bump))" })j"},
     {"load", R"j({ "id": "n", "expr": "UnpackNormal(LoadTexture2D($_Bump, @uv0 * 2))" })j"},
 };
 
@@ -129,7 +129,7 @@ TEST_P(TextureViews, ASwizzleRearrangesWhatEveryNodeReads) {
     const std::string turned = R"("usage": "data", "swizzle": "abr0", )";
     const std::vector<std::pair<const char*, const char*>> readers = {
         {"texture2d", "SampleTexture2DLevel($_Map)"},
-        {"texture2d", "SampleTexture2DGrad($_Map)"},
+        {"texture2d", "SampleTexture2DMoved($_Map)"},
         {"texture2d", "LoadTexture2D($_Map, 0)"},
         {"texture2dArray", "SampleTexture2DArray($_Map)"},
         {"texture2dArray", "SampleTexture2DArrayLevel($_Map)"},
@@ -230,7 +230,7 @@ TEST_P(TextureViews, EverythingThatReadsATextureSeesItsView) {
           "nodes": [
             { "id": "view", "node": "ViewDirection", "in": { "space": "Tangent" } },
             { "id": "relief", "node": "ParallaxOcclusion", "in": { "texture": "$_Height", "viewTS": "view" } },
-            { "id": "color", "node": "SampleTexture2DGrad", "in": { "texture": "$_Mine", "uv": "relief", "smoothUV": "@uv0" } },
+            { "id": "color", "node": "SampleTexture2DMoved", "in": { "texture": "$_Mine", "uv": "relief", "smoothUV": "@uv0" } },
             { "id": "size", "expr": "$_Height.texelSize.z * 0.1 + $_Height.tiling.x * 0.1 + TexelSize($_Mine).x" } ],
           "vertex": { "positionOS": "= @positionOS + @normalOS * SampleTexture2DLevel($_Height).r * 0.2" },
           "surface": { "baseColor": "= color.rgb * size" } })j";

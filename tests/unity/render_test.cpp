@@ -350,7 +350,7 @@ INSTANTIATE_TEST_SUITE_P(
                   R"j({ "id": "texel", "node": "SampleTexture2DLevel", "in": { "texture": "$_Tiled", "level": 1 } })j"},
         std::pair{
             "Gradients",
-            R"j({ "id": "texel", "node": "SampleTexture2DGrad", "in": { "texture": "$_Tiled", "uv": "= @uv0 * 4" } })j"},
+            R"j({ "id": "texel", "node": "SampleTexture2DMoved", "in": { "texture": "$_Tiled", "uv": "= @uv0 * 4" } })j"},
         std::pair{
             "Texel",
             R"j({ "id": "texel", "node": "LoadTexture2D", "in": { "texture": "$_Map", "texel": "= @uv0 * 7" } })j"},

@@ -130,8 +130,9 @@ TEST_F(QuadsTest, SamplesTakeTheMipLevelOfTheirQuad) {
 // What is read jumps by several textures from pixel to pixel; the level is that of the coordinate which does not.
 TEST_F(QuadsTest, SamplesWhereCoordinatesJumpTakeTheLevelOfTheOnesThatDoNot) {
     const std::string jumping = R"json(, { "id": "jump", "expr": "at + 9.3 * frac(@fragCoord.xy * 0.37)" })json";
-    const auto witnesses = all_witnesses(kCoordinate + jumping, "float3(SampleTexture2DGrad($_Data, jump, at).r, 0, 0)",
-                                         "1", numbered_levels(Filter::Nearest));
+    const auto witnesses =
+        all_witnesses(kCoordinate + jumping, "float3(SampleTexture2DMoved($_Data, jump, at).r, 0, 0)", "1",
+                      numbered_levels(Filter::Nearest));
     expect_all(witnesses, 0, [](int x, int y) -> std::array<double, 4> {
         return {nearest_level(level_of_detail(x, y)), 0, 0, 1};
     });

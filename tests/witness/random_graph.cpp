@@ -209,7 +209,7 @@ private:
     // all that is left.
     static bool needs_exact_inputs(const NodeInfo& node) {
         return node.category == "Math/Derivative" || node.category == "Procedural/Shape" ||
-               node.name == "NormalFromHeight" || node.name == "SdfMask" || node.name == "Checkerboard" ||
+               node.name == "NormalFromHeight" || node.name == "SdfMask" || node.name == "CheckerboardUnity" ||
                node.name == "CalculateLevel";
     }
 

@@ -91,7 +91,7 @@ inline constexpr Guard kGuards[] = {
     {"ArcTangent2.run", "(abs(#) + 0.5)"},
     {"PolarCoordinates.uv", "(abs(#) + 5)"},
     {"PolarCoordinates.center", "clamp(#, -4, 4)"},
-    {"Bricks.count", "(abs(#) + 0.5)"},
+    {"Bricks.scale", "(abs(#) + 0.5)"},
     {"Bricks.bevel", "0.02"},
     {"Flipbook.columns", "4"},
     {"Flipbook.rows", "2"},

@@ -97,8 +97,8 @@ TEST_F(ShapesTest, AMaskCoversHalfOfAPixelOnTheEdge) {
 
 TEST_F(ShapesTest, ACheckerboardIsGreyWhereItsSquaresAreSmallerThanAPixel) {
     const auto witnesses = all_witnesses(kUv,
-                                         "float3(Checkerboard(uv, 0, 1, 2).r, Checkerboard(uv, float3(0.2), "
-                                         "float3(0.6), 64).g, Checkerboard(uv, 1, 0, 2).b)",
+                                         "float3(CheckerboardUnity(uv, 0, 1, 2).r, CheckerboardUnity(uv, float3(0.2), "
+                                         "float3(0.6), 64).g, CheckerboardUnity(uv, 1, 0, 2).b)",
                                          "1", white());
     expect_all(witnesses, 2e-3, [](int x, int y) -> std::array<double, 4> {
         // Two pairs of squares: each is eight pixels wide, and its middle is far from every edge.

@@ -52,7 +52,7 @@ TEST_F(TextureNodesTest, LevelsFollowBiasAndDerivatives) {
     // Four texels a pixel: level 2.
     const auto witnesses = all_witnesses(
         R"({ "id": "at", "expr": "@fragCoord.xy * 4 / 64" })",
-        "float3(SampleTexture2DBias($_Data, at, 1).r, SampleTexture2DDerivatives($_Data, at, float2(0, 0.125), 0).r, "
+        "float3(SampleTexture2DBias($_Data, at, 1).r, SampleTexture2DGrad($_Data, at, float2(0, 0.125), 0).r, "
         "CalculateLevel($_Data, at))"
         " + float3(0, 0, CalculateLevel($_Data, at * 0.125, Unclamped))",
         "SampleTexture2DBias($_Data, at, -1.0).r", numbered_levels());
@@ -86,7 +86,7 @@ TEST_F(TextureNodesTest, LayersFollowBiasAndDerivatives) {
     const auto witnesses = on_the_cpu(R"({ "name": "_Data", "type": "texture2dArray" })",
                                       R"({ "id": "at", "expr": "@fragCoord.xy * 4 / 64" })",
                                       "float3(SampleTexture2DArrayBias($_Data, at, 2, 1).r, "
-                                      "SampleTexture2DArrayDerivatives($_Data, at, 1, float2(0, 0.25), 0).r, 0)",
+                                      "SampleTexture2DArrayGrad($_Data, at, 1, float2(0, 0.25), 0).r, 0)",
                                       numbered_layers(3));
     expect_all(witnesses, 0, [](int, int) -> std::array<double, 4> { return {20 + 3, 10 + 4, 0, 1}; });
 }

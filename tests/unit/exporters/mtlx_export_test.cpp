@@ -108,7 +108,8 @@ void expect_same(const std::string& graph) {
         for (const auto& [input, expected] : old_values) {
             const auto found = new_values.find(input);
             if (found == new_values.end()) continue;
-            // What the graph does not set is the lighting model's, which may be another one. Opaque surfaces ignore alpha.
+            // What the graph does not set is the lighting model's, which may be another one. Opaque surfaces ignore
+            // alpha.
             const bool is_opaque = input == "alpha" && made.text.find("alpha_mode") == std::string::npos &&
                                    made.text.find("\"opacity\"") == std::string::npos;
             const bool is_set = text.find("\"" + input + "\": ") != std::string::npos || input == "normalWS";
@@ -295,7 +296,7 @@ TEST(MtlxExport, WholeNumbersSwitchesAndChoices) {
     { "name": "_Depth", "type": "float", "default": 0.25, "as": "instance" },
     { "name": "_Far", "type": "bool", "default": false, "as": "variant" }
   ],
-  "nodes": [ { "id": "squares", "node": "Checker", "in": { "frequency": "= float($_Count)" } },
+  "nodes": [ { "id": "squares", "node": "Checkerboard", "in": { "scale": "= float($_Count)" } },
              { "id": "corner", "expr": "@uv0.x * $_Depth", "stage": "vertex" } ],
   "surface": {
     "baseColor": "= $_Mode == Damp ? float3(1, squares, 0) : float3(0, corner, 1)",
@@ -357,7 +358,7 @@ TEST(MtlxExport, NodesThatMaterialXHasStayOneNode) {
         {"= WorleyNoise2D(@uv0 * 4, 0.5)", "worleynoise2d"},
         {"= WorleyNoise3D(@positionOS, 1, Cell)", "worleynoise3d"},
         {"= WorleyNoise3D(@positionOS, 0.75, CellVector)", "worleynoise3d"},
-        {"= float3(Checker(@uv0, float2(3, 5)))", "checkerboard"},
+        {"= float3(Checkerboard(@uv0, float2(3, 5)))", "checkerboard"},
         {"= RgbToHsv($_Tint.rgb * @uv0.x)", "rgbtohsv"},
         {"= HsvToRgb(float3(@uv0, 0.5))", "hsvtorgb"},
         {"= HsvAdjust($_Tint.rgb, @uv0.x, $_Amount, 0.5)", "hsvadjust"},
@@ -430,7 +431,7 @@ TEST(MtlxExport, EdgesThatAreOnePixelWideAreSharp) {
         const std::string& node :
         {std::string(R"x({ "id": "mask", "node": "SdfMask", "in": { "value": "= length(@uv0 - 0.5) - 0.25" } })x"),
          std::string(R"x({ "id": "mask", "node": "Rectangle" })x"),
-         std::string(R"x({ "id": "mask", "node": "Checkerboard", "in": { "frequency": 4 } })x"),
+         std::string(R"x({ "id": "mask", "node": "CheckerboardUnity", "in": { "scale": 4 } })x"),
          std::string(
              R"x({ "id": "mask", "expr": "smoothstep(0.5 - 0.7 * length(float2(ddx(@uv0.x), ddy(@uv0.x))), 0.5 + 0.7 * length(float2(ddx(@uv0.x), ddy(@uv0.x))), @uv0.x)" })x")}) {
         SCOPED_TRACE(node);
