@@ -19,7 +19,8 @@ constexpr Row kRows[] = {
 };
 
 const Row* row_of(std::string_view function) {
-    const auto row = std::ranges::find(kRows, function, &Row::function);
+    const auto row = std::find_if(std::begin(kRows), std::end(kRows),
+                                  [&](const Row& each) { return each.function == function; });
     return row == std::end(kRows) ? nullptr : row;
 }
 
@@ -51,7 +52,7 @@ std::optional<Ref> NodeWriter::called(ir::Value value) {
     std::vector<Ref> given;
     for (const ir::Value each : args) given.push_back(this->value(each));
     const unsigned width = function_[value].type.width();
-    const bool is_color = std::ranges::any_of(given, [](const Ref& each) { return each.is_color(); });
+    const bool is_color = std::any_of(given.begin(), given.end(), [](const Ref& each) { return each.is_color(); });
     const std::string type = row->type.empty() ? type_word(width, is_color) : std::string(row->type);
     std::vector<Argument> arguments;
     std::size_t at = 0;
