@@ -19,6 +19,7 @@ add_executable(twin_bench bench/twin_bench.cpp)
 target_link_libraries(twin_bench PRIVATE patina_options patina_twins)
 add_executable(twins_test bench/twins_test.cpp)
 target_link_libraries(twins_test PRIVATE patina_options patina_twins patina_paths GTest::gtest_main)
+precompile_headers(twins_test ${test_headers})
 add_test(NAME twins COMMAND twins_test WORKING_DIRECTORY ${CMAKE_SOURCE_DIR})
 
 # If compile time grows with the square of a graph's length, this test times out. No other test would notice.

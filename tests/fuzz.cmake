@@ -3,6 +3,7 @@ add_executable(fuzz fuzz/main.cpp fuzz/model_kinds.cpp fuzz/mutate.cpp fuzz/pict
                fuzz/text_kinds.cpp fuzz/tokens.cpp fuzz/verdict.cpp)
 target_link_libraries(fuzz PRIVATE patina_options patina patina_importers patina_runtime patina_validate
                       GTest::gtest PkgConfig::OIIO)
+precompile_headers(fuzz ${test_headers})
 target_include_directories(fuzz PRIVATE ${CMAKE_SOURCE_DIR})
 target_compile_definitions(fuzz PRIVATE PATINA_SOURCE="${CMAKE_SOURCE_DIR}")
 # `build/fuzz all 100000` makes so many of each kind. The preset `asan` builds it with sanitizers.

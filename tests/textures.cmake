@@ -1,10 +1,10 @@
-# What textures show in pictures: handedness of normal maps, swizzles, shared samplers. One executable for each file.
+# What textures show in pictures: handedness of normal maps, swizzles, shared samplers.
 add_library(patina_texture_drawing STATIC textures/drawn.cpp)
 target_link_libraries(patina_texture_drawing PUBLIC patina patina_runtime GTest::gtest PRIVATE patina_options)
+precompile_headers(patina_texture_drawing ${test_headers})
 file(GLOB textures_tests CONFIGURE_DEPENDS textures/*_test.cpp)
+test_program(textures_tests FILES ${textures_tests} LIBRARIES patina_texture_drawing)
 foreach(file IN LISTS textures_tests)
   get_filename_component(name ${file} NAME_WE)
-  add_executable(textures_${name} ${file})
-  target_link_libraries(textures_${name} PRIVATE patina_options patina_texture_drawing GTest::gtest_main)
-  add_test(NAME textures_${name} COMMAND textures_${name} WORKING_DIRECTORY ${CMAKE_SOURCE_DIR})
+  add_test_file(textures_${name} textures_tests ${file})
 endforeach()

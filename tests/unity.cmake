@@ -1,11 +1,11 @@
-# ShaderLab for Unity, compiled and drawn with replacements for Unity's includes. One executable for each file.
+# ShaderLab for Unity, compiled and drawn with replacements for Unity's includes.
 add_library(patina_unity STATIC unity/shader_lab.cpp)
 target_include_directories(patina_unity PUBLIC ${CMAKE_CURRENT_SOURCE_DIR})
 target_link_libraries(patina_unity PUBLIC patina patina_runtime patina_validate GTest::gtest PRIVATE patina_options)
+precompile_headers(patina_unity ${test_headers})
 file(GLOB unity_tests CONFIGURE_DEPENDS unity/*_test.cpp)
+test_program(unity_tests FILES ${unity_tests} LIBRARIES patina_unity patina_paths patina_received)
 foreach(file IN LISTS unity_tests)
   get_filename_component(name ${file} NAME_WE)
-  add_executable(unity_${name} ${file})
-  target_link_libraries(unity_${name} PRIVATE patina_options patina_unity patina_paths patina_received GTest::gtest_main)
-  add_test(NAME unity_${name} COMMAND unity_${name} WORKING_DIRECTORY ${CMAKE_SOURCE_DIR})
+  add_test_file(unity_${name} unity_tests ${file})
 endforeach()
