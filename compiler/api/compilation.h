@@ -5,9 +5,9 @@
 // than call the room that does the work.
 #pragma once
 
-#include "compiler/engines/writers.h"
 #include "compiler/resolve/material.h"
 #include "compiler/seam/seam.h"
+#include "compiler/writers/writers.h"
 
 namespace patina {
 

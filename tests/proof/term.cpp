@@ -2,10 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include "compiler/engines/writers.h"
 #include "compiler/lower/declare.h"
 #include "compiler/nodelang/embedded.h"
 #include "compiler/nodelang/parse.h"
+#include "compiler/writers/writers.h"
 
 namespace patina::proof {
 

@@ -9,10 +9,10 @@
 
 #include "compiler/base/text.h"
 #include "compiler/emit/operations/operations.h"
-#include "compiler/engines/writers.h"
 #include "compiler/nodelang/embedded.h"
 #include "compiler/nodelang/parse.h"
 #include "compiler/resolve/library.h"
+#include "compiler/writers/writers.h"
 
 namespace patina::nodelang {
 namespace {

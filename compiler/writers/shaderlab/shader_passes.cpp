@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "compiler/base/spelling.h"
-#include "compiler/engines/shaderlab/dialect.h"
-#include "compiler/engines/shaderlab/share_samplers.h"
 #include "compiler/ir/verify.h"
+#include "compiler/writers/shaderlab/dialect.h"
+#include "compiler/writers/shaderlab/share_samplers.h"
 
 namespace patina::engines::shaderlab {
 namespace {

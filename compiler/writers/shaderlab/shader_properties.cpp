@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "compiler/base/text.h"
-#include "compiler/engines/shaderlab/dialect.h"
-#include "compiler/engines/shaderlab/shader_file.h"
 #include "compiler/format/words.h"
+#include "compiler/writers/shaderlab/dialect.h"
+#include "compiler/writers/shaderlab/shader_file.h"
 
 namespace patina::engines::shaderlab {
 namespace {

@@ -1,12 +1,12 @@
-#include "compiler/engines/shaderlab/shader_file.h"
+#include "compiler/writers/shaderlab/shader_file.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "compiler/base/text.h"
-#include "compiler/engines/shaderlab/dialect.h"
 #include "compiler/format/words.h"
+#include "compiler/writers/shaderlab/dialect.h"
 
 namespace patina::engines::shaderlab {
 namespace {

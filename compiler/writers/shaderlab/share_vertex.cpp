@@ -1,4 +1,4 @@
-#include "compiler/engines/shaderlab/share_vertex.h"
+#include "compiler/writers/shaderlab/share_vertex.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "compiler/engines/shaderlab/dialect.h"
+#include "compiler/writers/shaderlab/dialect.h"
 
 #include <fmt/format.h>
 

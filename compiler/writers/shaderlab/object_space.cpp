@@ -2,7 +2,7 @@
 // that uses an object's own space or position would compute wrong values.
 #include <algorithm>
 
-#include "compiler/engines/shaderlab/shader_file.h"
+#include "compiler/writers/shaderlab/shader_file.h"
 
 namespace patina::engines::shaderlab {
 namespace {

@@ -1,4 +1,4 @@
-#include "compiler/engines/shaderlab/share_samplers.h"
+#include "compiler/writers/shaderlab/share_samplers.h"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <map>
 #include <set>
 
-#include "compiler/engines/shaderlab/dialect.h"
+#include "compiler/writers/shaderlab/dialect.h"
 
 namespace patina::engines::shaderlab {
 namespace {

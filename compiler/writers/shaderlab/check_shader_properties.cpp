@@ -6,9 +6,9 @@
 #include <limits>
 #include <set>
 
-#include "compiler/engines/shaderlab/dialect.h"
-#include "compiler/engines/shaderlab/share_samplers.h"
 #include "compiler/format/words.h"
+#include "compiler/writers/shaderlab/dialect.h"
+#include "compiler/writers/shaderlab/share_samplers.h"
 
 namespace patina::engines::shaderlab {
 namespace {

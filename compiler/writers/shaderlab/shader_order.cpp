@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <charconv>
 
-#include "compiler/engines/shaderlab/shader_file.h"
-#include "compiler/engines/shaderlab/share_vertex.h"
+#include "compiler/writers/shaderlab/shader_file.h"
+#include "compiler/writers/shaderlab/share_vertex.h"
 
 namespace patina::engines::shaderlab {
 namespace {

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <array>
 
-#include "compiler/engines/shaderlab/shader_file.h"
+#include "compiler/writers/shaderlab/shader_file.h"
 
 namespace patina::engines::shaderlab {
 namespace {

@@ -6,7 +6,7 @@
 #include <cstdlib>
 
 #include "compiler/base/text.h"
-#include "compiler/engines/shaderlab/shader_file.h"
+#include "compiler/writers/shaderlab/shader_file.h"
 
 namespace patina::engines::shaderlab {
 namespace {

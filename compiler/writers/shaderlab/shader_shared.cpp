@@ -3,8 +3,8 @@
 #include <map>
 
 #include "compiler/base/text.h"
-#include "compiler/engines/shaderlab/shader_file.h"
-#include "compiler/engines/shaderlab/share_samplers.h"
+#include "compiler/writers/shaderlab/shader_file.h"
+#include "compiler/writers/shaderlab/share_samplers.h"
 
 namespace patina::engines::shaderlab {
 namespace {

@@ -1,12 +1,12 @@
-#include "compiler/engines/shaderlab/shaderlab.h"
+#include "compiler/writers/shaderlab/shaderlab.h"
 
 #include <fmt/format.h>
 
 #include <map>
 
-#include "compiler/engines/shaderlab/shader_file.h"
 #include "compiler/link/check_reads.h"
 #include "compiler/link/identifiers.h"
+#include "compiler/writers/shaderlab/shader_file.h"
 
 namespace patina::engines::shaderlab {
 namespace {

@@ -1,7 +1,7 @@
 #include <algorithm>
 
-#include "compiler/engines/shaderlab/dialect.h"
 #include "compiler/ir/builder.h"
+#include "compiler/writers/shaderlab/dialect.h"
 
 namespace patina::engines::shaderlab {
 

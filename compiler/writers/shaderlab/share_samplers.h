@@ -2,7 +2,7 @@
 // stage, and 128 textures. A file declares each texture once, so its passes share in the same way.
 #pragma once
 
-#include "compiler/engines/shaderlab/shader_file.h"
+#include "compiler/writers/shaderlab/shader_file.h"
 
 namespace patina::engines::shaderlab {
 

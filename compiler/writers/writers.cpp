@@ -1,9 +1,9 @@
-#include "compiler/engines/writers.h"
+#include "compiler/writers/writers.h"
 
 #include <algorithm>
 
-#include "compiler/engines/shaderlab/shaderlab.h"
 #include "compiler/output/print_shaders.h"
+#include "compiler/writers/shaderlab/shaderlab.h"
 
 namespace patina::engines {
 namespace {
