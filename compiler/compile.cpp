@@ -7,7 +7,7 @@
 namespace patina {
 
 bool compile(Compilation& c) {
-    return accept(c)             // engines: can the engine's files express the request?
+    return accept(c)             // writers: can the engine's files express the request?
            && find_path(c)       // resolve, paths: the rendering path, and the passes that it has
            && read_material(c)   // json, format, resolve: text -> graph; files, nodes, ports, circles, properties
            && lower_material(c)  // lower, emit: every node becomes a call, and types are checked
@@ -17,8 +17,8 @@ bool compile(Compilation& c) {
            && check_stages(c)    // link: every value that a stage reads is there, and no limit is exceeded
            && order_passes(c)    // engines: the order in which the file holds them
            && reflect(c)         // output: what a runtime must know of all this
-           && check_files(c)     // engines: what the file format cannot express
-           && write_files(c)     // engines, output, languages: rewritten for the language, and printed
+           && check_files(c)     // writers: what the file format cannot express
+           && write_files(c)     // writers, output, languages: rewritten for the language, and printed
            && keep_programs(c);  // lower, link: the same without folding, for the CPU reference
 }
 

@@ -28,15 +28,32 @@ set(compiler_rooms
     "lower: include base ir nodelang emit format engines paths resolve"
     "link: include base ir languages engines paths resolve lower"
     "output: include base ir format languages engines resolve lower link"
-    "engines/shaderlab: include base ir languages format engines resolve lower link output"
+    "writers/*: include base ir languages format engines resolve lower link output"
+    "writers: base languages engines resolve output writers/*"
     "reflection: include base json"
     "interpret: include base ir link"
     "validate: include seam"
-    "api: include base seam json ir nodelang emit format format/schema edit engines paths resolve lower link output reflection interpret"
-    "exporters/mtlx: include base seam ir format engines paths resolve lower link output api"
+    "api: include base seam json ir nodelang emit format format/schema edit engines paths resolve lower link output writers reflection interpret"
+    "exporters/*: include base seam ir format engines paths resolve lower link output api"
     "capi: include base json nodelang format api")
-# The list of writers is in `engines`. It is the only file of that room that sees the rooms above it.
-set(writer_list "^compiler/engines/writers\\.(h|cpp)$")
+# `writers/*` stands for each folder of that room.
+foreach(room IN ITEMS writers exporters)
+  file(GLOB folders LIST_DIRECTORIES true RELATIVE ${ROOT}/compiler ${ROOT}/compiler/${room}/*)
+  list(FILTER folders EXCLUDE REGEX "\\.")
+  set(rows "")
+  foreach(row IN LISTS compiler_rooms)
+    if(row MATCHES "^${room}/\\*:(.*)$")
+      foreach(folder IN LISTS folders)
+        list(APPEND rows "${folder}:${CMAKE_MATCH_1}")
+      endforeach()
+    else()
+      list(JOIN folders " " all_folders)
+      string(REPLACE "${room}/*" "${all_folders}" row "${row}")
+      list(APPEND rows "${row}")
+    endif()
+  endforeach()
+  set(compiler_rooms "${rows}")
+endforeach()
 
 set(names "")
 foreach(row IN LISTS compiler_rooms)
@@ -76,7 +93,7 @@ foreach(row IN LISTS compiler_rooms)
     file(RELATIVE_PATH name ${ROOT} ${file})
     file(RELATIVE_PATH below_compiler ${ROOT}/compiler ${file})
     room_of("${below_compiler}" own)
-    if(name MATCHES "${writer_list}" OR NOT own STREQUAL room)
+    if(NOT own STREQUAL room)
       continue()
     endif()
     file(STRINGS ${file} includes REGEX "^ *#include \"")
@@ -144,7 +161,7 @@ endforeach()
 
 # The declarations of a pass file are read once, in compiler/paths; those of a node file, by the rooms that describe
 # nodes.
-foreach(room IN ITEMS emit lower link output engines interpret)
+foreach(room IN ITEMS emit lower link output engines writers interpret)
   file(GLOB_RECURSE files ${ROOT}/compiler/${room}/*.h ${ROOT}/compiler/${room}/*.cpp)
   foreach(file IN LISTS files)
     file(STRINGS ${file} reads REGEX "nodelang::Attribute|attribute\\(\"|attribute_text|attribute_words")
@@ -378,7 +395,7 @@ endforeach()
 
 
 # The same holds for engines: they are data, and only the writers of their file formats know one
-# (compiler/engines/FORMAT).
+# (compiler/writers/FORMAT).
 file(GLOB engine_folders RELATIVE ${ROOT}/nodes/engines ${ROOT}/nodes/engines/*)
 list(FILTER engine_folders EXCLUDE REGEX "\\.json$")
 list(LENGTH engine_folders count_of_engines)
@@ -388,7 +405,7 @@ endif()
 file(GLOB_RECURSE files ${ROOT}/compiler/*.h ${ROOT}/compiler/*.cpp ${ROOT}/compiler/*.def ${ROOT}/runtime/*.h ${ROOT}/runtime/*.cpp)
 # A format of another program may hold the name of its engine, so importers may, too; so may the names of the variables
 # that hold its light, and the table of names in other programs that Patina knows under another name.
-list(FILTER files EXCLUDE REGEX "/compiler/(engines|importers)/|/cli/commands/env\\.cpp$|/nodelang/other_names\\.cpp$")
+list(FILTER files EXCLUDE REGEX "/compiler/(writers|importers)/|/cli/commands/env\\.cpp$|/nodelang/other_names\\.cpp$")
 foreach(file IN LISTS files)
   file(READ ${file} text)
   # Comments may cite an engine's manual or its names as an example; so may the examples of --help.

@@ -52,7 +52,7 @@ std::optional<Budget::Limit> limit_of(const std::optional<format::Budget::Limit>
 }  // namespace
 
 bool accept(Compilation& c) {
-    c.writer = &engines::writer_of(c.session);
+    c.writer = &writers::writer_of(c.session);
     return c.writer->accepts(c.session);
 }
 

@@ -132,7 +132,7 @@ std::string output_name(std::string_view path) {
 
 Compiler::Compiler() : Compiler(LibraryOverlay{}) {}
 Compiler::Compiler(const LibraryOverlay& overlay) : impl_(std::make_unique<Impl>()) {
-    impl_->library = resolve::load_library(nodelang::embedded_files(), engines::printable(), overlay);
+    impl_->library = resolve::load_library(nodelang::embedded_files(), writers::printable(), overlay);
     if (!overlay.files.empty()) impl_->overlay_errors = check_overlay(*impl_->library);
 }
 Compiler::Compiler(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
@@ -142,7 +142,7 @@ Compiler CompilerAccess::with_files(std::span<const nodelang::EmbeddedFile> more
     std::vector<nodelang::EmbeddedFile> files(own.begin(), own.end());
     files.insert(files.end(), more.begin(), more.end());
     auto impl = std::make_unique<Compiler::Impl>();
-    impl->library = resolve::load_library(files, engines::printable());
+    impl->library = resolve::load_library(files, writers::printable());
     return Compiler(std::move(impl));
 }
 Compiler::~Compiler() = default;

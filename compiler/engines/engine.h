@@ -1,7 +1,7 @@
 // The room `engines` says where values come from and what holds a shader. An engine is a folder of data,
 // nodes/engines/NAME/: engine.json (read here), its passes and its include. Everything that data can express is data.
-// Only the format of a whole file is C++: a writer in a folder of this room (writers.h). Outside these folders, no code
-// in this room or another one knows an engine by name.
+// Only the format of a whole file is C++: engine.json names a writer (compiler/writers). No code in this room or
+// another one knows an engine by name, except the writers of formats.
 //
 //   const Engine* engine = library.engine("vulkan");
 //   engine->places_of(ir::Group::Material).set   // 1
@@ -48,7 +48,7 @@ struct Names {
     std::map<std::string, std::string, std::less<>> instead;  // the engine's names for functions of the library
 };
 
-// What an engine may choose from: the languages (languages/languages.cpp) and the file formats (writers.cpp).
+// What an engine may choose from: the languages (languages/languages.cpp) and the file formats (writers/writers.cpp).
 struct Printable {
     std::vector<std::string_view> languages, formats;
 };
@@ -58,7 +58,7 @@ struct Engine {
     std::string title;  // "Vulkan"
     std::string help;
     std::vector<std::string> languages;  // languages of its shaders
-    std::string file;  // format of the file that holds all passes (writers.h); empty: one file for each stage
+    std::string file;  // format of the file that holds all passes: a writer; empty: one file for each stage
     std::optional<std::uint32_t> passes;  // its own passes, in the library's sources; none: the library's paths
     std::vector<std::string> paths;       // the requested paths that it has own passes for; the first is the default
     std::string_view include;             // text of which its files may need parts

@@ -3,7 +3,7 @@
 //
 // A Writer makes files of finished passes. There is one for a file for each stage, one for functions that are pasted
 // into an engine's own shaders (print_shaders.h), and one for each format of a file that holds all passes
-// (compiler/engines/FORMAT/, listed in engines/writers.cpp).
+// (compiler/writers/FORMAT/, listed in writers/writers.cpp).
 #pragma once
 
 #include "compiler/languages/print.h"

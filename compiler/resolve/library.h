@@ -2,7 +2,7 @@
 // of nodes/**, the declarations of nodes/stage and nodes/passes (paths/declarations.h), the workflow and lighting
 // graphs, and the engines. It knows none of them by name.
 //
-//   const auto library = load_library(nodelang::embedded_files(), engines::printable());
+//   const auto library = load_library(nodelang::embedded_files(), writers::printable());
 //   library.declarations.function("Lerp");
 #pragma once
 

@@ -5,7 +5,7 @@
 #include "compiler/output/print_shaders.h"
 #include "compiler/writers/shaderlab/shaderlab.h"
 
-namespace patina::engines {
+namespace patina::writers {
 namespace {
 
 // The formats of files that hold all passes of a material, which engine.json selects by name.
@@ -21,11 +21,11 @@ const output::Writer& writer_of(const resolve::Session& session) {
     return found == std::end(kFormats) ? output::kStageFiles : **found;
 }
 
-Printable printable() {
-    Printable all;
+engines::Printable printable() {
+    engines::Printable all;
     for (const languages::LanguageInfo& each : languages::all_languages()) all.languages.push_back(each.name);
     for (const output::Writer* each : kFormats) all.formats.push_back(each->format);
     return all;
 }
 
-}  // namespace patina::engines
+}  // namespace patina::writers

@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 const resolve::Library& library() {
     static const std::unique_ptr<resolve::Library> kLibrary =
-        resolve::load_library(nodelang::embedded_files(), engines::printable());
+        resolve::load_library(nodelang::embedded_files(), writers::printable());
     return *kLibrary;
 }
 

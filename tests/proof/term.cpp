@@ -13,7 +13,7 @@ using nodelang::Expr;
 
 const resolve::Library& library() {
     static const std::unique_ptr<resolve::Library> loaded =
-        resolve::load_library(nodelang::embedded_files(), engines::printable());
+        resolve::load_library(nodelang::embedded_files(), writers::printable());
     return *loaded;
 }
 

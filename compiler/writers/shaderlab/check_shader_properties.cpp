@@ -10,7 +10,7 @@
 #include "compiler/writers/shaderlab/dialect.h"
 #include "compiler/writers/shaderlab/share_samplers.h"
 
-namespace patina::engines::shaderlab {
+namespace patina::writers::shaderlab {
 namespace {
 
 // Describes the value with this name that Unity fills for a texture, or that its macros declare.
@@ -270,4 +270,4 @@ void check_samplers(std::span<const LinkedPass> passes, const engines::Engine& e
     }
 }
 
-}  // namespace patina::engines::shaderlab
+}  // namespace patina::writers::shaderlab

@@ -3,7 +3,7 @@
 #include "compiler/ir/builder.h"
 #include "compiler/writers/shaderlab/dialect.h"
 
-namespace patina::engines::shaderlab {
+namespace patina::writers::shaderlab {
 
 using namespace ir;
 using namespace languages;
@@ -86,4 +86,4 @@ Module decode_at_once(Module module) {
     return module;
 }
 
-}  // namespace patina::engines::shaderlab
+}  // namespace patina::writers::shaderlab

@@ -11,7 +11,7 @@
 #include "compiler/languages/hlsl/hlsl.h"
 #include "compiler/languages/legalize.h"
 
-namespace patina::engines::shaderlab {
+namespace patina::writers::shaderlab {
 
 using namespace ir;
 using namespace languages;
@@ -356,4 +356,4 @@ Printed print(const Module& module, const PrintOptions& options) {
     return languages::print(module, kLanguage, options);
 }
 
-}  // namespace patina::engines::shaderlab
+}  // namespace patina::writers::shaderlab

@@ -6,7 +6,7 @@
 #include "compiler/languages/language.h"
 #include "compiler/languages/print.h"
 
-namespace patina::engines::shaderlab {
+namespace patina::writers::shaderlab {
 
 using languages::Printed;
 using languages::PrintOptions;
@@ -25,4 +25,4 @@ bool has_no_sampler(const ir::Module& stage, std::uint32_t texture);
 // properties have the keywords of Unity's own shaders.
 std::string keyword_of(std::string_view property, std::string_view value);
 
-}  // namespace patina::engines::shaderlab
+}  // namespace patina::writers::shaderlab

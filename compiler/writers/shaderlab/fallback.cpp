@@ -4,7 +4,7 @@
 
 #include "compiler/writers/shaderlab/shader_file.h"
 
-namespace patina::engines::shaderlab {
+namespace patina::writers::shaderlab {
 namespace {
 
 std::string_view fallback_of(SurfaceKind kind) {
@@ -50,4 +50,4 @@ std::string_view fallback_word(const resolve::Material& material, const lower::L
     return has_caster || (is_left_out && kind == SurfaceKind::Opaque) ? fallback_of(kind) : "Off";
 }
 
-}  // namespace patina::engines::shaderlab
+}  // namespace patina::writers::shaderlab

@@ -4,7 +4,7 @@
 
 #include "compiler/writers/shaderlab/shader_file.h"
 
-namespace patina::engines::shaderlab {
+namespace patina::writers::shaderlab {
 namespace {
 
 using ir::Function;
@@ -90,4 +90,4 @@ bool knows_object(const LinkedPass& pass) {
     return false;
 }
 
-}  // namespace patina::engines::shaderlab
+}  // namespace patina::writers::shaderlab

@@ -8,7 +8,7 @@
 #include "compiler/format/words.h"
 #include "compiler/writers/shaderlab/dialect.h"
 
-namespace patina::engines::shaderlab {
+namespace patina::writers::shaderlab {
 namespace {
 
 using Declaration = PassText::Declaration;
@@ -262,8 +262,8 @@ private:
                                                [&](const Property& p) { return p.name == name; });
             std::string words;
             for (const std::string& value : property->values)
-                words += " " + engines::shaderlab::keyword_of(name, value);
-            if (words.empty()) words = " " + engines::shaderlab::keyword_of(name, {});
+                words += " " + writers::shaderlab::keyword_of(name, value);
+            if (words.empty()) words = " " + writers::shaderlab::keyword_of(name, {});
             out_.line(3, "#pragma shader_feature_local" + words);
         }
     }
@@ -280,4 +280,4 @@ languages::Printed shader_file(const ShaderFile& file) {
     return Writing(file).run();
 }
 
-}  // namespace patina::engines::shaderlab
+}  // namespace patina::writers::shaderlab

@@ -8,7 +8,7 @@
 #include "compiler/link/link_pass.h"
 #include "compiler/output/reflect.h"
 
-namespace patina::engines::shaderlab {
+namespace patina::writers::shaderlab {
 
 using link::LinkedPass;
 using link::Varyings;
@@ -141,4 +141,4 @@ std::string_view vertex_condition(const std::vector<PassText>& passes);
 // The pieces of the include that the text of the passes mentions, in their order.
 std::vector<std::string_view> needed_pieces_of(std::string_view include, const std::string& text);
 
-}  // namespace patina::engines::shaderlab
+}  // namespace patina::writers::shaderlab

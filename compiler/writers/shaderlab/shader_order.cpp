@@ -8,7 +8,7 @@
 #include "compiler/writers/shaderlab/shader_file.h"
 #include "compiler/writers/shaderlab/share_vertex.h"
 
-namespace patina::engines::shaderlab {
+namespace patina::writers::shaderlab {
 namespace {
 
 constexpr int kLastOpaque = 2500;  // up to this queue Unity draws from near to far, and before the sky
@@ -99,4 +99,4 @@ void check_queues(const resolve::Material& material, std::span<const LinkedPass>
     }
 }
 
-}  // namespace patina::engines::shaderlab
+}  // namespace patina::writers::shaderlab

@@ -12,7 +12,7 @@
 #include "compiler/writers/shaderlab/dialect.h"
 #include "compiler/writers/shaderlab/share_samplers.h"
 
-namespace patina::engines::shaderlab {
+namespace patina::writers::shaderlab {
 namespace {
 
 using Declaration = PassText::Declaration;
@@ -180,4 +180,4 @@ PassText pass_text(const LinkedPass& pass, const engines::Engine& engine, const 
     return made;
 }
 
-}  // namespace patina::engines::shaderlab
+}  // namespace patina::writers::shaderlab

@@ -10,7 +10,7 @@
 #include "compiler/writers/shaderlab/dialect.h"
 #include "compiler/writers/shaderlab/shader_file.h"
 
-namespace patina::engines::shaderlab {
+namespace patina::writers::shaderlab {
 namespace {
 
 bool is_upper(char c) {
@@ -110,7 +110,7 @@ Declared counted(const format::Property& property, double value) {
 Declared switched(const resolve::MaterialProperty& entry) {
     const format::Property& property = *entry.property;
     if (property.type == PropertyType::Bool)
-        return {fmt::format("[Toggle({})] ", engines::shaderlab::keyword_of(property.name, {})), "Float",
+        return {fmt::format("[Toggle({})] ", writers::shaderlab::keyword_of(property.name, {})), "Float",
                 number(entry.chosen)};
     if (property.values.size() > kMostKeywords) return counted(property, entry.chosen);
     return {fmt::format("[KeywordEnum({})] ", fmt::join(property.values, ", ")), "Float", number(entry.chosen)};
@@ -280,4 +280,4 @@ std::vector<std::string> shader_properties(const resolve::Material& material, co
     return lines;
 }
 
-}  // namespace patina::engines::shaderlab
+}  // namespace patina::writers::shaderlab

@@ -6,7 +6,7 @@
 #include "compiler/writers/shaderlab/shader_file.h"
 #include "compiler/writers/shaderlab/share_samplers.h"
 
-namespace patina::engines::shaderlab {
+namespace patina::writers::shaderlab {
 namespace {
 
 using Declaration = PassText::Declaration;
@@ -189,4 +189,4 @@ std::string_view vertex_condition(const std::vector<PassText>& passes) {
                                                                                       : condition_of(*first);
 }
 
-}  // namespace patina::engines::shaderlab
+}  // namespace patina::writers::shaderlab

@@ -8,7 +8,7 @@
 #include "compiler/base/text.h"
 #include "compiler/writers/shaderlab/shader_file.h"
 
-namespace patina::engines::shaderlab {
+namespace patina::writers::shaderlab {
 namespace {
 
 struct QueueRow {
@@ -202,4 +202,4 @@ std::vector<std::string> shader_state(const Pass& pass, const LinkedPass& linked
     return lines;
 }
 
-}  // namespace patina::engines::shaderlab
+}  // namespace patina::writers::shaderlab

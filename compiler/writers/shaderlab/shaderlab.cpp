@@ -8,7 +8,7 @@
 #include "compiler/link/identifiers.h"
 #include "compiler/writers/shaderlab/shader_file.h"
 
-namespace patina::engines::shaderlab {
+namespace patina::writers::shaderlab {
 namespace {
 
 using output::Compiled;
@@ -93,4 +93,4 @@ const output::Writer kWriter = {.format = "shaderlab",
                                 .check = check,
                                 .write = write};
 
-}  // namespace patina::engines::shaderlab
+}  // namespace patina::writers::shaderlab

@@ -8,7 +8,7 @@
 
 #include "compiler/writers/shaderlab/dialect.h"
 
-namespace patina::engines::shaderlab {
+namespace patina::writers::shaderlab {
 namespace {
 
 using ir::Op;
@@ -152,4 +152,4 @@ bool has_no_sampler(const ir::Module& stage, std::uint32_t texture) {
     return is_sampled && !has_own;
 }
 
-}  // namespace patina::engines::shaderlab
+}  // namespace patina::writers::shaderlab

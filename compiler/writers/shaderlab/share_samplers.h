@@ -4,7 +4,7 @@
 
 #include "compiler/writers/shaderlab/shader_file.h"
 
-namespace patina::engines::shaderlab {
+namespace patina::writers::shaderlab {
 
 // The samplers of a file's fragment stages.
 struct SamplerUse {
@@ -27,4 +27,4 @@ SamplerUse sampler_use(std::span<const LinkedPass> passes, std::size_t most);
 // Replaces the samplers in a stage of one of the passes.
 void share_samplers(ir::Module& stage, const SamplerUse& use);
 
-}  // namespace patina::engines::shaderlab
+}  // namespace patina::writers::shaderlab

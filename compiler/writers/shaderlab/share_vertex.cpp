@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace patina::engines::shaderlab {
+namespace patina::writers::shaderlab {
 namespace {
 
 using link::LinkedPass;
@@ -97,4 +97,4 @@ void share_vertex_stages(std::vector<LinkedPass>& passes) {
     }
 }
 
-}  // namespace patina::engines::shaderlab
+}  // namespace patina::writers::shaderlab

@@ -6,10 +6,10 @@
 
 #include "compiler/link/link_pass.h"
 
-namespace patina::engines::shaderlab {
+namespace patina::writers::shaderlab {
 
 // A pass gets the vertex stage of another one if that computes everything that the pass reads, and at most one vector
 // that it does not read.
 void share_vertex_stages(std::vector<link::LinkedPass>& passes);
 
-}  // namespace patina::engines::shaderlab
+}  // namespace patina::writers::shaderlab

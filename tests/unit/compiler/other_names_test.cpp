@@ -18,7 +18,7 @@ namespace patina::nodelang {
 namespace {
 
 const resolve::Library& library() {
-    static const auto kLibrary = resolve::load_library(embedded_files(), engines::printable());
+    static const auto kLibrary = resolve::load_library(embedded_files(), writers::printable());
     return *kLibrary;
 }
 
