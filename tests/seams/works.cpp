@@ -6,6 +6,7 @@
 
 #include "patina/complaints.h"
 #include "patina/engine_values.h"
+#include "patina/export_mtlx.h"
 #include "patina/graph_builder.h"
 #include "patina/graph_diff.h"
 #include "patina/graph_merge.h"

@@ -5,7 +5,7 @@
 #include "compiler/cli/commands/commands.h"
 #include "compiler/cli/files.h"
 #include "compiler/cli/outputs.h"
-#include "patina/graph_view.h"
+#include "patina/export_mtlx.h"
 
 namespace patina::cli {
 namespace {

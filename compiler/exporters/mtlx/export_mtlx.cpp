@@ -1,3 +1,5 @@
+#include "patina/export_mtlx.h"
+
 #include <algorithm>
 
 #include "compiler/api/compilation.h"
@@ -6,7 +8,6 @@
 #include "compiler/exporters/mtlx/flatten.h"
 #include "compiler/exporters/mtlx/surface.h"
 #include "compiler/seam/seam.h"
-#include "patina/graph_view.h"
 
 namespace patina {
 namespace {

@@ -11,7 +11,7 @@
 #include <regex>
 
 #include "compiler/importers/importer.h"
-#include "patina/graph_view.h"
+#include "patina/export_mtlx.h"
 #include "patina/interpret.h"
 
 namespace patina {
