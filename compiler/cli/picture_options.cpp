@@ -1,7 +1,7 @@
 #include "compiler/cli/picture_options.h"
 
 #include "patina/name_value.h"
-#include "patina/segments.h"
+#include "patina/scene.h"
 #include "runtime/gltf/gltf_model.h"
 #include "runtime/mesh/mesh.h"
 

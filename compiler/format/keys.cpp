@@ -6,7 +6,6 @@
 
 #include "compiler/format/forms.h"
 #include "patina/scene.h"
-#include "patina/segments.h"
 
 namespace patina::format {
 namespace {

@@ -16,7 +16,7 @@
 #include "compiler/base/disk/disk.h"
 #include "compiler/json/json_memory.h"
 #include "patina/complaints.h"
-#include "patina/segments.h"
+#include "patina/scene.h"
 #include "runtime/gltf/gltf_model.h"
 #include "runtime/mesh/mesh.h"
 #include "runtime/scene/scene_text.h"

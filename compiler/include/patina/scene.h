@@ -31,6 +31,10 @@ using SceneVector = std::array<double, 3>;
 inline constexpr std::size_t kMostSceneLights = 16;  // the highest number of lights
 inline constexpr std::size_t kMostSceneShadows = 4;  // the highest number of lights with a shadow
 
+// How finely a built-in mesh may be divided: one limit for scenes, snapshots and the command line.
+inline constexpr int kLeastSegments = 3;   // the lowest number of segments
+inline constexpr int kMostSegments = 512;  // the highest number of segments
+
 // The camera of a scene.
 struct SceneCamera {
     SceneVector position{0, 0, 4}, target{};    // where it is, and what it looks at; they must differ
