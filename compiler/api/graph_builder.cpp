@@ -13,7 +13,7 @@ namespace {
 
 class Writer {
 public:
-    explicit Writer(std::vector<GraphBuilder::Place>& places) : places_(places) {}
+    explicit Writer(std::vector<GraphBuilder::ValuePlace>& places) : places_(places) {}
 
     void key(std::string_view name) {
         text += is_first_ ? "\n  " : ",\n  ";
@@ -127,7 +127,7 @@ private:
         text += is_object ? " }" : "]";
     }
 
-    std::vector<GraphBuilder::Place>& places_;
+    std::vector<GraphBuilder::ValuePlace>& places_;
     bool is_first_ = true;
 };
 
@@ -212,11 +212,11 @@ GraphBuilder& GraphBuilder::output(std::string name, GraphValue value) {
 }
 
 std::string GraphBuilder::text() const {
-    std::vector<Place> places;
+    std::vector<ValuePlace> places;
     return text(places);
 }
 
-std::string GraphBuilder::text(std::vector<Place>& places) const {
+std::string GraphBuilder::text(std::vector<ValuePlace>& places) const {
     Writer writer(places);
     writer.key("patina");
     writer.text += '1';
@@ -236,7 +236,7 @@ std::string GraphBuilder::text(std::vector<Place>& places) const {
 namespace {
 
 Result compile_built(const Compiler& compiler, const GraphBuilder& graph, const CompileOptions& options) {
-    std::vector<GraphBuilder::Place> places;
+    std::vector<GraphBuilder::ValuePlace> places;
     const std::string text = graph.text(places);
     Result result = compiler.compile_text(graph.path(), text, options);
     for (Diagnostic& diagnostic : result.diagnostics) {
@@ -245,7 +245,7 @@ Result compile_built(const Compiler& compiler, const GraphBuilder& graph, const 
         if (is_known || diagnostic.line == 0 || diagnostic.file != graph.path()) continue;
         const std::size_t at = offset_of(text, diagnostic.line, diagnostic.column);
         // An inner place comes after the outer one.
-        for (const GraphBuilder::Place& place : places) {
+        for (const GraphBuilder::ValuePlace& place : places) {
             if (at < place.begin || at >= place.end) continue;
             if (!diagnostic.node.empty() && diagnostic.node != place.node) continue;
             diagnostic.node = place.node;

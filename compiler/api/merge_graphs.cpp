@@ -32,7 +32,7 @@ std::string with_carriage_returns(std::string_view text) {
     return made;
 }
 
-std::unique_ptr<edit::GraphText> read(const MergeInput& input, MergeResult& result) {
+std::unique_ptr<edit::GraphText> read_input(const MergeInput& input, MergeResult& result) {
     std::unique_ptr<edit::GraphText> text = edit::read_graph_text(input.name, without_carriage_returns(input.text));
     if (!text->ok) {
         for (Diagnostic& error : to_public(text->diagnostics, text->sources))
@@ -53,7 +53,7 @@ void keep_errors(std::vector<Diagnostic>& diagnostics) {
     diagnostics.erase(std::remove_if(diagnostics.begin(), diagnostics.end(), is_no_error), diagnostics.end());
 }
 
-bool is_cancelled(const Diagnostic& diagnostic) {
+bool is_of_cancelling(const Diagnostic& diagnostic) {
     return diagnostic.code == info(Code::Cancelled).name;
 }
 
@@ -73,7 +73,7 @@ std::vector<Diagnostic> errors_of(const Compiler& compiler, const MergeOptions& 
     std::vector<Diagnostic> errors =
         compile_text(CompilerAccess::impl(compiler), options.path, text, compile, trail).diagnostics;
     keep_errors(errors);
-    if (std::any_of(errors.begin(), errors.end(), is_cancelled)) throw Cancelled{std::move(errors.front())};
+    if (std::any_of(errors.begin(), errors.end(), is_of_cancelling)) throw Cancelled{std::move(errors.front())};
     return errors;
 }
 
@@ -89,8 +89,8 @@ std::vector<Diagnostic> errors_of_form(const MergeOptions& options, const std::s
 MergeResult merge(const Compiler& compiler, const MergeInput& base, const MergeInput& ours, const MergeInput& theirs,
                   const MergeOptions& options, Trail& trail) {
     MergeResult result{.text = ours.text};
-    edit::Sides sides{.base = nullptr, .ours = read(ours, result), .theirs = read(theirs, result)};
-    sides.base = base.text.empty() ? nothing(base, *sides.ours) : read(base, result);
+    edit::Sides sides{.base = nullptr, .ours = read_input(ours, result), .theirs = read_input(theirs, result)};
+    sides.base = base.text.empty() ? nothing(base, *sides.ours) : read_input(base, result);
     if (!sides.ours->ok || !sides.theirs->ok || (!base.text.empty() && !sides.base->ok)) return result;
 
     const bool is_compiled =

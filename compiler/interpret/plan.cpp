@@ -67,11 +67,11 @@ private:
     void compute(Value value, Kernel kernel);
 
     // Ops that are not just one kernel.
-    struct Row {
+    struct OpPlan {
         Op op;
         void (Planner::*plan)(Value);
     };
-    static const Row kRows[];
+    static const OpPlan kOpPlans[];
     void constant(Value value);
     void param(Value value);
     void global(Value value);
@@ -174,7 +174,7 @@ void Planner::plan_block(ir::BlockId block) {
 
 // --- instructions. One makes no step if its value already has a place.
 
-const Planner::Row Planner::kRows[] = {
+const Planner::OpPlan Planner::kOpPlans[] = {
     {Op::Constant, &Planner::constant},
     {Op::Param, &Planner::param},
     {Op::Global, &Planner::global},
@@ -198,8 +198,9 @@ const Planner::Row Planner::kRows[] = {
 
 void Planner::plan_inst(Value value) {
     const Op op = inst(value).op;
-    const auto row = std::find_if(std::begin(kRows), std::end(kRows), [&](const Row& r) { return r.op == op; });
-    if (row != std::end(kRows)) return (this->*row->plan)(value);
+    const auto row =
+        std::find_if(std::begin(kOpPlans), std::end(kOpPlans), [&](const OpPlan& r) { return r.op == op; });
+    if (row != std::end(kOpPlans)) return (this->*row->plan)(value);
     const Type first = operand_type(value, 0);
     Kernel kernel = arithmetic_kernel(op, first.scalar, machine_.precision);
     if (!kernel) kernel = vector_kernel(op, first.scalar, machine_.precision);

@@ -209,12 +209,12 @@ void derivative_kernel(const Step& step, Machine& machine) {
     }
 }
 
-struct Row {
+struct VectorOp {
     Op op;
     Kernel in_double;
     Kernel in_float;
 };
-constexpr Row kRows[] = {
+constexpr VectorOp kVectorOps[] = {
     {Op::Select, select_kernel, select_kernel},
     {Op::Index, index_kernel, index_kernel},
     {Op::Any, any_or_all_kernel<true>, any_or_all_kernel<true>},
@@ -237,8 +237,9 @@ constexpr Row kRows[] = {
 }  // namespace
 
 Kernel vector_kernel(Op op, ir::Scalar scalar, Precision precision) {
-    const auto row = std::find_if(std::begin(kRows), std::end(kRows), [&](const Row& r) { return r.op == op; });
-    if (row == std::end(kRows)) return nullptr;
+    const auto row =
+        std::find_if(std::begin(kVectorOps), std::end(kVectorOps), [&](const VectorOp& r) { return r.op == op; });
+    if (row == std::end(kVectorOps)) return nullptr;
     return scalar == ir::Scalar::Float && precision == Precision::Float ? row->in_float : row->in_double;
 }
 

@@ -196,9 +196,9 @@ enum class Group : std::uint8_t {
 
 // Where a global is bound: by Vulkan's numbers, and by HLSL's register, which counts from 0 for each kind of a set. An
 // engine decides it (lower/place.h).
-struct Place {
+struct BindingPlace {
     std::uint32_t set = 0, binding = 0, slot = 0;
-    friend bool operator==(const Place&, const Place&) = default;
+    friend bool operator==(const BindingPlace&, const BindingPlace&) = default;
 };
 
 // Where a global lives. The printers place it, the runtime and the interpreter fill it.
@@ -211,7 +211,7 @@ struct Global {
     std::uint32_t member = 0;
     std::uint32_t keyword = 0xffffffffu;  // of Module::keywords
     Group group = Group::Engine;
-    Place place{};  // of a texture or sampler
+    BindingPlace place{};  // of a texture or sampler
     Span span{};
     std::string spelling{};  // not empty: an included file declares it, and the text writes it like this
     // An engine may store values encoded. `decoder` is the foreign function that decodes every value that is read. If
@@ -239,7 +239,7 @@ struct BlockMember {
 struct UniformBlock {
     std::string name{};
     Group group = Group::Engine;
-    Place place{};
+    BindingPlace place{};
     bool matrices_by_rows = false;
     std::uint32_t size = 0;  // bytes, a multiple of 16
     std::vector<BlockMember> members{};

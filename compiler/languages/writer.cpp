@@ -188,7 +188,7 @@ std::string Writer::keyword_value(const Global& global) const {
     return std::to_string(static_cast<int>(value));
 }
 
-std::string Writer::set(Group group, const Place& place) const {
+std::string Writer::set(Group group, const BindingPlace& place) const {
     if (options.pasting && group == Group::Material) return options.pasting->set_name();
     return fmt::format("{}{}", language.set_word, place.set);
 }

@@ -59,7 +59,7 @@ struct Writer {
     // The value of a keyword until another one is set: "true", "2".
     std::string keyword_value(const ir::Global& global) const;
     // A descriptor set: "1", "space1", or its name.
-    std::string set(ir::Group group, const ir::Place& place) const;
+    std::string set(ir::Group group, const ir::BindingPlace& place) const;
     // Prints the members of a uniform block between braces, with padding if the language needs it.
     void block_body(const ir::UniformBlock& block);
     // The type of a value in a uniform block or between stages, where `half` becomes float.

@@ -40,9 +40,9 @@ std::set<std::string_view> drawn_targets(const paths::PathDeclarations& paths, c
     return names;
 }
 
-class Search {
+class ReadSearch {
 public:
-    explicit Search(const ir::Module& stage) : stage_(stage), seen_(stage.functions.size()) {}
+    explicit ReadSearch(const ir::Module& stage) : stage_(stage), seen_(stage.functions.size()) {}
 
     // `origin`: that of the innermost node on the way.
     std::optional<Missing> visit(ir::FunctionId function, ir::OriginId origin) {
@@ -70,7 +70,7 @@ private:
 }  // namespace
 
 std::optional<Missing> missing_in(const ir::Module& stage) {
-    return Search(stage).visit(stage.stage.entry, {});
+    return ReadSearch(stage).visit(stage.stage.entry, {});
 }
 
 namespace {

@@ -115,9 +115,10 @@ ir::FunctionId lower_sum(Lowering& lowering, const paths::SlotDecl& declared) {
     return add_function(module, std::move(function));
 }
 
-bool reads(const nodelang::Expr& value, std::string_view semantic) {
+bool reads_semantic(const nodelang::Expr& value, std::string_view semantic) {
     return (value.kind == nodelang::Expr::Kind::Semantic && value.text == semantic) ||
-           std::any_of(value.args.begin(), value.args.end(), [&](const auto* part) { return reads(*part, semantic); });
+           std::any_of(value.args.begin(), value.args.end(),
+                       [&](const auto* part) { return reads_semantic(*part, semantic); });
 }
 
 // True if a value of the lighting graph, or a node that it reads, reads a parameter of the slot other than the surface.
@@ -126,11 +127,13 @@ bool reads_parameter(const resolve::CheckedGraph& lighting, const format::PortVa
     const std::vector<bool> reached = lighting.reachable(std::span(&value, 1));
     for (std::size_t p = 1; p < slot.function->params.size(); ++p) {
         const std::string_view name = slot.function->params[p].name;
-        const auto is_read_by = [&](const format::PortValue& port) { return port.value && reads(*port.value, name); };
+        const auto is_read_by = [&](const format::PortValue& port) {
+            return port.value && reads_semantic(*port.value, name);
+        };
         if (is_read_by(value)) return true;
         for (std::size_t i = 0; i < reached.size(); ++i) {
             const format::Node& node = lighting.graph->nodes[i];
-            if (reached[i] && ((node.expr && reads(*node.expr, name)) ||
+            if (reached[i] && ((node.expr && reads_semantic(*node.expr, name)) ||
                                std::any_of(node.inputs.begin(), node.inputs.end(), is_read_by)))
                 return true;
         }

@@ -18,7 +18,7 @@ using ir::Op;
 using ir::SemanticId;
 
 // What is known about a function on the way to it from the pass.
-struct Place {
+struct VisitedPlace {
     std::string_view slot{};      // the slot that it belongs to; empty: the pass's own function
     std::string_view semantic{};  // the semantic of the slot whose recipe this is
     bool at_vertex = false;
@@ -39,18 +39,18 @@ public:
     }
 
 private:
-    void refuse(const Place& place, std::string reason) {
+    void refuse(const VisitedPlace& place, std::string reason) {
         if (!refusal_)
             refusal_ = {.reason = std::move(reason),
                         .where = place.origin ? module_.origins[place.origin.index] : ir::Origin{}};
     }
 
-    static ir::StageKind stage_of(const Place& place) {
+    static ir::StageKind stage_of(const VisitedPlace& place) {
         return place.at_vertex ? ir::StageKind::Vertex : ir::StageKind::Fragment;
     }
 
     // A function that replaces another one may call the one that it replaces.
-    void visit(FunctionId function, const Place& place) {
+    void visit(FunctionId function, const VisitedPlace& place) {
         const bool is_usual = std::find(replacing_.begin(), replacing_.end(), function) != replacing_.end();
         const auto* other = is_usual ? nullptr : pass_.replacement_of(function, stage_of(place));
         if (!other) return look_into(function, place);
@@ -59,7 +59,7 @@ private:
         replacing_.pop_back();
     }
 
-    void look_into(FunctionId function, Place place) {
+    void look_into(FunctionId function, VisitedPlace place) {
         if (const std::string_view slot = lowering_.slot_name(function); !slot.empty()) {
             place.slot = slot;
             if (!lowering_.is_packing(slot)) check_members(function, place);
@@ -68,7 +68,7 @@ private:
         // References into the module are safe here, because visiting does not change it.
         for (const Inst& inst : module_[function].insts) {
             if (refusal_) return;
-            Place here = place;
+            VisitedPlace here = place;
             if (inst.origin && (!here.origin || !module_.origins[inst.origin.index].id.empty()))
                 here.origin = inst.origin;
             if (inst.op == Op::Call) visit({inst.data}, here);
@@ -79,14 +79,14 @@ private:
     }
 
     // Who reads the value, in words: a slot that a graph gives. A slot without parameters is the surface itself.
-    std::string said(const Place& place) const {
+    std::string said(const VisitedPlace& place) const {
         const paths::SlotDecl* slot = lowering_.session.paths->slot(place.slot);
         while (slot && slot->is_derived() && !slot->of.empty()) slot = lowering_.session.paths->slot(slot->of);
         if (slot && slot->function->params.empty()) return "the surface";
         return fmt::format("'{}'", slot ? slot->name() : place.slot);
     }
 
-    void derivative(Op op, const Place& place) {
+    void derivative(Op op, const VisitedPlace& place) {
         if (place.at_vertex) {
             if (op == Op::Sample) return;  // in the vertex stage it reads level 0
             refuse(place, fmt::format("{} uses derivatives, which the vertex stage does not have", said(place)));
@@ -97,12 +97,12 @@ private:
     }
 
     bool draws_objects() const { return declaration_.state.draws == PassDraws::Objects; }
-    bool is_graph(const Place& place) const { return !place.slot.empty(); }
+    bool is_graph(const VisitedPlace& place) const { return !place.slot.empty(); }
 
-    void semantic(SemanticId id, const Place& place) {
+    void semantic(SemanticId id, const VisitedPlace& place) {
         if (given(id, place)) return;
         const SemanticRecipe& recipe = lowering_.out.semantics[id.index];
-        Place inside = place;
+        VisitedPlace inside = place;
         // An interpolator of the graph is no name that a reader knows: what it reads is.
         if (place.semantic.empty() && is_graph(place) && recipe.declaration)
             inside.semantic = module_.semantics[id.index].name;
@@ -126,7 +126,7 @@ private:
     }
 
     // Visits the pass's own recipe; false if it has none here. Such a recipe may read the usual value.
-    bool given(SemanticId id, const Place& place) {
+    bool given(SemanticId id, const VisitedPlace& place) {
         if (std::find(giving_.begin(), giving_.end(), id) != giving_.end()) return false;
         const auto* recipe = pass_.recipe_of(id, stage_of(place));
         const auto* at_vertices = pass_.recipe_of(id, ir::StageKind::Vertex);
@@ -140,7 +140,7 @@ private:
     }
 
     // A pass file may read a value that its stage does not have.
-    void check_builtin(const paths::SemanticDecl& semantic, const Place& place) {
+    void check_builtin(const paths::SemanticDecl& semantic, const VisitedPlace& place) {
         const bool is_of_pixel = semantic.builtin == ir::Builtin::FragCoord;
         const bool is_of_vertex =
             semantic.builtin == ir::Builtin::VertexIndex || semantic.builtin == ir::Builtin::InstanceIndex;
@@ -151,7 +151,7 @@ private:
             record.note("put [fragment] on the function, so that the vertex stage keeps the usual value");
     }
 
-    void global(ir::GlobalId id, const Place& place) {
+    void global(ir::GlobalId id, const VisitedPlace& place) {
         const ir::Global& global = module_.globals[id.index];
         if (global.group == ir::Group::Engine || global.group == ir::Group::Targets) {
             const nodelang::VariableDecl* variable = lowering_.session.declarations->variable(global.name);
@@ -163,7 +163,7 @@ private:
     }
 
     // As the graph says it.
-    std::string shown_name(const std::string& global, const Place& place) const {
+    std::string shown_name(const std::string& global, const VisitedPlace& place) const {
         if (!place.semantic.empty()) return fmt::format("@{}", place.semantic);
         return lowering_.session.paths->semantic(global) ? "@" + global : global;
     }
@@ -171,7 +171,7 @@ private:
     // Refuses the material if a graph reads this value and the pass lacks it: by its name, its block, or the target
     // that it reads. `shown`: what the graph says.
     bool is_lacking(std::string_view name, const nodelang::VariableDecl* variable, std::string_view shown,
-                    const Place& place) {
+                    const VisitedPlace& place) {
         if (!is_graph(place)) return false;
         const paths::ExternDecl* value = lowering_.session.paths->extern_of(variable);
         const auto is_it = [&](std::string_view word) {
@@ -191,14 +191,14 @@ private:
     }
 
     // The lighting surface is a slot's first parameter.
-    void check_members(FunctionId function, const Place& place) {
+    void check_members(FunctionId function, const VisitedPlace& place) {
         const ir::Function& slot = module_[function];
         if (declaration_.holds.empty() || slot.params.empty() || slot.params[0].type.kind != ir::Kind::Struct) return;
         const std::vector<ir::Member> members = module_.structs[slot.params[0].type.ref].members;
         for (const ir::MemberRead& read : ir::members_read(module_, function, 0)) {
             const std::string& name = members[read.member].name;
             if (holds(name)) continue;
-            Place at = place;
+            VisitedPlace at = place;
             if (read.origin) at.origin = read.origin;
             refuse(at, fmt::format("{} reads '@surface.{}', which the pass cannot provide", said(place), name));
             refusal_.advice = roomier_path();

@@ -51,7 +51,7 @@ std::vector<SetShifts> place_globals(ir::Module& module, const engines::Engine& 
             std::find_if(shifts.begin(), shifts.end(), [&](const SetShifts& each) { return each.set == places.set; });
         if (shift == shifts.end()) shift = shifts.insert(shift, first);
         const auto place = [&](std::uint32_t binding, std::uint32_t distance) {
-            return ir::Place{.set = places.set, .binding = binding, .slot = binding - distance};
+            return ir::BindingPlace{.set = places.set, .binding = binding, .slot = binding - distance};
         };
         for (ir::UniformBlock& block : module.blocks) {
             if (block.group != group) continue;

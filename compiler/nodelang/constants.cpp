@@ -8,8 +8,8 @@
 namespace patina::nodelang {
 namespace {
 
-constexpr std::size_t kDeepest = 64;       // constants that are made of constants
-constexpr std::size_t kLargest = 100'000;  // expressions, if all constants are written out
+constexpr std::size_t kDeepestConstant = 64;  // constants that are made of constants
+constexpr std::size_t kLargest = 100'000;     // expressions, if all constants are written out
 
 class Checker {
 public:
@@ -33,15 +33,15 @@ public:
             for (auto each = first; each != open_.end(); ++each)
                 chain += fmt::format("{}{}", each == first ? "" : " > ", (*each)->name);
             diagnostics_.report(Code::Recursion, at, chain);
-        } else if (open_.size() > kDeepest) {
-            diagnostics_.report(Code::TooDeep, at, kDeepest);
+        } else if (open_.size() > kDeepestConstant) {
+            diagnostics_.report(Code::TooDeep, at, kDeepestConstant);
         } else {
             size = {.expressions = 1, .height = 1};
             for (const Expr* part : {constant.value, constant.type.array_size}) {
                 if (part && size.expressions > 0) add(*part, size);
             }
-            if (size.height > kDeepest) {
-                diagnostics_.report(Code::TooDeep, constant.span, kDeepest);
+            if (size.height > kDeepestConstant) {
+                diagnostics_.report(Code::TooDeep, constant.span, kDeepestConstant);
                 size = {};
             } else if (size.expressions > kLargest) {
                 diagnostics_.report(Code::TooMany, constant.span, size.expressions, "expressions of a constant",

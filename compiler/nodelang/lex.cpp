@@ -96,9 +96,9 @@ bool read_number(std::string_view literal, bool is_hlsl, Token& token) {
 
 }  // namespace
 
-Lexer::Lexer(Text text, Place place, Diagnostics& diagnostics)
-    : text_(text), place_(place), diagnostics_(&diagnostics) {
-    if (place != Place::Graph && looking_at(kByteOrderMark)) here_ = kByteOrderMark.size();
+Lexer::Lexer(Text text, Dialect dialect, Diagnostics& diagnostics)
+    : text_(text), dialect_(dialect), diagnostics_(&diagnostics) {
+    if (dialect != Dialect::Graph && looking_at(kByteOrderMark)) here_ = kByteOrderMark.size();
 }
 
 Token Lexer::next() {
@@ -144,7 +144,7 @@ void Lexer::skip_space(Token& token) {
                 ++newlines;
             }
             ++here_;
-        } else if (place_ == Place::Hlsl && (looking_at("\\\n") || looking_at("\\\r\n"))) {
+        } else if (dialect_ == Dialect::Hlsl && (looking_at("\\\n") || looking_at("\\\r\n"))) {
             here_ += at(here_ + 1) == '\n' ? 2 : 3;  // the line goes on
         } else if (looking_at(kNoBreakSpace)) {
             here_ += kNoBreakSpace.size();
@@ -218,7 +218,7 @@ void Lexer::number(Token& token) {
     here_ = end_of_word(end);
     token.text = text_.text.substr(begin, here_ - begin);
     token.kind = Token::Kind::Number;
-    if (read_number(token.text, place_ == Place::Hlsl, token)) return;
+    if (read_number(token.text, dialect_ == Dialect::Hlsl, token)) return;
     token.kind = Token::Kind::Bad;
     if (std::isinf(token.number)) {
         diagnostics_->report(Code::BadNumber, span(begin, here_), token.text, "32-bit float");
@@ -247,7 +247,7 @@ void Lexer::graph_name(Token& token) {
     const bool is_property = at(begin) == '$';
     token.kind = is_property ? Token::Kind::Property : Token::Kind::Semantic;
     token.text = text_.text.substr(begin + 1, here_ - begin - 1);
-    if (place_ == Place::Graph) return;
+    if (dialect_ == Dialect::Graph) return;
     token.kind = Token::Kind::Bad;
     diagnostics_
         ->report(Code::BadCharacter, span(begin, here_), fmt::format("'{}'", text_.text.substr(begin, here_ - begin)))
@@ -260,7 +260,7 @@ void Lexer::graph_name(Token& token) {
 
 void Lexer::punctuation(Token& token) {
     std::size_t length = punctuation_length(at(here_), at(here_ + 1), at(here_ + 2));
-    if (place_ == Place::Hlsl && at(here_) == '#') length = at(here_ + 1) == '#' ? 2 : 1;
+    if (dialect_ == Dialect::Hlsl && at(here_) == '#') length = at(here_ + 1) == '#' ? 2 : 1;
     if (length == 0) return bad_character(token);
     token.kind = Token::Kind::Punctuation;
     token.text = text_.text.substr(here_, length);
@@ -271,7 +271,7 @@ void Lexer::bad_character(Token& token) {
     const std::size_t begin = here_;
     const char c = at(begin);
     here_ = std::min(begin + sequence_length(c), text_.text.size());
-    const bool is_color = c == '#' && place_ == Place::Graph && is_hex_digit(at(here_));
+    const bool is_color = c == '#' && dialect_ == Dialect::Graph && is_hex_digit(at(here_));
     while (is_color && is_hex_digit(at(here_))) ++here_;
     token.kind = Token::Kind::Bad;
     token.text = text_.text.substr(begin, here_ - begin);
@@ -284,7 +284,7 @@ void Lexer::bad_character(Token& token) {
         record.note(
             "an expression cannot contain a colour: read one by its name, of a property or of a value of `patina "
             "eval`");
-    else if (c == '#' && place_ == Place::File)
+    else if (c == '#' && dialect_ == Dialect::File)
         record.note(
             "there is no preprocessor: write a constant as 'const float NAME = 1;', or let the file begin with "
             "'#pragma hlsl'");

@@ -5,7 +5,7 @@
 // In a file of HLSL (hlsl_mark.h) it also knows what the preprocessor (preprocessor.h) needs: '#', and where lines
 // begin.
 //
-//   Lexer lexer({text, base}, Lexer::Place::File, diagnostics);
+//   Lexer lexer({text, base}, Lexer::Dialect::File, diagnostics);
 //   for (Token t = lexer.next(); t.kind != Token::Kind::End; t = lexer.next()) ...
 #pragma once
 
@@ -46,9 +46,9 @@ struct Token {
 class Lexer {
 public:
     // Only graphs have $properties and @semantics, and only HLSL has a preprocessor.
-    enum class Place { File, Graph, Hlsl };
+    enum class Dialect { File, Graph, Hlsl };
 
-    Lexer(Text text, Place place, Diagnostics& diagnostics);
+    Lexer(Text text, Dialect dialect, Diagnostics& diagnostics);
 
     // The next token. At the end of the text it is End, however often this is called.
     Token next();
@@ -76,7 +76,7 @@ private:
     void bad_character(Token& token);
 
     Text text_;
-    Place place_;
+    Dialect dialect_;
     Diagnostics* diagnostics_;
     std::size_t here_ = 0;
 };

@@ -23,7 +23,7 @@ bool is_too_large(Text text, Diagnostics& diagnostics) {
 
 bool has_hlsl_mark(Text text) {
     Diagnostics unread;
-    Lexer lexer(text, Lexer::Place::Hlsl, unread);
+    Lexer lexer(text, Lexer::Dialect::Hlsl, unread);
     return lexer.next().is("#") && lexer.next().is_word("pragma") && lexer.next().is_word("hlsl");
 }
 
@@ -38,7 +38,8 @@ void parse_file(Text text, Ast& ast, Diagnostics& diagnostics, Bodies bodies) {
         return;
     }
     const bool is_hlsl = has_hlsl_mark(text);
-    Parser(text, is_hlsl ? Lexer::Place::Hlsl : Lexer::Place::File, ast, diagnostics, is_hlsl ? Bodies::Now : bodies)
+    Parser(text, is_hlsl ? Lexer::Dialect::Hlsl : Lexer::Dialect::File, ast, diagnostics,
+           is_hlsl ? Bodies::Now : bodies)
         .file();
 }
 
@@ -48,7 +49,7 @@ const ReadBody& read_body(const UnreadBody& body) {
     return body.read.get([&] {
         const Cancellation nobody;
         auto read = std::make_unique<ReadBody>();
-        Parser(body.text, Lexer::Place::File, read->ast, read->diagnostics).function_body(read->statements);
+        Parser(body.text, Lexer::Dialect::File, read->ast, read->diagnostics).function_body(read->statements);
         return read;
     });
 }
@@ -65,22 +66,22 @@ const Diagnostics* body_errors(const FunctionDecl& function) {
 
 const Expr* parse_expression(Text text, Ast& ast, Diagnostics& diagnostics) {
     if (is_too_large(text, diagnostics)) return nullptr;
-    return Parser(text, Lexer::Place::Graph, ast, diagnostics).whole_expression();
+    return Parser(text, Lexer::Dialect::Graph, ast, diagnostics).whole_expression();
 }
 
 const Expr* parse_link(Text text, Ast& ast, Diagnostics& diagnostics) {
     if (is_too_large(text, diagnostics)) return nullptr;
-    return Parser(text, Lexer::Place::Graph, ast, diagnostics).link();
+    return Parser(text, Lexer::Dialect::Graph, ast, diagnostics).link();
 }
 
-Parser::Parser(Text text, Lexer::Place place, Ast& ast, Diagnostics& diagnostics, Bodies bodies)
+Parser::Parser(Text text, Lexer::Dialect dialect, Ast& ast, Diagnostics& diagnostics, Bodies bodies)
     : text_(text),
-      place_(place),
+      dialect_(dialect),
       ast_(ast),
       diagnostics_(diagnostics),
       errors_before_(diagnostics.error_count()),
       bodies_(bodies),
-      lexer_(text, place, diagnostics) {
+      lexer_(text, dialect, diagnostics) {
     if (is_hlsl()) preprocessor_.emplace(lexer_, ast, diagnostics);
     now_ = next_token();
     after_ = next_token();
@@ -150,7 +151,7 @@ bool Parser::take_word(std::string_view word) {
 std::string Parser::describe(const Token& token) const {
     switch (token.kind) {
         case Token::Kind::End:
-            return place_ == Lexer::Place::Graph ? "the end of the expression" : "the end of the file";
+            return dialect_ == Lexer::Dialect::Graph ? "the end of the expression" : "the end of the file";
         case Token::Kind::String: return "a string";
         case Token::Kind::Property: return fmt::format("'${}'", token.text);
         case Token::Kind::Semantic: return fmt::format("'@{}'", token.text);

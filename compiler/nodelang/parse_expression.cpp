@@ -167,7 +167,7 @@ Node Parser::primary() {
                 return leaf(Expr::Kind::Bool, word);
             }
             Token word;
-            if (place_ == Lexer::Place::Graph) {
+            if (dialect_ == Lexer::Dialect::Graph) {
                 word = take();
             } else if (!name("a value", word)) {
                 return {};
@@ -201,7 +201,7 @@ bool Parser::is_statement(const Token& word) {
     const bool begins_value = now().kind == Token::Kind::Number || now().kind == Token::Kind::Word ||
                               now().kind == Token::Kind::Property || now().kind == Token::Kind::Semantic ||
                               now().is("(") || now().is("{");
-    if (place_ != Lexer::Place::Graph || !begins_value) return false;
+    if (dialect_ != Lexer::Dialect::Graph || !begins_value) return false;
     for (const auto& [statement, instead] : kStatements) {
         if (word.text != statement) continue;
         diagnostics_.report(Code::Syntax, span(word), "a value", describe(word))

@@ -2,7 +2,7 @@
 // grammar in three files. A function that cannot read what it expects reports it once and returns a null Node, a null
 // Stmt or false. A caller that can go on (a list of statements, a file) then skips to a safe place.
 //
-//   Parser parser(text, Lexer::Place::File, ast, diagnostics);
+//   Parser parser(text, Lexer::Dialect::File, ast, diagnostics);
 //   parser.file();
 #pragma once
 
@@ -48,7 +48,7 @@ bool is_assignment(const Token& token);
 
 class Parser {
 public:
-    Parser(Text text, Lexer::Place place, Ast& ast, Diagnostics& diagnostics, Bodies bodies = Bodies::Now);
+    Parser(Text text, Lexer::Dialect dialect, Ast& ast, Diagnostics& diagnostics, Bodies bodies = Bodies::Now);
 
     void file();
     // The text is a function's body with its braces.
@@ -74,7 +74,7 @@ private:
     // --- tokens (parse.cpp)
     const Token& now() const { return now_; }
     const Token& after() const { return after_; }
-    bool is_hlsl() const { return place_ == Lexer::Place::Hlsl; }
+    bool is_hlsl() const { return dialect_ == Lexer::Dialect::Hlsl; }
     Token next_token() { return preprocessor_ ? preprocessor_->next() : lexer_.next(); }
     Token take();  // the current token; the next one becomes current
     bool take_if(std::string_view punctuation);
@@ -168,7 +168,7 @@ private:
     bool typed_parameter(ParamDecl& into);
 
     Text text_;
-    Lexer::Place place_;
+    Lexer::Dialect dialect_;
     Ast& ast_;
     Diagnostics& diagnostics_;
     std::size_t errors_before_;  // number of errors before this text was read

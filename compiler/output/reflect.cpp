@@ -21,7 +21,7 @@ using format::Property;
 
 namespace {
 
-std::string hlsl_register(char kind, const ir::Place& place) {
+std::string hlsl_register(char kind, const ir::BindingPlace& place) {
     return fmt::format("{}{}, space{}", kind, place.slot, place.set);
 }
 

@@ -33,7 +33,7 @@ const std::vector<std::string> kTargets = {"bakedColor", "bakedReflection", "bak
                                            "bakedCutoff"};
 constexpr const char *kValuePath = "bake-value", *kValueTarget = "bakedValue";
 // The lighting model without lighting, and that of glTF, with an input that is no layer.
-constexpr std::string_view kUnlit = "unlit", kModel = "gltf", kStrength = "emissiveStrength";
+constexpr std::string_view kUnlit = "unlit", kModel = "gltf", kEmissiveStrength = "emissiveStrength";
 
 class Baking {
 public:
@@ -176,9 +176,9 @@ private:
                 const std::string named = fmt::format("'{}'", input.name);
                 if (out_.lighting != kModel)
                     lose(named, fmt::format("only the layers of the lighting model '{}' are baked", kModel));
-                else if (request_.is_specular && input.name != kStrength)
+                else if (request_.is_specular && input.name != kEmissiveStrength)
                     lose(named, "glTF allows no layer together with specular and glossiness");
-                else if (is_layer(input.name) || input.name == kStrength)
+                else if (is_layer(input.name) || input.name == kEmissiveStrength)
                     layers_.push_back(input.name);
                 else
                     lose(named, input.type == "float3" ? "its normal map in tangent space is not made"

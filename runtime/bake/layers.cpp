@@ -13,7 +13,7 @@ namespace {
 // Which channel of its texture holds an input. None: glTF has no texture for it.
 enum class Channel { None, Red, Green, Alpha, Color };
 
-struct Row {
+struct GltfInput {
     std::string_view input, extension, factor, texture;
     Channel channel = Channel::None;
     bool is_share = true;  // from 0 to 1; else a factor may be larger
@@ -25,11 +25,11 @@ constexpr std::string_view kClearcoat = "KHR_materials_clearcoat", kSheen = "KHR
                            kAnisotropy = "KHR_materials_anisotropy", kIridescence = "KHR_materials_iridescence",
                            kTransmission = "KHR_materials_transmission", kVolume = "KHR_materials_volume",
                            kDispersion = "KHR_materials_dispersion", kDiffuse = "KHR_materials_diffuse_transmission";
-constexpr std::string_view kStrength = "anisotropy", kDirection = "anisotropyDirection",
+constexpr std::string_view kAnisotropyStrength = "anisotropy", kDirection = "anisotropyDirection",
                            kThickness = "iridescenceThickness", kDistance = "attenuationDistance";
 
 // The three of anisotropy and of the film's thickness have a function each, below.
-constexpr Row kRows[] = {
+constexpr GltfInput kGltfInputs[] = {
     {"clearcoat", kClearcoat, "clearcoatFactor", "clearcoatTexture", Channel::Red},
     {"clearcoatRoughness", kClearcoat, "clearcoatRoughnessFactor", "clearcoatRoughnessTexture", Channel::Green},
     {"sheenColor", kSheen, "sheenColorFactor", "sheenColorTexture", Channel::Color, true, true},
@@ -37,7 +37,7 @@ constexpr Row kRows[] = {
     {"specularFactor", kSpecular, "specularFactor", "specularTexture", Channel::Alpha},
     {"specularColor", kSpecular, "specularColorFactor", "specularColorTexture", Channel::Color, false, true},
     {"ior", kIor, "ior", "", Channel::None, false},
-    {kStrength, kAnisotropy, "", ""},
+    {kAnisotropyStrength, kAnisotropy, "", ""},
     {kDirection, kAnisotropy, "", ""},
     {"iridescence", kIridescence, "iridescenceFactor", "iridescenceTexture", Channel::Red},
     {"iridescenceIor", kIridescence, "iridescenceIor", "", Channel::None, false},
@@ -52,20 +52,20 @@ constexpr Row kRows[] = {
      Channel::Color, true, true},
 };
 
-const Row* row_of(std::string_view input) {
-    const auto found =
-        std::find_if(std::begin(kRows), std::end(kRows), [&](const Row& row) { return row.input == input; });
-    return found == std::end(kRows) ? nullptr : found;
+const GltfInput* gltf_input(std::string_view input) {
+    const auto found = std::find_if(std::begin(kGltfInputs), std::end(kGltfInputs),
+                                    [&](const GltfInput& row) { return row.input == input; });
+    return found == std::end(kGltfInputs) ? nullptr : found;
 }
 
-class Making {
+class LayerTextures {
 public:
-    Making(const std::vector<LayerValue>& values, const std::vector<std::uint8_t>& covered)
+    LayerTextures(const std::vector<LayerValue>& values, const std::vector<std::uint8_t>& covered)
         : values_(values), covered_(covered) {}
 
     Layers run() {
         for (const LayerValue& each : values_) {
-            const Row* row = row_of(each.input);
+            const GltfInput* row = gltf_input(each.input);
             if (row && !row->factor.empty()) add(*row, each.image);
         }
         add_film_thickness();
@@ -94,7 +94,7 @@ private:
     void lose(std::string what, std::string why) { out_.losses.push_back({std::move(what), std::move(why)}); }
 
     // One number, or the three of a colour: a factor, and a texture if they vary.
-    void add(const Row& row, const Image& image) {
+    void add(const GltfInput& row, const Image& image) {
         const int count = row.is_color ? 3 : 1;
         std::vector<Range> ranges;
         for (int c = 0; c < count; c++) ranges.push_back(range_of(image, covered_, c));
@@ -124,7 +124,7 @@ private:
             made.textures[std::string(row.texture)] = add_map(row.input, row.is_color, texture(row, image, scale));
     }
 
-    static Image texture(const Row& row, const Image& image, float scale) {
+    static Image texture(const GltfInput& row, const Image& image, float scale) {
         const bool is_alpha = row.channel == Channel::Alpha;
         Image made = row.is_color ? picked(image, {0, 1, 2, std::nullopt})
                      : is_alpha   ? picked(image, {std::nullopt, std::nullopt, std::nullopt, 0})
@@ -154,7 +154,7 @@ private:
 
     // Red and green are the direction in the tangent plane, 0.5 is 0; blue is the strength.
     void add_anisotropy() {
-        const Image* strength = find(kStrength);
+        const Image* strength = find(kAnisotropyStrength);
         if (!strength) return;  // a direction alone stretches nothing
         static const Image kAlongTangent = make_image(1, 1, 1, 0);
         const Image* given = find(kDirection);
@@ -177,7 +177,7 @@ private:
             both.pixels[i + 1] = length > 0 ? 0.5f + 0.5f * direction.pixels[at + 1] / length : 0.5f;
             both.pixels[i + 2] = is_even ? 1 : std::clamp(strength->pixels[i], 0.0f, 1.0f);
         }
-        made.textures["anisotropyTexture"] = add_map(kStrength, false, std::move(both));
+        made.textures["anisotropyTexture"] = add_map(kAnisotropyStrength, false, std::move(both));
     }
 
     const std::vector<LayerValue>& values_;
@@ -188,11 +188,11 @@ private:
 }  // namespace
 
 bool is_layer(std::string_view input) {
-    return row_of(input) != nullptr;
+    return gltf_input(input) != nullptr;
 }
 
 Layers layers_of(const std::vector<LayerValue>& values, const std::vector<std::uint8_t>& covered) {
-    return Making(values, covered).run();
+    return LayerTextures(values, covered).run();
 }
 
 }  // namespace patina::runtime

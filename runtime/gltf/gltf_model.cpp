@@ -43,9 +43,9 @@ void turn_round(Mesh& mesh) {
 // In memory they are 1.5 GB. Primitives may share the numbers of the file, so a small file can have more.
 constexpr std::size_t kMostVertices = std::size_t{1} << 24;
 
-class Reading {
+class ModelReading {
 public:
-    Reading(const tinygltf::Model& file, MeshDetail detail) : file_(file), detail_(detail) {}
+    ModelReading(const tinygltf::Model& file, MeshDetail detail) : file_(file), detail_(detail) {}
 
     Outcome<GltfModel> run() {
         for (std::size_t i = 0; i < file_.nodes.size(); ++i) {
@@ -238,7 +238,7 @@ void append(const Mesh& part, const glm::mat4& place, Mesh& whole) {
 }
 
 // "12", as it is written; nothing for "012" and "x".
-std::optional<std::size_t> number_of(std::string_view digits) {
+std::optional<std::size_t> index_of_digits(std::string_view digits) {
     std::size_t number = 0;
     std::from_chars(digits.data(), digits.data() + digits.size(), number);
     return digits == std::to_string(number) ? std::optional(number) : std::nullopt;
@@ -248,7 +248,8 @@ std::optional<std::size_t> number_of(std::string_view digits) {
 std::vector<std::size_t> nodes_named(const GltfModel& model, std::string_view name) {
     const auto found = model.nodes_by_name.find(std::string(name));
     if (found != model.nodes_by_name.end()) return found->second;
-    const std::optional<std::size_t> number = name.starts_with("node ") ? number_of(name.substr(5)) : std::nullopt;
+    const std::optional<std::size_t> number =
+        name.starts_with("node ") ? index_of_digits(name.substr(5)) : std::nullopt;
     if (!number || *number >= model.nodes.size()) return {};
     return {*number};
 }
@@ -274,7 +275,7 @@ std::vector<bool> below(const GltfModel& model, const std::vector<std::size_t>& 
 }  // namespace
 
 Outcome<GltfModel> model_of(const tinygltf::Model& file, MeshDetail detail) {
-    return Reading(file, detail).run();
+    return ModelReading(file, detail).run();
 }
 
 Outcome<GltfModel> read_model(const std::string& path) {
@@ -290,7 +291,7 @@ const ModelPart* find_part(const GltfModel& model, std::string_view name) {
     if (slash == name.npos || !nodes_named(model, name).empty()) return nullptr;
     const std::vector<std::size_t> nodes = nodes_named(model, name.substr(0, slash));
     if (nodes.size() != 1) return nullptr;
-    const std::optional<std::size_t> primitive = number_of(name.substr(slash + 1));
+    const std::optional<std::size_t> primitive = index_of_digits(name.substr(slash + 1));
     const ModelNode& owner = model.nodes[nodes[0]];
     for (std::size_t i = owner.first_part; i < owner.first_part + owner.part_count; ++i)
         if (model.parts[i].primitive == primitive) return &model.parts[i];

@@ -116,17 +116,17 @@ glm::vec3 Pyramid::radiance(glm::vec3 direction) const {
 
 glm::vec3 Pyramid::reflected(glm::vec3 normal, float roughness) const {
     const float a2 = std::pow(roughness, 4.0f);  // alpha squared
-    struct Place {
+    struct SquareIndex {
         std::size_t level;
         int face, x, y;
     };
-    std::array<Place, kMostOpen> open{};  // squares that are still to be added
+    std::array<SquareIndex, kMostOpen> open{};  // squares that are still to be added
     std::size_t count = 0;
     for (int face = 0; face < 6; face++) open[count++] = {levels_.size() - 1, face, 0, 0};
     glm::dvec3 sum(0);
     double weights = 0;
     while (count > 0) {
-        const Place place = open[--count];
+        const SquareIndex place = open[--count];
         const Square& square = levels_[place.level][at(size_ >> place.level, place.face, place.x, place.y)];
         const float cosine = glm::dot(normal, square.direction);
         if (cosine < -square.radius) continue;  // below the horizon

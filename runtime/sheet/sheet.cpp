@@ -20,11 +20,11 @@ namespace {
 constexpr int kNodeSize = 96, kNodeSamples = 2;
 
 // How a kind of file is shown. `whole` is the preview that stands for all of it, `node` comes before a node's name.
-struct Kind {
+struct FileKind {
     std::string_view ending, name, whole, node;
     bool is_drawn = true;
 };
-constexpr Kind kKinds[] = {
+constexpr FileKind kKinds[] = {
     {".graph.json", "material", "", ""},
     {".scene.json", "scene", "", ""},
     {".subgraph.json", "sub-graph", "part", "part/"},
@@ -32,8 +32,8 @@ constexpr Kind kKinds[] = {
     {".workflow.json", "workflow", "", "", false},
 };
 
-const Kind* kind_of(const std::string& path) {
-    const auto found = std::ranges::find_if(kKinds, [&](const Kind& kind) { return path.ends_with(kind.ending); });
+const FileKind* kind_of(const std::string& path) {
+    const auto found = std::ranges::find_if(kKinds, [&](const FileKind& kind) { return path.ends_with(kind.ending); });
     return found == std::end(kKinds) ? nullptr : found;
 }
 
@@ -162,7 +162,7 @@ private:
     const SheetOptions& options_;
     RenderMachine& machine_;
     SheetEntry& entry_;
-    const Kind& kind_;
+    const FileKind& kind_;
     RenderRequest request_;
 };
 
@@ -174,7 +174,7 @@ Sheet make_sheet(const Compiler& compiler, const std::string& folder, const Shee
     Sheet sheet;
     const std::filesystem::path root = std::filesystem::path(folder).lexically_normal();
     for (const std::string& file : files.value) {
-        const Kind* kind = kind_of(file);
+        const FileKind* kind = kind_of(file);
         if (!kind) continue;
         const std::string stem = file.substr(0, file.size() - kind->ending.size());
         sheet.entries.push_back({.name = std::filesystem::path(stem).lexically_relative(root).generic_string(),

@@ -13,7 +13,7 @@ constexpr ToleranceKey kKeys[] = {
     {"average", &Tolerance::average, 0, 1},       {"tile", &Tolerance::tile, 0, 1},
     {"perceptual", &Tolerance::perceptual, 0, 1}, {"otherDriver", &Tolerance::other_driver, 1, 1000}};
 
-std::string number(const Gate& gate, double value) {
+std::string shown_value(const Gate& gate, double value) {
     return gate.name == "share" ? fmt::format("{:.3g} %", 100 * value) : fmt::format("{:.2g}", value);
 }
 
@@ -51,8 +51,8 @@ bool all_pass(std::span<const Gate> gates) {
 }
 
 std::string to_text(const Gate& gate) {
-    const std::string text = fmt::format("{} {}", gate.name, number(gate, gate.value));
-    return gate.passes() ? text : text + fmt::format(" (limit {})", number(gate, gate.limit));
+    const std::string text = fmt::format("{} {}", gate.name, shown_value(gate, gate.value));
+    return gate.passes() ? text : text + fmt::format(" (limit {})", shown_value(gate, gate.limit));
 }
 
 }  // namespace patina::runtime

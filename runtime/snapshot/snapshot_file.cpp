@@ -27,7 +27,7 @@ namespace {
 constexpr std::uintmax_t kLargestFile = 1 << 20;  // bytes
 
 // A part of the text, in bytes.
-struct Place {
+struct TextRange {
     std::size_t begin = 0, end = 0;
 };
 
@@ -46,7 +46,7 @@ struct Entry {
     enum class Kind { Text, Number, Bool, EmptyArray } kind = Kind::Text;
     std::string path;
     std::string text;  // a string's content, a number as written, true or false
-    Place key{};       // that it stands at
+    TextRange key{};   // that it stands at
     bool in_array = false;
 };
 
@@ -60,7 +60,7 @@ struct Flattener : rapidjson::BaseReaderHandler<rapidjson::UTF8<>, Flattener> {
     std::vector<Level> levels{};
     std::vector<Entry> entries{};
     std::string path{};
-    Place key{};
+    TextRange key{};
     std::set<std::string> seen{};
     Problem problem{};  // stops the parser, at `key`
 
@@ -112,7 +112,7 @@ struct Flattener : rapidjson::BaseReaderHandler<rapidjson::UTF8<>, Flattener> {
     }
 };
 
-Diagnostic located(const Problem& problem, const std::string& path, std::string_view text, Place place) {
+Diagnostic located(const Problem& problem, const std::string& path, std::string_view text, TextRange place) {
     Diagnostic diagnostic;
     diagnostic.code = problem.code;
     diagnostic.message = problem.message;
@@ -305,7 +305,7 @@ Problem add_to_environment(const Entry& entry, const std::filesystem::path& fold
 }
 
 // Keys that need each other, or exclude each other; the place is that of the entry that is one too many.
-std::pair<Problem, Place> check_surroundings(const std::vector<Entry>& entries) {
+std::pair<Problem, TextRange> check_surroundings(const std::vector<Entry>& entries) {
     const auto find = [&](auto is_wanted) { return std::find_if(entries.begin(), entries.end(), is_wanted); };
     const auto around =
         find([](const Entry& e) { return e.path == "environment" || e.path.starts_with("environment/"); });
@@ -396,9 +396,9 @@ Problem check_words(const Entry& entry) {
 }
 
 // The mistake in the camera's numbers, and the entry that has it.
-std::pair<Problem, Place> check_camera(const std::vector<Entry>& entries, const std::string& words) {
+std::pair<Problem, TextRange> check_camera(const std::vector<Entry>& entries, const std::string& words) {
     const std::string error = words.empty() ? std::string() : parse_camera(words, Camera{}).error;
-    std::pair<Problem, Place> found{Problem{error}, {}};
+    std::pair<Problem, TextRange> found{Problem{error}, {}};
     for (const Entry& entry : entries) {
         const bool is_first = found.second.end == 0;
         if (!entry.path.starts_with("camera/")) continue;
@@ -432,7 +432,7 @@ Outcome<std::string> read_text(const std::string& path) {
 ReadSnapshot read_snapshot(const std::string& path) {
     Outcome<std::string> text = read_text(path);
     if (!text) return {.file = {}, .error = unreadable(path, text.error)};
-    const auto wrong = [&](const Problem& problem, Place place) {
+    const auto wrong = [&](const Problem& problem, TextRange place) {
         return ReadSnapshot{.file = {}, .error = located(problem, path, text.value, place)};
     };
     rapidjson::StringStream stream(text.value.c_str());

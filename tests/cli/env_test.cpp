@@ -24,15 +24,15 @@ std::string name_of(int level, std::size_t face) {
     return "around.level" + std::to_string(level) + "." + std::string(kFaces[face]) + ".exr";
 }
 
-struct Place {
+struct FacePoint {
     std::size_t face = 0;
     double u = 0, v = 0;  // from the face's first pixel, 0 to 1
 };
 // Major axis, then sc and tc over |ma|.
-Place place_of(glm::dvec3 d) {
+FacePoint place_of(glm::dvec3 d) {
     const glm::dvec3 a = glm::abs(d);
     const auto place = [](std::size_t face, double sc, double tc, double ma) {
-        return Place{face, (sc / ma + 1) / 2, (tc / ma + 1) / 2};
+        return FacePoint{face, (sc / ma + 1) / 2, (tc / ma + 1) / 2};
     };
     if (a.x >= a.y && a.x >= a.z) return d.x > 0 ? place(0, -d.z, -d.y, a.x) : place(1, d.z, -d.y, a.x);
     if (a.y >= a.z) return d.y > 0 ? place(2, d.x, d.z, a.y) : place(3, d.x, -d.z, a.y);
@@ -74,7 +74,7 @@ TEST(EnvFiles, AFaceHoldsWhatIsInItsDirections) {
     std::normal_distribution<double> normal;
     for (int i = 0; i < 600; ++i) {
         const glm::dvec3 d = glm::normalize(glm::dvec3(normal(random), normal(random), normal(random)));
-        const Place place = place_of(d);
+        const FacePoint place = place_of(d);
         const auto texel = faces[place.face].at(int(place.u * 256), int(place.v * 256));
         for (int c = 0; c < 3; ++c)
             EXPECT_NEAR(texel[std::size_t(c)], (d[c] + 1) / 2, 0.008) << d.x << ", " << d.y << ", " << d.z;

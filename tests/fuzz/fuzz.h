@@ -46,12 +46,12 @@ struct Setup {
     std::filesystem::path seeds;    // a folder of the user's; empty: the project's own seeds
 };
 
-struct Kind {
+struct InputKind {
     std::string_view name, what;
     unsigned quick;  // how many inputs take a second in a release build
     Fuzzer (*open)(const Setup& setup);
 };
-std::vector<Kind> text_kinds(), picture_kinds(), model_kinds();
+std::vector<InputKind> text_kinds(), picture_kinds(), model_kinds();
 
 // --- seeds
 using Seed = Input;

@@ -38,7 +38,7 @@ struct Progress {
 };
 
 struct Job {
-    const Kind& kind;
+    const InputKind& kind;
     unsigned long first = 0, end = 0;
     Setup setup{};
     std::string keep{};
@@ -139,7 +139,7 @@ int usage() {
 }
 
 int run(std::vector<std::string> words) {
-    std::vector<Kind> kinds;
+    std::vector<InputKind> kinds;
     for (const auto& some : {text_kinds(), picture_kinds(), model_kinds()})
         kinds.insert(kinds.end(), some.begin(), some.end());
     Setup setup;
@@ -156,13 +156,13 @@ int run(std::vector<std::string> words) {
     }
     if (words.empty() || words.size() > 3) return usage();
     if (words[0] == "--list") {
-        for (const Kind& kind : kinds) std::printf("%-12s %s\n", kind.name.data(), kind.what.data());
+        for (const InputKind& kind : kinds) std::printf("%-12s %s\n", kind.name.data(), kind.what.data());
         return 0;
     }
     std::string name = (fs::temp_directory_path() / "patina_fuzz_XXXXXX").string();
     setup.scratch = mkdtemp(name.data());
     bool is_good = true, is_known = false;
-    for (const Kind& kind : kinds) {
+    for (const InputKind& kind : kinds) {
         if (words[0] != "all" && words[0] != kind.name) continue;
         is_known = true;
         const std::string count = words.size() > 1 ? words[1] : "quick";

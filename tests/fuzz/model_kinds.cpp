@@ -324,7 +324,7 @@ Fuzzer glb(const Setup& setup) {
 
 }  // namespace
 
-std::vector<Kind> model_kinds() {
+std::vector<InputKind> model_kinds() {
     return {{"gltf", "glTF as text, with Draco", 100, gltf},
             {"glb", "glTF as one file, with its picture", 100, glb},
             {"mtlx", "documents of MaterialX", 100, mtlx},

@@ -239,7 +239,7 @@ Fuzzer kept_maps(const Setup& setup) {
 
 }  // namespace
 
-std::vector<Kind> picture_kinds() {
+std::vector<InputKind> picture_kinds() {
     return {{"png", "pictures: PNG, with checksums that fit", 300, png},
             {"jpeg", "pictures: JPEG", 300, jpeg},
             {"webp", "pictures: WebP", 300, webp},

@@ -348,7 +348,7 @@ Fuzzer snapshots(const Setup& setup) {
 
 }  // namespace
 
-std::vector<Kind> text_kinds() {
+std::vector<InputKind> text_kinds() {
     return {{"graph", "graphs, sub-graphs, lighting models and workflows", 60, graphs},
             {"scene", "scene files, up to their meshes and lights", 200, scenes},
             {"node", "node files, checked and used by a graph", 60, node_files},

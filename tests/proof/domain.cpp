@@ -10,7 +10,7 @@ namespace patina::proof {
 namespace {
 
 // What a port takes that has no [range], is no [color] and no unit vector.
-struct Row {
+struct NamedPort {
     std::string_view port;
     std::vector<std::vector<double>> corners;
     std::array<double, 2> box{-64, 64};
@@ -22,8 +22,8 @@ std::vector<std::vector<double>> numbers(std::initializer_list<double> values) {
     return corners;
 }
 
-const std::vector<Row>& rows() {
-    static const std::vector<Row> all = {
+const std::vector<NamedPort>& rows() {
+    static const std::vector<NamedPort> all = {
         // The middle, the walls and the corners of the default box.
         {"BoxProjectedDirection.position", {{0, 0, 0}, {1, 0, 0}, {-1, 1, 1}}, {-1, 1}},
         {"BoxProjectedDirection.center", {{0, 0, 0}, {0, 0.5, -1}}, {-1, 1}},
@@ -94,7 +94,7 @@ std::vector<double> widened(std::vector<double> corner, std::size_t components) 
 PortDomain port_domain(std::string_view node, const nodelang::ParamDecl& param) {
     PortDomain domain{.components = components_of(param.type.name), .corners = {}};
     const std::string name = std::string(node) + "." + std::string(param.name);
-    const auto row = std::find_if(rows().begin(), rows().end(), [&](const Row& r) { return r.port == name; });
+    const auto row = std::find_if(rows().begin(), rows().end(), [&](const NamedPort& r) { return r.port == name; });
     const auto add = [&](std::vector<double> corner) {
         domain.corners.push_back(widened(std::move(corner), domain.components));
     };

@@ -8,7 +8,7 @@
 namespace patina::proof {
 namespace {
 
-struct Row {
+struct Formula {
     const char *name, *call;
 };
 
@@ -55,7 +55,7 @@ double asymmetry(const char* call, bool view_from_below = false) {
     return worst;
 }
 
-constexpr Row kVisibilities[] = {
+constexpr Formula kVisibilities[] = {
     {"VisibilitySmithJoint", "VisibilitySmithJoint(nl, nv, a)"},
     {"VisibilitySmithJointApproximate", "VisibilitySmithJointApproximate(nl, nv, a)"},
     {"VisibilitySmithSeparable", "VisibilitySmithSeparable(nl, nv, a)"},
@@ -76,7 +76,7 @@ constexpr Row kVisibilities[] = {
     {"VisibilityFromMasking", "VisibilityFromMasking(MaskingCookTorrance(nl, nv, nh, lh), nl, nv)"},
 };
 
-constexpr Row kLobes[] = {
+constexpr Formula kLobes[] = {
     {"GGX, Smith joint, Schlick",
      "DistributionGGX(nh, a) * VisibilitySmithJoint(nl, nv, a) * FresnelSchlick(0.04, lh).x"},
     {"GGX as in Unity's BRDF1",
@@ -101,7 +101,7 @@ constexpr Row kLobes[] = {
      " FresnelSchlick(0.04, lh).x"},
 };
 
-constexpr Row kDiffuse[] = {
+constexpr Formula kDiffuse[] = {
     {"LambertBrdf", "LambertBrdf(float3(0.5, 0.5, 0.5)).x"},
     {"DisneyDiffuse", "DisneyDiffuse(nv, nl, lh, r)"},
     {"DisneySubsurface", "DisneySubsurface(nv, nl, lh, r)"},
@@ -110,7 +110,7 @@ constexpr Row kDiffuse[] = {
     {"Lambert times 1 - F(l.h)", "1 - FresnelSchlick(0.04, lh).x"},
 };
 
-class Reciprocal : public testing::TestWithParam<Row> {};
+class Reciprocal : public testing::TestWithParam<Formula> {};
 TEST_P(Reciprocal, LightAndViewerMayChangePlaces) {
     const double worst = asymmetry(GetParam().call);
     std::printf("%-36s differs by at most %.1e\n", GetParam().name, worst);
@@ -122,7 +122,7 @@ INSTANTIATE_TEST_SUITE_P(Diffuse, Reciprocal, testing::ValuesIn(kDiffuse));
 
 // What depends on one of the two directions alone. `below`: only where the normal looks away from the viewer.
 struct OneSided {
-    Row row;
+    Formula row;
     bool below = false;
 };
 constexpr OneSided kOneSided[] = {

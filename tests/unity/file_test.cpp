@@ -191,16 +191,16 @@ TEST(UnityTextures, BringTheMacrosThatReadThem) {
     EXPECT_TRUE(has(text, "#pragma target 3.0") && !has(text, "#pragma target 3.5")) << text;
 }
 
-struct Kind {
+struct SurfaceCase {
     std::string surface, type, queue, blend, fallback;
     std::vector<std::string> modes;
 };
 
-class UnityKind : public ::testing::TestWithParam<Kind> {};
+class UnityKind : public ::testing::TestWithParam<SurfaceCase> {};
 
 // Blending as Unity's manual gives it for premultiplied and plain alpha, additive and multiplicative surfaces.
 TEST_P(UnityKind, SaysHowItIsDrawn) {
-    const Kind& kind = GetParam();
+    const SurfaceCase& kind = GetParam();
     const std::string text = shader(material(R"("render": { "surface": ")" + kind.surface + "\" }"));
     EXPECT_TRUE(has(text, "\"RenderType\" = \"" + kind.type + "\" \"Queue\" = \"" + kind.queue + "\"")) << text;
     EXPECT_TRUE(has(text, "FallBack " + kind.fallback)) << text;
@@ -221,27 +221,29 @@ TEST_P(UnityKind, SaysHowItIsDrawn) {
 INSTANTIATE_TEST_SUITE_P(
     All, UnityKind,
     ::testing::Values(
-        Kind{"opaque", "Opaque", "Geometry", "", "\"VertexLit\"", {"ForwardBase", "ForwardAdd", "Meta", "Deferred"}},
-        Kind{"cutout",
-             "TransparentCutout",
-             "AlphaTest",
-             "",
-             "\"Legacy Shaders/Transparent/Cutout/VertexLit\"",
-             {"ForwardBase", "ForwardAdd", "Meta", "ShadowCaster", "Deferred"}},
-        Kind{"fade",
-             "Transparent",
-             "Transparent",
-             "SrcAlpha OneMinusSrcAlpha, One OneMinusSrcAlpha",
-             "Off",
-             {"ForwardBase", "ForwardAdd", "Meta"}},
-        Kind{"transparent",
-             "Transparent",
-             "Transparent",
-             "One OneMinusSrcAlpha",
-             "Off",
-             {"ForwardBase", "ForwardAdd", "Meta"}},
-        Kind{"additive", "Transparent", "Transparent", "One One, Zero One", "Off", {"ForwardBase", "Meta"}},
-        Kind{"multiply", "Transparent", "Transparent", "DstColor Zero, Zero One", "Off", {"ForwardBase", "Meta"}}),
+        SurfaceCase{
+            "opaque", "Opaque", "Geometry", "", "\"VertexLit\"", {"ForwardBase", "ForwardAdd", "Meta", "Deferred"}},
+        SurfaceCase{"cutout",
+                    "TransparentCutout",
+                    "AlphaTest",
+                    "",
+                    "\"Legacy Shaders/Transparent/Cutout/VertexLit\"",
+                    {"ForwardBase", "ForwardAdd", "Meta", "ShadowCaster", "Deferred"}},
+        SurfaceCase{"fade",
+                    "Transparent",
+                    "Transparent",
+                    "SrcAlpha OneMinusSrcAlpha, One OneMinusSrcAlpha",
+                    "Off",
+                    {"ForwardBase", "ForwardAdd", "Meta"}},
+        SurfaceCase{"transparent",
+                    "Transparent",
+                    "Transparent",
+                    "One OneMinusSrcAlpha",
+                    "Off",
+                    {"ForwardBase", "ForwardAdd", "Meta"}},
+        SurfaceCase{"additive", "Transparent", "Transparent", "One One, Zero One", "Off", {"ForwardBase", "Meta"}},
+        SurfaceCase{
+            "multiply", "Transparent", "Transparent", "DstColor Zero, Zero One", "Off", {"ForwardBase", "Meta"}}),
     [](const auto& info) { return info.param.surface; });
 
 TEST(UnityState, IsThatOfTheGraph) {

@@ -115,22 +115,22 @@ const LabPass* ShaderLab::forward() const {
 ShaderLab taken_apart(const std::string& text) {
     ShaderLab made;
     std::string common, state;
-    enum class Place { Lab, Common, Program } place = Place::Lab;
+    enum class Section { Lab, Common, Program } section = Section::Lab;
     LabPass pass;
     for (const std::string& line : lines_of(text)) {
         if (line == "CGINCLUDE") {
-            place = Place::Common;
+            section = Section::Common;
         } else if (line == "CGPROGRAM") {
-            place = Place::Program;
+            section = Section::Program;
             pass.program = common;
         } else if (line == "ENDCG") {
-            if (place == Place::Program) made.passes.push_back(std::exchange(pass, {}));
-            place = Place::Lab;
-        } else if (place == Place::Common) {
+            if (section == Section::Program) made.passes.push_back(std::exchange(pass, {}));
+            section = Section::Lab;
+        } else if (section == Section::Common) {
             common += line + "\n";
-        } else if (place == Place::Program && line.starts_with("#pragma ")) {
+        } else if (section == Section::Program && line.starts_with("#pragma ")) {
             pass.pragmas.push_back(line.substr(8));
-        } else if (place == Place::Program) {
+        } else if (section == Section::Program) {
             pass.program += line + "\n";
         } else if (line == "Pass") {
             pass = {};

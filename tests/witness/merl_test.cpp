@@ -26,13 +26,13 @@ double dot(const Vector& a, const Vector& b) {
 // --- looking up
 
 // One pair of directions about a normal of the world.
-struct Place {
+struct TurnedPair {
     Vector normal{0, 0, 1};
     DirectionPair pair;
 };
 
 // The same pair about a normal that points elsewhere.
-Place turned(const DirectionPair& pair, double about_x, double about_z) {
+TurnedPair turned(const DirectionPair& pair, double about_x, double about_z) {
     const auto turn = [&](const Vector& d) -> Vector {
         const double s = std::sin(about_x), c = std::cos(about_x), p = std::sin(about_z), q = std::cos(about_z);
         const Vector tilted = {d[0], d[1] * c - d[2] * s, d[1] * s + d[2] * c};
@@ -50,7 +50,7 @@ protected:
 
     // Red of MeasuredBRDF at each place, by each witness.
     static std::map<std::string, std::vector<double>> looked_up(const MerlTable& table,
-                                                                const std::vector<Place>& places) {
+                                                                const std::vector<TurnedPair>& places) {
         const auto material =
             bench->compile(R"({ "patina": 1, "workflow": "unlit", "properties": [ )" + data_property() +
                            R"(, { "name": "_Table", "type": "texture2d", "usage": "data" } ],
@@ -64,7 +64,7 @@ protected:
         const int width = static_cast<int>(places.size());
         Image data = runtime::make_image(width, 3);
         for (int x = 0; x < width; ++x) {
-            const Place& place = places[static_cast<std::size_t>(x)];
+            const TurnedPair& place = places[static_cast<std::size_t>(x)];
             const Vector* rows[] = {&place.normal, &place.pair.light, &place.pair.view};
             for (int y = 0; y < 3; ++y) {
                 for (std::size_t c = 0; c < 3; ++c) data.at(x, y)[c] = static_cast<float>((*rows[y])[c]);
@@ -97,7 +97,7 @@ MerlTable noisy_table(int half, int difference, int azimuth) {
 
 TEST_F(MerlTest, EveryEntryIsFoundAgain) {
     const MerlTable table = noisy_table(6, 6, 8);
-    std::vector<Place> places;
+    std::vector<TurnedPair> places;
     for (int h = 0; h < table.half; ++h) {
         for (int d = 0; d < table.difference; ++d) {
             for (int a = 0; a < table.azimuth; ++a)
@@ -114,7 +114,7 @@ TEST_F(MerlTest, EveryEntryIsFoundAgain) {
 // 90 rows, each with its number: the first ends at 0.011 degrees, where the cosine of a float is still 1.
 TEST_F(MerlTest, TheNarrowRowsAtTheHighlightStayApart) {
     MerlTable table{.half = 90, .difference = 90, .azimuth = 180};
-    std::vector<Place> places;
+    std::vector<TurnedPair> places;
     for (int h = 0; h < table.half; ++h) {
         for (std::vector<double>& channel : table.channels)
             channel.insert(channel.end(), std::size_t(table.difference * table.azimuth), h / kPi);
@@ -128,7 +128,7 @@ TEST_F(MerlTest, TheNarrowRowsAtTheHighlightStayApart) {
 
 TEST_F(MerlTest, LightAndViewMayBeExchanged) {
     const MerlTable table = noisy_table(6, 6, 8);
-    std::vector<Place> places;
+    std::vector<TurnedPair> places;
     std::uint32_t state = 1;
     const auto next = [&] { return ((state = state * 1664525u + 1013904223u) >> 8) / 16777216.0; };
     for (int i = 0; i < 400; ++i) {
@@ -136,7 +136,7 @@ TEST_F(MerlTest, LightAndViewMayBeExchanged) {
             const double z = next(), sine = std::sqrt(1 - z * z), angle = 2 * kPi * next();
             return {sine * std::cos(angle), sine * std::sin(angle), z};
         };
-        const Place place = turned({above(), above()}, next(), next());
+        const TurnedPair place = turned({above(), above()}, next(), next());
         places.push_back(place);
         places.push_back({place.normal, {place.pair.view, place.pair.light}});
     }
@@ -174,7 +174,7 @@ struct Known {
 // From the middle of the highlight outwards, with the table's own angle between light and view and with others.
 TEST_F(MerlTest, ThePeakKeepsItsHeight) {
     const Known known{.alpha = 0.02};
-    std::vector<Place> places;
+    std::vector<TurnedPair> places;
     std::vector<double> expected;
     for (const double theta_d : {0.1, 0.35, 0.61}) {
         for (int i = 0; i <= 40; ++i) {

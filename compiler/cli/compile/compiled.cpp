@@ -15,7 +15,7 @@ std::string as_bytes(const std::vector<std::uint32_t>& words) {
     return std::string(reinterpret_cast<const char*>(words.data()), words.size() * sizeof(std::uint32_t));
 }
 
-const std::string kSpirv = "spirv", kSpirvEnding = ".spv";
+const std::string kSpirvWord = "spirv", kSpirvEnding = ".spv";
 
 // "rust.forward.vert.glsl" -> "rust.forward.vert.spv"
 std::string spirv_name(const Shader& shader) {
@@ -64,7 +64,7 @@ void list_files(Reflection& reflection, const Shader& shader, std::string_view c
         if (found == pass.shaders.end()) continue;
         std::vector<ShaderFile> files;
         for (const WrittenFile& each : written) {
-            const std::string& language = each.file.ends_with(kSpirvEnding) ? kSpirv : shader.target.language;
+            const std::string& language = each.file.ends_with(kSpirvEnding) ? kSpirvWord : shader.target.language;
             files.push_back({.stage = shader.stage, .language = language, .file = each.file});
         }
         pass.shaders.insert(pass.shaders.erase(found), files.begin(), files.end());

@@ -12,7 +12,7 @@ namespace patina::format {
 namespace {
 
 constexpr std::string_view kIdentifier = R"({"type":"string","pattern":"^[A-Za-z_][A-Za-z0-9_]*$"})";
-constexpr std::string_view kColor =
+constexpr std::string_view kColorSchema =
     R"({"anyOf":[{"type":"string","pattern":"^#([0-9a-fA-F]{3}|[0-9a-fA-F]{6})$"},{"type":"number","minimum":0},)"
     R"({"type":"array","items":{"type":"number","minimum":0},"minItems":3,"maxItems":3}]})";
 constexpr std::string_view kColorWithAlpha =
@@ -57,7 +57,7 @@ std::string form_schema(const Form& form, const SchemaInput& input) {
                            {"items", number_schema("number", form)},
                            {"minItems", count},
                            {"maxItems", count}});
-        case Form::Of::Color: return std::string(kColor);
+        case Form::Of::Color: return std::string(kColorSchema);
         case Form::Of::ColorWithAlpha: return std::string(kColorWithAlpha);
         case Form::Of::Object: return reference(definition_of(form.kind));
         case Form::Of::Objects: {

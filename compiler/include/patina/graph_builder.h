@@ -112,12 +112,12 @@ public:
 
     // A value of text(), and what diagnostics call it: the node and its port; or "surface", "vertex", "outputs",
     // "properties" or "inputs" and a name.
-    struct Place {
+    struct ValuePlace {
         std::size_t begin = 0, end = 0;  // bytes of the text; `end` is behind the last
         std::string node, port;          // as in Diagnostic
     };
     // The same text. Appends the places of its values, each after those that it lies in.
-    std::string text(std::vector<Place>& places) const;
+    std::string text(std::vector<ValuePlace>& places) const;
 
 private:
     std::string path_;

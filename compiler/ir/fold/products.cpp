@@ -10,7 +10,7 @@ namespace patina::ir {
 namespace {
 
 // How many products back a factor is looked for.
-constexpr int kMaxDepth = 6;
+constexpr int kDeepestProduct = 6;
 
 // One factor for each component.
 struct Factor {
@@ -79,7 +79,7 @@ public:
     // reads it, too.
     Value scaled(Value value, const Factor& by, int depth = 0) {
         const Inst inst = b_[value];
-        if (depth >= kMaxDepth || inst.operand_count > 2 || inst.operand_count == 0) return {};
+        if (depth >= kDeepestProduct || inst.operand_count > 2 || inst.operand_count == 0) return {};
         const std::array<Value, 2> args = {b_.args(value)[0], b_.args(value)[inst.operand_count - 1]};
         const auto again = [&](Value first, Value second) { return b_.emit(inst.op, inst.type, {first, second}); };
         if (inst.op == Op::Mul) {

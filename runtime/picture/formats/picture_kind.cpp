@@ -101,13 +101,13 @@ constexpr std::array kDds = {".dds"sv};
 constexpr std::array kKtx2 = {".ktx2"sv};
 constexpr std::array kKtx = {".ktx"sv};
 
-struct Row {
+struct FormatRow {
     PictureKind kind;
     std::string_view first;  // its first bytes; empty: they can be any
     std::string_view inner{};
     std::size_t inner_at = 0;  // where `inner` stands
 };
-constexpr Row kRows[] = {
+constexpr FormatRow kRows[] = {
     {{"PNG", kPng, true, is_whole_png, is_intact_png}, kPngSignature},
     {{"JPEG", kJpeg, true, is_whole_jpeg}, "\xff\xd8\xff"sv},
     {{"WebP", kWebp, true, is_whole_webp}, "RIFF"sv, "WEBP"sv, 8},
@@ -126,10 +126,10 @@ constexpr Row kRows[] = {
     {{"TGA", kTga}, ""sv},
 };
 
-const Row* row_named(const std::string& path) {
+const FormatRow* row_named(const std::string& path) {
     std::string ending = std::filesystem::path(path).extension().string();
     for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    const auto* const found = std::find_if(std::begin(kRows), std::end(kRows), [&](const Row& row) {
+    const auto* const found = std::find_if(std::begin(kRows), std::end(kRows), [&](const FormatRow& row) {
         return std::find(row.kind.endings.begin(), row.kind.endings.end(), ending) != row.kind.endings.end();
     });
     return found == std::end(kRows) ? nullptr : found;
@@ -138,7 +138,7 @@ const Row* row_named(const std::string& path) {
 }  // namespace
 
 const PictureKind* picture_kind(std::string_view bytes) {
-    for (const Row& row : kRows) {
+    for (const FormatRow& row : kRows) {
         const bool has_inner = row.inner.empty() || (bytes.size() >= row.inner_at + row.inner.size() &&
                                                      bytes.substr(row.inner_at, row.inner.size()) == row.inner);
         if (!row.first.empty() && bytes.starts_with(row.first) && has_inner) return &row.kind;
@@ -154,7 +154,7 @@ std::string_view damage_of(const PictureKind& kind, std::string_view bytes) {
 std::string picture_fault(const std::string& path, std::string_view bytes) {
     if (bytes.empty()) return "it has no bytes";
     const PictureKind* const kind = picture_kind(bytes);
-    const Row* const named = row_named(path);
+    const FormatRow* const named = row_named(path);
     const std::string name(kind ? kind->name : named ? named->kind.name : "");
     const bool is_refused = kind ? !kind->is_readable : named && !named->kind.is_readable;
     if (is_refused)

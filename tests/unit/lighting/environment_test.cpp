@@ -21,11 +21,11 @@ constexpr double kPi = std::numbers::pi;
 // --- cubes
 
 // The place of a direction by the table in Vulkan's "Cube Map Face Selection": face, s and t.
-struct Place {
+struct FacePoint {
     int face;
     float s, t;
 };
-Place place_of(glm::vec3 d) {
+FacePoint place_of(glm::vec3 d) {
     const glm::vec3 length = glm::abs(d);
     int axis = length.z >= length.x && length.z >= length.y ? 2 : length.y >= length.x ? 1 : 0;
     const bool is_negative = d[axis] < 0;
@@ -42,7 +42,7 @@ TEST(Cube, ATexelsDirectionLeadsBackToIt) {
             for (int x = 0; x < kSize; ++x) {
                 const glm::vec3 direction = cube_direction(face, x, y, kSize);
                 EXPECT_NEAR(glm::length(direction), 1, 1e-6);
-                const Place place = place_of(direction);
+                const FacePoint place = place_of(direction);
                 EXPECT_EQ(place.face, face);
                 EXPECT_NEAR(place.s, (float(x) + 0.5f) / kSize, 1e-6);
                 EXPECT_NEAR(place.t, (float(y) + 0.5f) / kSize, 1e-6);
