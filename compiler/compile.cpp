@@ -15,7 +15,7 @@ bool compile(Compilation& c) {
            && link_materials(c)  // link: names of the interface are settled, and semantics become parameters
            && link_stages(c)     // link, ir/passes: two stages a pass; inlined, hoisted, pruned
            && check_stages(c)    // link: every value that a stage reads is there, and no limit is exceeded
-           && order_passes(c)    // engines: the order in which the file holds them
+           && order_passes(c)    // writers: the order in which the file holds them
            && reflect(c)         // output: what a runtime must know of all this
            && check_files(c)     // writers: what the file format cannot express
            && write_files(c)     // writers, output, languages: rewritten for the language, and printed
