@@ -5,7 +5,7 @@
 
 #include "compiler/cli/commands/commands.h"
 #include "compiler/cli/files.h"
-#include "compiler/cli/picture_options.h"
+#include "compiler/cli/render/picture_options.h"
 #include "compiler/cli/watch/watch.h"
 
 namespace patina::cli {

@@ -12,7 +12,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "compiler/cli/model_file.h"
+#include "compiler/cli/render/model_file.h"
 #include "runtime/files/files.h"
 #include "runtime/picture/compare.h"
 #include "runtime/picture/image.h"

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "compiler/cli/model_file.h"
+#include "compiler/cli/render/model_file.h"
 #include "runtime/files/files.h"
 #include "runtime/render/render_request.h"
 #include "tests/unit/importers/gltf/gltf_writer.h"

@@ -1,4 +1,4 @@
-#include "compiler/cli/picture_options.h"
+#include "compiler/cli/render/picture_options.h"
 
 #include "patina/name_value.h"
 #include "patina/scene.h"

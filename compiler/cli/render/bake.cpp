@@ -9,7 +9,7 @@
 #include "compiler/cli/failures/failures.h"
 #include "compiler/cli/files.h"
 #include "compiler/cli/outputs.h"
-#include "compiler/cli/picture_options.h"
+#include "compiler/cli/render/picture_options.h"
 #include "patina/output_name.h"
 
 namespace patina::cli {

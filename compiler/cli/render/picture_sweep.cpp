@@ -1,4 +1,4 @@
-#include "compiler/cli/picture_sweep.h"
+#include "compiler/cli/render/picture_sweep.h"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 
 #include "compiler/cli/eval/sweep.h"
 #include "compiler/cli/files.h"
-#include "compiler/cli/unread_inputs.h"
+#include "compiler/cli/render/unread_inputs.h"
 #include "patina/name_value.h"
 #include "runtime/picture/contact_sheet.h"
 

@@ -5,7 +5,7 @@
 
 #include "compiler/cli/commands/commands.h"
 #include "compiler/cli/outputs.h"
-#include "compiler/cli/picture_options.h"
+#include "compiler/cli/render/picture_options.h"
 #include "runtime/sheet/sheet_page.h"
 
 namespace patina::cli {

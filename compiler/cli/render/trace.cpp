@@ -8,7 +8,7 @@
 
 #include "compiler/cli/commands/commands.h"
 #include "compiler/cli/eval/json_numbers.h"
-#include "compiler/cli/picture_options.h"
+#include "compiler/cli/render/picture_options.h"
 #include "runtime/picture/image.h"
 
 namespace patina::cli {

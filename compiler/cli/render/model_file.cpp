@@ -1,4 +1,4 @@
-#include "compiler/cli/model_file.h"
+#include "compiler/cli/render/model_file.h"
 
 #include <algorithm>
 #include <filesystem>

@@ -1,4 +1,4 @@
-#include "compiler/cli/unread_inputs.h"
+#include "compiler/cli/render/unread_inputs.h"
 
 #include <algorithm>
 #include <cctype>
