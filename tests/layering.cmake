@@ -200,21 +200,19 @@ endfunction()
 # What reads a file of the disk, and what writes JSON, for all trees.
 set(disk "^compiler/(base/disk/disk|json/json_document|json/json_memory)\\.h$")
 
-# The command uses the public headers, as any program does that embeds the compiler. The commands that draw or import do
-# so through the runtime and the importers. The others need at most the lighting at one point, and write files.
+# The command uses the public headers, as any program does that embeds the compiler, and of the runtime its lighting models,
+# and what writes files and works on several threads. The program of `import` also uses the importers, and that of
+# `render` and `watch` both and the whole runtime.
+set(of_command "^(compiler/cli|patina)/|${disk}")
+set(of_importers "^compiler/importers/[a-z_]+\\.h$")
 file(GLOB_RECURSE files ${ROOT}/compiler/cli/*.h ${ROOT}/compiler/cli/*.cpp ${ROOT}/compiler/cli/*.in)
-set(draws "/(bake|render|check_scene|graph|sheet|snapshot|trace|diff/pictures)\\.cpp$|/picture_(options|sweep)\\.(h|cpp)$|/watch/[a-z_]+\\.(h|cpp)$")
 foreach(file IN LISTS files)
-  if(file MATCHES "/(render|model_file)\\.(h|cpp)$")  # a model is imported before it is drawn
-    check_includes(${file} "^(compiler/cli|patina|runtime)/|${disk}|^compiler/importers/(importer|source_text)\\.h$")
-  elseif(file MATCHES "${draws}")
-    check_includes(${file} "^(compiler/cli|patina|runtime)/|${disk}")
-  elseif(file MATCHES "/(env|render_main)\\.cpp$")
-    check_includes(${file} "^(compiler/cli|patina)/|^runtime/(lighting|picture)/")
-  elseif(file MATCHES "/import\\.cpp$")
-    check_includes(${file} "^(compiler/cli|patina)/|${disk}|^compiler/importers/(importer|source_text)\\.h$")
+  if(file MATCHES "/cli/(render|watch)/")
+    check_includes(${file} "${of_command}|${of_importers}|^runtime/")
+  elseif(file MATCHES "/cli/import/")
+    check_includes(${file} "${of_command}|${of_importers}")
   else()
-    check_includes(${file} "^(compiler/cli|patina)/|${disk}|^runtime/(lighting/model|files/(files|find_files)|jobs/jobs|outcome)\\.h$")
+    check_includes(${file} "${of_command}|^runtime/((lighting|files|jobs)/|outcome\\.h$)")
   endif()
 endforeach()
 
@@ -222,7 +220,7 @@ endforeach()
 # knows no other importer. Only the graph writer and the list of importers may include more.
 file(GLOB files ${ROOT}/compiler/importers/*.h ${ROOT}/compiler/importers/*.cpp)
 foreach(file IN LISTS files)
-  check_includes(${file} "^(compiler/(importers|base|format|json)|patina)/|^runtime/(picture/image|lighting/studio_lights)\\.h$")
+  check_includes(${file} "^(compiler/(importers|base|format|json)|patina)/|^runtime/(picture|lighting)/")
 endforeach()
 file(GLOB folders LIST_DIRECTORIES true ${ROOT}/compiler/importers/*)
 foreach(folder IN LISTS folders)
@@ -232,7 +230,7 @@ foreach(folder IN LISTS folders)
   get_filename_component(importer ${folder} NAME)
   file(GLOB_RECURSE files ${folder}/*.h ${folder}/*.cpp)
   foreach(file IN LISTS files)
-    check_includes(${file} "^compiler/(json|base)/|^compiler/importers/([a-z_]+\\.h$|${importer}/)|^patina/|^runtime/(picture/(image|formats/picture_kind)|lighting/merl|gltf/gltf_(file|model)|mesh/framing)\\.h$|^runtime/outcome\\.h$")
+    check_includes(${file} "^compiler/(json|base)/|^compiler/importers/([a-z_]+\\.h$|${importer}/)|^patina/|^runtime/((picture|lighting|gltf|mesh)/|outcome\\.h$)")
   endforeach()
 endforeach()
 
@@ -403,9 +401,9 @@ if(count_of_engines LESS 2)
   string(APPEND breaches "only ${count_of_engines} engines were found: the search itself is broken\n")
 endif()
 file(GLOB_RECURSE files ${ROOT}/compiler/*.h ${ROOT}/compiler/*.cpp ${ROOT}/compiler/*.def ${ROOT}/runtime/*.h ${ROOT}/runtime/*.cpp)
-# A format of another program may hold the name of its engine, so importers may, too; so may the names of the variables
-# that hold its light, and the table of names in other programs that Patina knows under another name.
-list(FILTER files EXCLUDE REGEX "/compiler/(writers|importers)/|/cli/commands/env\\.cpp$|/nodelang/other_names\\.cpp$")
+# A format of another program may hold the name of its engine, so importers may, too; so may the command that writes the
+# variables that hold its light, and the table of names in other programs that Patina knows under another name.
+list(FILTER files EXCLUDE REGEX "/compiler/(writers|importers|cli/render)/|/nodelang/other_names\\.cpp$")
 foreach(file IN LISTS files)
   file(READ ${file} text)
   # Comments may cite an engine's manual or its names as an example; so may the examples of --help.
@@ -428,7 +426,7 @@ foreach(file IN LISTS files)
 endforeach()
 
 # --- each room has one main header, whose first line says so
-set(rooms_with_headers ${names} ir/fold ir/passes ir/linear emit/operations emit/statements importers cli cli/commands cli/compile cli/diff cli/pages cli/eval)
+set(rooms_with_headers ${names} ir/fold ir/passes ir/linear emit/operations emit/statements importers cli cli/commands cli/render cli/compile cli/diff cli/pages cli/eval)
 list(TRANSFORM rooms_with_headers PREPEND "compiler/")
 foreach(room IN LISTS runtime_rooms)
   list(APPEND rooms_with_headers runtime/${room})

@@ -4,12 +4,12 @@
 // CLI11 parses it. This adds one form for mistakes in it ("did you mean ...?", exit code 2) and the options that all
 // subcommands have.
 //
-// This folder: the programs (main.cpp, render_main.cpp, import_main.cpp) and what all commands share (this file,
-// console.h, files.h, inputs.h, outputs.h). failures/ says what was thrown, commands/ holds a file for each command,
-// compile/ what `patina compile` needs beside, cost/ is `patina cost`, diff/ what `patina diff` finds, watch/ is
-// `patina watch`, licences/ is `patina --licences`, pages/ what `patina node` and
-// `patina model` show, eval/ what `patina eval` computes, templates/ what `patina new` writes. Nothing here includes
-// the compiler's own headers: what a command needs of the library is public.
+// This folder: the program `patina` (main.cpp) and what all commands share (this file, console.h, files.h, inputs.h,
+// outputs.h). failures/ says what was thrown, commands/ holds a file for each command, compile/ what `patina compile`
+// also needs, cost/ is `patina cost`, diff/ what `patina diff` finds, licences/ is `patina --licences`, pages/ what
+// `patina node` and `patina model` show, eval/ what `patina eval` computes, templates/ what `patina new` writes.
+// import/ is the program `patina-import`; render/ and watch/ are `patina-render`. Nothing here includes the compiler's
+// own headers: what a command needs of the library is public.
 //
 //   return run(argc, argv, [](Program& program, int, char**) -> std::optional<Exit> {
 //       add_compile(program);

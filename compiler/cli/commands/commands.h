@@ -1,8 +1,9 @@
-// The room `cli/commands` holds a file for each subcommand. A command uses public headers only.
+// The room `cli/commands` holds a file for each subcommand of `patina`, and the list of all subcommands (commands.def).
+// A command uses public headers only.
 //
-// The subcommands: one file each. commands.def lists them. To add one: write commands/NAME.cpp with add_NAME(), and a
-// row in commands.def. A command reads its options, calls the library, and prints or writes the result.
-// The code that formats output is in ../pages; the computations of `patina eval` are in ../eval.
+// To add one: write commands/NAME.cpp with add_NAME(), or render/NAME.cpp if it draws, and a row in commands.def. A
+// command reads its options, calls the library, and prints or writes the result. The code that formats output is in
+// ../pages; the computations of `patina eval` are in ../eval.
 //
 //   void add_schema(Program& program) {
 //       CLI::App& command = add_command(program, "schema", {"patina schema > patina.schema.json"});

@@ -1,3 +1,6 @@
+// The room `cli/render` holds the commands that draw, and the program that runs them, `patina-render`. Of the compiler
+// they use the public headers, and of the runtime whatever they need.
+//
 // The options for the picture of a graph: mesh, size, lights, camera, property values. `patina render`,
 // `patina trace` and `patina bake` share them.
 //
