@@ -14,7 +14,7 @@
 #include "compiler/base/cancellation.h"
 #include "compiler/base/text.h"
 #include "compiler/json/json_errors.h"
-#include "compiler/json/json_memory.h"
+#include "compiler/json/memory/json_memory.h"
 #include "compiler/json/other_file.h"
 
 namespace patina::json {

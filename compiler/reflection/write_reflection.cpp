@@ -3,7 +3,7 @@
 
 #include "compiler/base/broken_text.h"
 #include "compiler/base/text.h"
-#include "compiler/json/json_memory.h"
+#include "compiler/json/memory/json_memory.h"
 #include "compiler/reflection/describe.h"
 
 namespace patina::reflection {

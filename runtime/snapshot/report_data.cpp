@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "compiler/json/json_memory.h"
+#include "compiler/json/memory/json_memory.h"
 #include "runtime/page/escaped.h"
 
 namespace patina::runtime {

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "compiler/base/disk/disk.h"
-#include "compiler/json/json_memory.h"
+#include "compiler/json/memory/json_memory.h"
 #include "patina/complaints.h"
 #include "patina/scene.h"
 #include "runtime/gltf/gltf_model.h"

@@ -8,7 +8,7 @@
 #include <map>
 #include <optional>
 
-#include "compiler/json/json_document.h"
+#include "compiler/json/memory/json_document.h"
 #include "runtime/lighting/model.h"
 #include "tests/terms/term_data.h"
 

@@ -8,7 +8,7 @@
 
 #include "compiler/cli/compile/compiled.h"
 #include "compiler/cli/files.h"
-#include "compiler/json/json_memory.h"
+#include "compiler/json/memory/json_memory.h"
 #include "patina/output_name.h"
 
 namespace patina::cli {

@@ -1,5 +1,5 @@
 #include "compiler/cli/diff/report.h"
-#include "compiler/json/json_memory.h"
+#include "compiler/json/memory/json_memory.h"
 
 namespace patina::cli {
 namespace {

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <span>
 
-#include "compiler/json/json_memory.h"
+#include "compiler/json/memory/json_memory.h"
 
 namespace patina::cli {
 

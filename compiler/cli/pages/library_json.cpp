@@ -2,7 +2,7 @@
 
 #include "compiler/cli/pages/model_cost.h"
 #include "compiler/cli/pages/pages.h"
-#include "compiler/json/json_memory.h"
+#include "compiler/json/memory/json_memory.h"
 
 namespace patina::cli {
 namespace {

@@ -7,7 +7,7 @@
 
 #include <rapidjson/document.h>
 
-#include "compiler/json/json_memory.h"
+#include "compiler/json/memory/json_memory.h"
 
 namespace patina {
 
