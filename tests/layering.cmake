@@ -14,7 +14,8 @@ set(compiler_rooms
     "include:"
     "base:"
     "seam: include base"
-    "json: base"
+    "json/memory:"
+    "json: base json/memory"
     "ir: base"
     "nodelang: base"
     "emit: base ir nodelang"
@@ -30,10 +31,10 @@ set(compiler_rooms
     "output: include base ir format languages engines resolve lower link"
     "writers/*: include base ir languages format engines resolve lower link output"
     "writers: base languages engines resolve output writers/*"
-    "reflection: include base json"
+    "reflection: include base json/memory json"
     "interpret: include base ir link"
     "validate: include seam"
-    "api: include base seam json ir nodelang emit format format/schema edit engines paths resolve lower link output writers reflection interpret"
+    "api: include base seam json/memory json ir nodelang emit format format/schema edit engines paths resolve lower link output writers reflection interpret"
     "exporters/*: include base seam ir format engines paths resolve lower link output api"
     "capi: include base json nodelang format api")
 # `writers/*` stands for each folder of that room.
@@ -198,7 +199,7 @@ function(check_includes file allowed)
 endfunction()
 
 # What reads a file of the disk, and what writes JSON, for all trees.
-set(disk "^compiler/(base/disk/disk|json/json_document|json/json_memory)\\.h$")
+set(disk "^compiler/(base/disk|json/memory)/")
 
 # The command uses the public headers, as any program does that embeds the compiler, and of the runtime its lighting models,
 # and what writes files and works on several threads. The program of `import` also uses the importers, and that of
@@ -234,11 +235,11 @@ foreach(folder IN LISTS folders)
   endforeach()
 endforeach()
 
-# The runtime uses the public headers only, the reader of files and the memory of JSON.
+# The runtime uses the public headers only, the reader of files and the memory for JSON.
 file(GLOB_RECURSE files ${ROOT}/runtime/*.h ${ROOT}/runtime/*.cpp)
 foreach(file IN LISTS files)
   file(STRINGS ${file} includes REGEX "^#include \"compiler/")
-  list(FILTER includes EXCLUDE REGEX "\"compiler/(base/disk/disk|json/json_memory)\\.h\"")
+  list(FILTER includes EXCLUDE REGEX "\"compiler/(base/disk|json/memory)/")
   file(RELATIVE_PATH name ${ROOT} ${file})
   if(includes)
     string(APPEND breaches "${name}: ${includes}\n")

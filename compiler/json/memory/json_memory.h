@@ -1,5 +1,5 @@
-// Memory for RapidJSON. Its own allocator gives what malloc gives, and RapidJSON writes there without a look, also if
-// that is null. This one throws std::bad_alloc.
+// The room `json/memory` has memory for RapidJSON, for all trees. RapidJSON's own allocator gives what malloc gives, and
+// RapidJSON writes there without a look, also if that is null. This one throws std::bad_alloc.
 //
 //   JsonBuffer buffer;
 //   JsonLines writer(buffer);   // or JsonPages, which is indented
