@@ -12,20 +12,21 @@ constexpr std::string_view kFunction = "a function", kParameter = "a parameter",
                            kMember = "a member";
 struct AttributeInfo {
     std::string_view place, name;
+    bool has_arguments = true;
 };
 constexpr AttributeInfo kAttributes[] = {
     {kFunction, "node"},
     {kFunction, "also"},
     {kFunction, "is"},
-    {kFunction, "member"},
+    {kFunction, "member", false},
     {kFunction, "semantic"},
     {kFunction, "extern"},
     {kFunction, "range"},
-    {kFunction, "inline"},
-    {kFunction, "inFloat"},
-    {kFunction, "hlsl"},
+    {kFunction, "inline", false},
+    {kFunction, "inFloat", false},
+    {kFunction, "hlsl", false},
     // Functions that passes call, and how the slots among them are derived.
-    {kFunction, "slot"},
+    {kFunction, "slot", false},
     {kFunction, "part"},
     {kFunction, "without"},
     {kFunction, "pack"},
@@ -35,8 +36,8 @@ constexpr AttributeInfo kAttributes[] = {
     {kFunction, "export"},
     // A pass and how it draws.
     {kFunction, "pass"},
-    {kFunction, "vertex"},
-    {kFunction, "fragment"},
+    {kFunction, "vertex", false},
+    {kFunction, "fragment", false},
     {kFunction, "gives"},
     {kFunction, "draws"},
     {kFunction, "each"},
@@ -67,35 +68,34 @@ constexpr AttributeInfo kAttributes[] = {
     {kFunction, "lighting"},
     {kFunction, "tag"},
     {kFunction, "text"},
-    {kFunction, "perObject"},
+    {kFunction, "perObject", false},
     {kParameter, "also"},
     {kParameter, "range"},
-    {kParameter, "color"},
+    {kParameter, "color", false},
     {kParameter, "unit"},
-    {kParameter, "hidden"},
+    {kParameter, "hidden", false},
     {kParameter, "is"},
-    {kParameter, "perLight"},
-    {kVariable, "attribute"},
+    {kParameter, "perLight", false},
+    {kVariable, "attribute", false},
     {kVariable, "extern"},
     {kVariable, "with"},
     {kVariable, "reads"},
     {kVariable, "builtin"},
     {kVariable, "semantic"},
-    {kVariable, "given"},
+    {kVariable, "given", false},
     {kVariable, "static"},
     {kVariable, "switch"},
     {kVariable, "otherwise"},
-    {kVariable, "perObject"},
-    {kVariable, "unit"},
-    {kVariable, "vertexOutput"},
-    {kVariable, "uv"},
+    {kVariable, "perObject", false},
+    {kVariable, "vertexOutput", false},
+    {kVariable, "uv", false},
     {kVariable, "foreign"},
     {kVariable, "text"},
     {kVariable, "gives"},
-    {kMember, "hdr"},
+    {kMember, "hdr", false},
     {kMember, "is"},
     {kMember, "target"},
-    {kMember, "optional"},
+    {kMember, "optional", false},
     {kMember, "onlyIf"},
 };
 
@@ -153,17 +153,21 @@ FunctionMarks marks_of(const FunctionDecl& function) {
 
 }  // namespace
 
-// An unknown attribute has no effect, so it is reported.
+// An unknown attribute has no effect, and neither has an argument that nothing reads, so they are reported.
 void Parser::check_attributes(std::span<const Attribute> marks, std::string_view what) {
     for (const Attribute& mark : marks) {
-        const auto is_row = [&](const AttributeInfo& row) { return row.name == mark.name && row.place == what; };
-        if (std::none_of(std::begin(kAttributes), std::end(kAttributes), is_row)) {
+        const auto* const row =
+            std::find_if(std::begin(kAttributes), std::end(kAttributes),
+                         [&](const AttributeInfo& each) { return each.name == mark.name && each.place == what; });
+        if (row == std::end(kAttributes)) {
             std::vector<std::string_view> known;
-            for (const AttributeInfo& row : kAttributes) {
-                if (row.place == what) known.push_back(row.name);
+            for (const AttributeInfo& each : kAttributes) {
+                if (each.place == what) known.push_back(each.name);
             }
             diagnostics_.report(Code::BadAttribute, mark.span, mark.name, fmt::format("is not allowed before {}", what))
                 .note(Diagnostics::suggestion(mark.name, known));
+        } else if (!row->has_arguments && !mark.args.empty()) {
+            diagnostics_.report(Code::BadAttribute, mark.span, mark.name, "takes no arguments");
         } else if (mark.name == "range" &&
                    !(mark.args.size() == 2 && is_number(*mark.args[0]) && is_number(*mark.args[1]))) {
             diagnostics_.report(Code::BadAttribute, mark.span, mark.name, "takes two numbers: [range(0, 1)]");

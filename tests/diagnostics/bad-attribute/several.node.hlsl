@@ -5,4 +5,4 @@ float F([rnage(0, 1)] float a = 1, [range(0)] float b = 1) {
     return a;
 }
 [node("Test/G")]
-float G() { return 1; }
+[inFloat(1)] float G() { return 1; }

@@ -6,7 +6,7 @@
 [static("surface", "cutout")] float noAnswer;
 [static] bool noQuestion;
 [switch] int manyWays;
-[attribute(7, "TEXCOORD7")] float4 ofNoMesh;
+[attribute] float4 ofNoMesh;
 [given] float4 ofNoGraph;
 
 [pass("mine")] [vertex]

@@ -370,7 +370,7 @@ enum BlendMode {
 enum One { A, };
 const float PI = 3.14;
 const float3 k[2] = { float3(1, 0, 0), { 0, 1, 0 } };
-[attribute(0, "POSITION")] float3 positionOS;  ///< of the vertex
+[foreign(0, "POSITION")] float3 positionOS;  ///< of the vertex
 [static("surface", "cutout")] bool alphaClip;
 [extern("Camera")] float4 lights[16];
 )");
@@ -391,8 +391,8 @@ const float3 k[2] = { float3(1, 0, 0), { 0, 1, 0 } };
     EXPECT_EQ(show(parsed->ast.variables[0].value), "3.14");
     EXPECT_EQ(show(parsed->ast.variables[1].value), "{ (float3() 1 0 0) { 0 1 0 } }");
     const VariableDecl& position = parsed->ast.variables[2];
-    EXPECT_EQ(show(position.attribute("attribute")->args.at(0)), "0");
-    EXPECT_EQ(position.attribute("attribute")->args.at(1)->text, "POSITION");
+    EXPECT_EQ(show(position.attribute("foreign")->args.at(0)), "0");
+    EXPECT_EQ(position.attribute("foreign")->args.at(1)->text, "POSITION");
     EXPECT_EQ(position.doc, "of the vertex");
     EXPECT_NE(parsed->ast.variables[3].attribute("static"), nullptr);
     EXPECT_EQ(show(parsed->ast.variables[4].type.array_size), "16");
