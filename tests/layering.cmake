@@ -199,7 +199,7 @@ function(check_includes file allowed)
 endfunction()
 
 # What reads a file of the disk, and what writes JSON, for all trees.
-set(disk "^compiler/(base/disk|json/memory)/")
+set(disk "^compiler/(base/disk|json/memory|api/describe)/")
 
 # The command uses the public headers, as any program does that embeds the compiler, and of the runtime its lighting models,
 # and what writes files and works on several threads. The program of `import` also uses the importers, and that of
@@ -235,7 +235,7 @@ foreach(folder IN LISTS folders)
   endforeach()
 endforeach()
 
-# The runtime uses the public headers only, the reader of files and the memory for JSON.
+# The runtime uses the public headers only, the reader of files and the memory and the writer of JSON.
 file(GLOB_RECURSE files ${ROOT}/runtime/*.h ${ROOT}/runtime/*.cpp)
 foreach(file IN LISTS files)
   file(STRINGS ${file} includes REGEX "^#include \"compiler/")

@@ -8,7 +8,7 @@
 #include "compiler/base/broken_text.h"
 #include "compiler/base/near_file.h"
 #include "compiler/base/text.h"
-#include "compiler/json/memory/json_memory.h"
+#include "compiler/json/memory/json_writer.h"
 
 namespace patina {
 namespace {
@@ -65,40 +65,26 @@ void write_text(std::string& text, const Diagnostic& d, bool colors) {
     for (const Diagnostic& note : d.notes) write_text(text, note, colors);
 }
 
-using Writer = JsonLines;
-
-void write_json(Writer& writer, const Diagnostic& d) {
-    const auto string = [&](const char* key, std::string_view bytes) {
-        const std::string value = as_utf8(bytes);
-        writer.Key(key);
-        writer.String(value.data(), static_cast<rapidjson::SizeType>(value.size()));
-    };
-    const auto number = [&](const char* key, int value) {
-        writer.Key(key);
-        writer.Int(value);
-    };
-    writer.StartObject();
-    string("severity", word(d.severity));
-    if (!d.code.empty()) string("code", d.code);
-    string("message", d.message);
-    if (!d.file.empty()) {
-        string("file", d.file);
-    }
+void write_json(JsonWriter& json, const Diagnostic& d) {
+    json.begin('{');
+    json.write("severity", word(d.severity));
+    json.if_any("code", d.code);
+    json.write("message", d.message);
+    json.if_any("file", d.file);
     if (d.line > 0) {
-        number("line", d.line);
-        number("column", d.column);
-        number("endLine", d.end_line);
-        number("endColumn", d.end_column);
+        json.write("line", d.line);
+        json.write("column", d.column);
+        json.write("endLine", d.end_line);
+        json.write("endColumn", d.end_column);
     }
-    if (!d.node.empty()) string("node", d.node);
-    if (!d.port.empty()) string("port", d.port);
+    json.if_any("node", d.node);
+    json.if_any("port", d.port);
     if (!d.notes.empty()) {
-        writer.Key("notes");
-        writer.StartArray();
-        for (const Diagnostic& note : d.notes) write_json(writer, note);
-        writer.EndArray();
+        json.begin("notes", '[');
+        for (const Diagnostic& note : d.notes) write_json(json, note);
+        json.end();
     }
-    writer.EndObject();
+    json.end();
 }
 
 }  // namespace
@@ -177,10 +163,9 @@ std::string file_suggestion(const std::string& path) {
 }
 
 std::string to_json(const Diagnostic& diagnostic) {
-    JsonBuffer buffer;
-    Writer writer(buffer);
-    write_json(writer, diagnostic);
-    return {buffer.GetString(), buffer.GetSize()};
+    JsonWriter json;
+    write_json(json, diagnostic);
+    return json.take();
 }
 
 }  // namespace patina

@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "compiler/capi/handles.h"
-#include "compiler/capi/json_writer.h"
+#include "compiler/json/memory/json_writer.h"
 
 struct patina_plan {
     std::string path{};
@@ -34,20 +34,20 @@ std::string json_of_axes(const std::vector<VariantAxis>& axes) {
     json.begin('[');
     for (const VariantAxis& axis : axes) {
         json.begin('{');
-        json.text("property", axis.property);
-        json.list("values", axis.values);
-        json.text("default", axis.values[axis.otherwise]);
-        json.end('}');
+        json.if_any("property", axis.property);
+        json.if_any("values", axis.values);
+        json.if_any("default", axis.values[axis.otherwise]);
+        json.end();
     }
-    json.end(']');
+    json.end();
     return json.take();
 }
 
 std::string json_of_values(const VariantValues& values) {
     JsonWriter json;
     json.begin('{');
-    for (const auto& [property, value] : values) json.text(property, value);
-    json.end('}');
+    for (const auto& [property, value] : values) json.if_any(property, value);
+    json.end();
     return json.take();
 }
 

@@ -2,41 +2,29 @@
 #include <concepts>
 #include <type_traits>
 
-#include "compiler/json/memory/json_memory.h"
+#include "compiler/json/memory/json_writer.h"
 #include "compiler/reflection/describe.h"
 
 namespace patina::reflection {
 namespace {
-
-using Writer = JsonPages;
-
-void write(Writer& writer, const char* key, std::string_view text) {
-    writer.Key(key);
-    writer.String(text.data(), static_cast<rapidjson::SizeType>(text.size()));
-}
 
 // Writes "properties" of an object and collects its required keys.
 class SchemaFields {
 public:
     static constexpr bool kWrites = false;
 
-    explicit SchemaFields(Writer& writer) : writer_(writer) {}
+    explicit SchemaFields(JsonWriter& json) : json_(json) {}
 
     // The inside of the schema of an object.
     template <class T>
-    static void write_object(Writer& writer, T& value) {
-        SchemaFields fields(writer);
-        write(writer, "type", "object");
-        writer.Key("properties");
-        writer.StartObject();
+    static void write_object(JsonWriter& json, T& value) {
+        SchemaFields fields(json);
+        json.write("type", "object");
+        json.begin("properties", '{');
         describe(fields, value);
-        writer.EndObject();
-        writer.Key("required");
-        writer.StartArray();
-        for (const char* name : fields.required_) writer.String(name);
-        writer.EndArray();
-        writer.Key("additionalProperties");
-        writer.Bool(false);
+        json.end();
+        json.write("required", fields.required_);
+        json.write("additionalProperties", false);
     }
 
     template <class T>
@@ -79,38 +67,30 @@ private:
 
     template <class T>
     void property(const char* name, T& value, std::string_view doc) {
-        writer_.Key(name);
-        writer_.StartObject();
+        json_.begin(name, '{');
         type(value);
-        write(writer_, "description", doc);
-        writer_.EndObject();
+        json_.write("description", doc);
+        json_.end();
     }
     // `json`: the members that state the type.
     void raw(const char* name, const std::string& json, std::string_view doc) {
-        writer_.Key(name);
-        const std::string text =
-            "{ " + json + (json.empty() ? "" : ", ") + "\"description\": \"" + std::string(doc) + "\" }";
-        writer_.RawValue(text.data(), text.size(), rapidjson::kObjectType);
+        json_.write_key(name);
+        json_.raw("{ " + json + (json.empty() ? "" : ", ") + "\"description\": \"" + std::string(doc) + "\" }");
     }
 
-    void type(std::string&) { write(writer_, "type", "string"); }
-    void type(bool&) { write(writer_, "type", "boolean"); }
-    void type(double&) { write(writer_, "type", "number"); }
+    void type(std::string&) { json_.write("type", "string"); }
+    void type(bool&) { json_.write("type", "boolean"); }
+    void type(double&) { json_.write("type", "number"); }
     template <std::integral T>
     void type(T&) {
-        write(writer_, "type", "integer");
-        if constexpr (std::is_unsigned_v<T>) {
-            writer_.Key("minimum");
-            writer_.Int(0);
-        }
+        json_.write("type", "integer");
+        if constexpr (std::is_unsigned_v<T>) json_.write("minimum", 0);
     }
     template <HasWords E>
     void type(E&) {
-        writer_.Key("enum");
-        writer_.StartArray();
-        for (const Word<E>& word : kWords<E>)
-            writer_.String(word.text.data(), static_cast<rapidjson::SizeType>(word.text.size()));
-        writer_.EndArray();
+        json_.begin("enum", '[');
+        for (const Word<E>& word : kWords<E>) json_.write(word.text);
+        json_.end();
     }
     template <class T>
     void type(std::optional<T>&) {
@@ -124,37 +104,33 @@ private:
     template <class T, std::size_t kCount>
     void type(std::array<T, kCount>&) {
         list<T>();
-        writer_.Key("minItems");
-        writer_.Uint(kCount);
-        writer_.Key("maxItems");
-        writer_.Uint(kCount);
+        json_.write("minItems", kCount);
+        json_.write("maxItems", kCount);
     }
     void type(Bounds&) {
         std::array<std::array<double, 3>, 2> box{};
-        writer_.Key("anyOf");
-        writer_.StartArray();
-        writer_.StartObject();
-        write(writer_, "type", "number");
-        writer_.EndObject();
-        writer_.StartObject();
+        json_.begin("anyOf", '[');
+        json_.begin('{');
+        json_.write("type", "number");
+        json_.end();
+        json_.begin('{');
         type(box);
-        writer_.EndObject();
-        writer_.EndArray();
+        json_.end();
+        json_.end();
     }
     template <class T>
     requires requires(SchemaFields& fields, T& value) { describe(fields, value); }
-    void type(T& value) { write_object(writer_, value); }
+    void type(T& value) { write_object(json_, value); }
     template <class T>
     void list() {
         T value{};
-        write(writer_, "type", "array");
-        writer_.Key("items");
-        writer_.StartObject();
+        json_.write("type", "array");
+        json_.begin("items", '{');
         type(value);
-        writer_.EndObject();
+        json_.end();
     }
 
-    Writer& writer_;
+    JsonWriter& json_;
     std::vector<const char*> required_;
 };
 
@@ -164,17 +140,14 @@ private:
 namespace patina {
 
 std::string Reflection::schema() {
-    JsonBuffer buffer;
-    reflection::Writer writer(buffer);
-    writer.SetIndent(' ', 2);
-    writer.SetFormatOptions(rapidjson::kFormatSingleLineArray);
+    JsonWriter json(JsonWriter::Layout::ShortLists);
     Reflection any;
-    writer.StartObject();
-    reflection::write(writer, "$schema", "https://json-schema.org/draft/2020-12/schema");
-    reflection::write(writer, "title", "The reflection of a material that Patina has compiled");
-    reflection::SchemaFields::write_object(writer, any);
-    writer.EndObject();
-    return std::string(buffer.GetString(), buffer.GetSize()) + "\n";
+    json.begin('{');
+    json.write("$schema", "https://json-schema.org/draft/2020-12/schema");
+    json.write("title", "The reflection of a material that Patina has compiled");
+    reflection::SchemaFields::write_object(json, any);
+    json.end();
+    return json.take() + "\n";
 }
 
 }  // namespace patina

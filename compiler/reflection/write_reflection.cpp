@@ -1,15 +1,12 @@
 // Reflection::to_json(): pretty-printed, with keys in the order of describe.h.
 #include <concepts>
 
-#include "compiler/base/broken_text.h"
 #include "compiler/base/text.h"
-#include "compiler/json/memory/json_memory.h"
+#include "compiler/json/memory/json_writer.h"
 #include "compiler/reflection/describe.h"
 
 namespace patina::reflection {
 namespace {
-
-using Writer = JsonPages;
 
 template <class T>
 bool is_left_out(const T& value, const T& usual) {
@@ -26,11 +23,11 @@ class WriteFields {
 public:
     static constexpr bool kWrites = true;
 
-    WriteFields(Writer& writer, const Reflection& reflection) : writer_(writer), reflection_(reflection) {}
+    WriteFields(JsonWriter& json, const Reflection& reflection) : json_(json), reflection_(reflection) {}
 
     template <class T>
     void key(const char* name, const T& value, std::string_view) {
-        writer_.Key(name);
+        json_.write_key(name);
         write(value);
     }
     template <class T>
@@ -45,8 +42,8 @@ public:
     void version(const char* name, int version, std::string_view doc) { key(name, version, doc); }
     void meta(const std::string& json) {
         if (json.empty()) return;
-        writer_.Key("meta");
-        raw(json);
+        json_.write_key("meta");
+        json_.raw(json);
     }
     void stencil_reference(bool is_used, const Stencil& stencil) {
         if (!is_used) return;
@@ -80,19 +77,14 @@ public:
     }
 
 private:
-    void raw(const std::string& json) { writer_.RawValue(json.data(), json.size(), rapidjson::kObjectType); }
-
-    void write(std::string_view bytes) {
-        const std::string text = as_utf8(bytes);
-        writer_.String(text.data(), static_cast<rapidjson::SizeType>(text.size()));
-    }
-    void write(const std::string& text) { write(std::string_view(text)); }
-    void write(bool value) { writer_.Bool(value); }
+    void write(std::string_view text) { json_.write(text); }
+    void write(const std::string& text) { json_.write(text); }
+    void write(bool value) { json_.write(value); }
     template <class T>
     requires(std::integral<T> || std::floating_point<T>) void write(T value) {
-        raw(shortest(static_cast<double>(value)));
+        json_.raw(shortest(static_cast<double>(value)));
     }
-    void write(HasWords auto value) { write(to_string(value)); }
+    void write(HasWords auto value) { json_.write(value); }
     template <class T>
     void write(const std::optional<T>& value) {
         write(*value);
@@ -114,17 +106,17 @@ private:
     template <class T>
     requires requires(WriteFields& fields, const T& value) { describe(fields, value); }
     void write(const T& value) {
-        writer_.StartObject();
+        json_.begin('{');
         describe(*this, value);
-        writer_.EndObject();
+        json_.end();
     }
     void write_list(const auto& values) {
-        writer_.StartArray();
+        json_.begin('[');
         for (const auto& value : values) write(value);
-        writer_.EndArray();
+        json_.end();
     }
 
-    Writer& writer_;
+    JsonWriter& json_;
     const Reflection& reflection_;
 };
 
@@ -134,15 +126,12 @@ private:
 namespace patina {
 
 std::string Reflection::to_json() const {
-    JsonBuffer buffer;
-    reflection::Writer writer(buffer);
-    writer.SetIndent(' ', 2);
-    writer.SetFormatOptions(rapidjson::kFormatSingleLineArray);
-    reflection::WriteFields fields(writer, *this);
-    writer.StartObject();
+    JsonWriter json(JsonWriter::Layout::ShortLists);
+    reflection::WriteFields fields(json, *this);
+    json.begin('{');
     reflection::describe(fields, *this);
-    writer.EndObject();
-    return std::string(buffer.GetString(), buffer.GetSize()) + "\n";
+    json.end();
+    return json.take() + "\n";
 }
 
 }  // namespace patina

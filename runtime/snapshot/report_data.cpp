@@ -2,46 +2,27 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-
-#include "compiler/json/memory/json_memory.h"
+#include "compiler/json/memory/json_writer.h"
 #include "runtime/page/escaped.h"
 
 namespace patina::runtime {
 namespace {
 
-void write_text(JsonPages& writer, const char* key, const std::string& text) {
-    if (text.empty()) return;
-    writer.Key(key);
-    writer.String(text.c_str());
+void write_count(JsonWriter& json, std::string_view key, std::size_t count) {
+    if (count > 0) json.write(key, count);
 }
 
-void write_count(JsonPages& writer, const char* key, std::size_t count) {
-    if (count == 0) return;
-    writer.Key(key);
-    writer.Uint64(count);
-}
-
-// JSON has no infinity.
-void write_number(JsonPages& writer, const char* key, double value) {
-    writer.Key(key);
-    std::isfinite(value) ? writer.Double(value) : writer.String("infinity");
-}
-
-void write_gates(JsonPages& writer, const std::vector<Gate>& gates) {
+void write_gates(JsonWriter& json, const std::vector<Gate>& gates) {
     if (gates.empty()) return;
-    writer.Key("gates");
-    writer.StartObject();
+    json.begin("gates", '{');
     for (const Gate& gate : gates) {
-        writer.Key(std::string(gate.name).c_str());
-        writer.StartObject();
-        write_number(writer, "value", gate.value);
-        write_number(writer, "limit", gate.limit);
-        writer.Key("ok");
-        writer.Bool(gate.passes());
-        writer.EndObject();
+        json.begin(gate.name, '{');
+        json.write("value", gate.value);
+        json.write("limit", gate.limit);
+        json.write("ok", gate.passes());
+        json.end();
     }
-    writer.EndObject();
+    json.end();
 }
 
 // Why a case is not right, with the compiler's own words if it has some.
@@ -52,26 +33,25 @@ std::string reason(const SnapshotCase& each) {
     return text;
 }
 
-void write_case(JsonPages& writer, const SnapshotCase& each) {
-    writer.StartObject();
-    write_text(writer, "name", each.name);
-    write_text(writer, "file", each.file);
-    write_text(writer, "state", std::string(to_string(each.state)));
-    if (!each.ok()) write_text(writer, "message", reason(each));
-    write_text(writer, "reference", each.reference);
-    write_text(writer, "received", each.received);
-    write_text(writer, "difference", each.difference);
-    write_gates(writer, each.gates);
-    write_text(writer, "device", each.now.device);
-    write_text(writer, "driver", each.now.driver);
-    write_text(writer, "referenceDevice", each.then.device);
-    write_text(writer, "referenceDriver", each.then.driver);
-    writer.Key("otherDriver");
-    writer.Bool(each.other_driver);
-    write_count(writer, "spirvBytes", each.now.spirv_bytes);
-    write_count(writer, "referenceSpirvBytes", each.then.spirv_bytes);
-    write_count(writer, "changedLines", changed_lines(each.text_diff));
-    writer.EndObject();
+void write_case(JsonWriter& json, const SnapshotCase& each) {
+    json.begin('{');
+    json.if_any("name", each.name);
+    json.if_any("file", each.file);
+    json.write("state", each.state);
+    if (!each.ok()) json.if_any("message", reason(each));
+    json.if_any("reference", each.reference);
+    json.if_any("received", each.received);
+    json.if_any("difference", each.difference);
+    write_gates(json, each.gates);
+    json.if_any("device", each.now.device);
+    json.if_any("driver", each.now.driver);
+    json.if_any("referenceDevice", each.then.device);
+    json.if_any("referenceDriver", each.then.driver);
+    json.write("otherDriver", each.other_driver);
+    write_count(json, "spirvBytes", each.now.spirv_bytes);
+    write_count(json, "referenceSpirvBytes", each.then.spirv_bytes);
+    write_count(json, "changedLines", changed_lines(each.text_diff));
+    json.end();
 }
 
 bool is_drawn(const SnapshotCase& each) {
@@ -81,23 +61,18 @@ bool is_drawn(const SnapshotCase& each) {
 }  // namespace
 
 std::string report_json(const SnapshotReport& report) {
-    JsonBuffer buffer;
-    JsonPages writer(buffer);
-    writer.SetIndent(' ', 2);
-    writer.StartObject();
-    writer.Key("ok");
-    writer.Bool(report.ok());
+    JsonWriter json(JsonWriter::Layout::Pages);
+    json.begin('{');
+    json.write("ok", report.ok());
     for (const SnapshotState state :
          {SnapshotState::Passed, SnapshotState::Failed, SnapshotState::Missing, SnapshotState::Updated}) {
-        writer.Key(std::string(to_string(state)).c_str());
-        writer.Uint64(report.count(state));
+        json.write(to_string(state), report.count(state));
     }
-    writer.Key("cases");
-    writer.StartArray();
-    for (const SnapshotCase& each : report.cases) write_case(writer, each);
-    writer.EndArray();
-    writer.EndObject();
-    return std::string(buffer.GetString()) + "\n";
+    json.begin("cases", '[');
+    for (const SnapshotCase& each : report.cases) write_case(json, each);
+    json.end();
+    json.end();
+    return json.take() + "\n";
 }
 
 std::string report_junit(const SnapshotReport& report, const std::string& suite) {

@@ -8,8 +8,8 @@
 #include <set>
 
 #include "compiler/cli/commands/commands.h"
-#include "compiler/cli/eval/json_numbers.h"
 #include "compiler/cli/eval/sweep.h"
+#include "compiler/json/memory/json_writer.h"
 #include "patina/name_value.h"
 #include "runtime/lighting/model.h"
 
@@ -33,15 +33,11 @@ std::string as_text(const EvalOutput& output) {
 }
 
 std::string as_json(const std::vector<EvalOutput>& outputs) {
-    JsonBuffer buffer;
-    JsonLines writer(buffer);
-    writer.StartObject();
-    for (const EvalOutput& output : outputs) {
-        writer.Key(output.name.c_str());
-        write_numbers(writer, output.values);
-    }
-    writer.EndObject();
-    return std::string(buffer.GetString()) + "\n";
+    JsonWriter json;
+    json.begin('{');
+    for (const EvalOutput& output : outputs) json.write_numbers(output.name, output.values);
+    json.end();
+    return json.take() + "\n";
 }
 
 // --- one evaluation: its outputs, or nothing after a message

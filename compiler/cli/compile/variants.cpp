@@ -8,7 +8,7 @@
 
 #include "compiler/cli/compile/compiled.h"
 #include "compiler/cli/files.h"
-#include "compiler/json/memory/json_memory.h"
+#include "compiler/json/memory/json_writer.h"
 #include "patina/output_name.h"
 
 namespace patina::cli {
@@ -66,80 +66,63 @@ struct Written {
 
 std::string manifest(const std::string& name, const VariantOptions& wanted, const CompileOptions& options,
                      const VariantPlan& plan, const VariantSet& set, const std::vector<Written>& written) {
-    JsonBuffer buffer;
-    JsonPages json(buffer);
-    json.SetIndent(' ', 2);
-    json.SetFormatOptions(rapidjson::kFormatSingleLineArray);
-    const auto text = [&](std::string_view word) { json.String(word.data(), unsigned(word.size())); };
-    const auto member = [&](const char* key, std::string_view word) {
-        json.Key(key);
-        text(word);
-    };
+    JsonWriter json(JsonWriter::Layout::ShortLists);
     const auto value = [&](const VariantAxis& axis, const std::string& word) {
         if (axis.is_bool)
-            json.Bool(word == "true");
+            json.write(word == "true");
         else
-            text(word);
+            json.write(word);
     };
-    json.StartObject();
-    member("graph", name);
-    member("variants", wanted.wanted);
-    if (const CompileOptions::Passes* passes = options.passes()) member("path", passes->path);
-    json.Key("defines");
-    json.StartObject();
+    json.begin('{');
+    json.write("graph", name);
+    json.write("variants", wanted.wanted);
+    if (const CompileOptions::Passes* passes = options.passes()) json.write("path", passes->path);
+    json.begin("defines", '{');
     for (const auto& [define, word] :
          std::map<std::string, std::string>(options.switches.rbegin(), options.switches.rend()))
-        member(define.c_str(), word.empty() ? "true" : word);
-    json.EndObject();
-    json.Key("properties");
-    json.StartArray();
+        json.write(define, word.empty() ? "true" : word);
+    json.end();
+    json.begin("properties", '[');
     for (const VariantAxis& axis : plan.axes) {
-        json.StartObject();
-        member("name", axis.property);
-        json.Key("values");
-        json.StartArray();
+        json.begin('{');
+        json.write("name", axis.property);
+        json.begin("values", '[');
         for (const std::string& word : axis.values) value(axis, word);
-        json.EndArray();
-        json.Key("default");
+        json.end();
+        json.write_key("default");
         value(axis, axis.values[axis.otherwise]);
-        json.EndObject();
+        json.end();
     }
-    json.EndArray();
-    json.Key("programs");
-    json.StartArray();
+    json.end();
+    json.begin("programs", '[');
     for (std::size_t i = 0; i < written.size(); ++i) {
-        json.StartObject();
-        member("program", written[i].hash);
-        member("hash", set.programs[i].hash);
-        member("reflection", written[i].reflection.file);
-        if (wanted.file_hashes) member("reflectionHash", written[i].reflection.hash);
-        json.Key("files");
-        json.StartArray();
-        for (const std::string& file : written[i].files) text(file);
-        json.EndArray();
-        json.EndObject();
+        json.begin('{');
+        json.write("program", written[i].hash);
+        json.write("hash", set.programs[i].hash);
+        json.write("reflection", written[i].reflection.file);
+        if (wanted.file_hashes) json.write("reflectionHash", written[i].reflection.hash);
+        json.write("files", written[i].files);
+        json.end();
     }
-    json.EndArray();
-    json.Key("combinations");
-    json.StartArray();
+    json.end();
+    json.begin("combinations", '[');
     for (std::size_t i = 0; i < plan.count; ++i) {
-        json.StartObject();
-        json.Key("values");
-        json.StartObject();
+        json.begin('{');
+        json.begin("values", '{');
         for (const auto& [property, word] : plan.combination(i)) {
             const auto axis =
                 std::find_if(plan.axes.begin(), plan.axes.end(),
                              [&, &wanted = property](const VariantAxis& each) { return each.property == wanted; });
-            json.Key(property.c_str());
+            json.write_key(property);
             value(*axis, word);
         }
-        json.EndObject();
-        member("program", written[set.program_of[i]].hash);
-        json.EndObject();
+        json.end();
+        json.write("program", written[set.program_of[i]].hash);
+        json.end();
     }
-    json.EndArray();
-    json.EndObject();
-    return std::string(buffer.GetString(), buffer.GetSize()) + "\n";
+    json.end();
+    json.end();
+    return json.take() + "\n";
 }
 
 }  // namespace

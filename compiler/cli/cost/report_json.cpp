@@ -1,26 +1,15 @@
 #include "compiler/cli/cost/report.h"
-#include "compiler/json/memory/json_memory.h"
+#include "compiler/json/memory/json_writer.h"
 
 namespace patina::cli {
 namespace {
 
 constexpr unsigned kVersion = 1;  // changes if a program that reads the text must change
 
-void write(JsonPages& writer, const char* key, std::string_view text) {
-    writer.Key(key);
-    writer.String(text.data(), static_cast<rapidjson::SizeType>(text.size()));
-}
-
-void write(JsonPages& writer, const char* key, std::uint32_t count) {
-    writer.Key(key);
-    writer.Uint(count);
-}
-
-void write(JsonPages& writer, const char* key, const CostCounts& counts) {
-    writer.Key(key);
-    writer.StartObject();
-    for (const CostFigure& figure : kCostFigures) write(writer, figure.name, counts.*figure.count);
-    writer.EndObject();
+void write(JsonWriter& json, std::string_view key, const CostCounts& counts) {
+    json.begin(key, '{');
+    for (const CostFigure& figure : kCostFigures) json.write(figure.name, counts.*figure.count);
+    json.end();
 }
 
 std::string_view word(CostShare::Part part) {
@@ -33,56 +22,50 @@ std::string_view word(CostShare::Part part) {
     return {};
 }
 
-void write(JsonPages& writer, const char* key, const MeasuredStage& stage) {
-    writer.Key(key);
-    writer.StartObject();
-    write(writer, "once", stage.cost.once);
-    write(writer, "perLight", stage.cost.per_light);
-    write(writer, "varyings", stage.cost.varyings);
-    write(writer, "registers", stage.cost.registers);
-    writer.Key("shares");
-    writer.StartArray();
+void write(JsonWriter& json, std::string_view key, const MeasuredStage& stage) {
+    json.begin(key, '{');
+    write(json, "once", stage.cost.once);
+    write(json, "perLight", stage.cost.per_light);
+    json.write("varyings", stage.cost.varyings);
+    json.write("registers", stage.cost.registers);
+    json.begin("shares", '[');
     for (const CostShare& share : stage.shares) {
-        writer.StartObject();
-        write(writer, "part", word(share.part));
-        if (share.part == CostShare::Part::Node) write(writer, "node", share.node);
-        write(writer, "once", share.once);
-        write(writer, "perLight", share.per_light);
-        writer.EndObject();
+        json.begin('{');
+        json.write("part", word(share.part));
+        if (share.part == CostShare::Part::Node) json.write("node", share.node);
+        write(json, "once", share.once);
+        write(json, "perLight", share.per_light);
+        json.end();
     }
-    writer.EndArray();
-    writer.EndObject();
+    json.end();
+    json.end();
 }
 
 }  // namespace
 
 std::string report_json(std::span<const CostReport> reports) {
-    JsonBuffer buffer;
-    JsonPages writer(buffer);
-    writer.SetIndent(' ', 2);
-    writer.StartObject();
-    write(writer, "patinaCost", kVersion);
-    writer.Key("graphs");
-    writer.StartArray();
+    JsonWriter json(JsonWriter::Layout::Pages);
+    json.begin('{');
+    json.write("patinaCost", kVersion);
+    json.begin("graphs", '[');
     for (const CostReport& report : reports) {
-        writer.StartObject();
-        write(writer, "graph", report.graph);
-        writer.Key("passes");
-        writer.StartArray();
+        json.begin('{');
+        json.write("graph", report.graph);
+        json.begin("passes", '[');
         for (const MeasuredPass& pass : report.passes) {
-            writer.StartObject();
-            write(writer, "name", pass.name);
-            write(writer, "vertex", pass.vertex);
-            write(writer, "fragment", pass.fragment);
-            write(writer, "uniformBytes", pass.cost.uniform_bytes);
-            writer.EndObject();
+            json.begin('{');
+            json.write("name", pass.name);
+            write(json, "vertex", pass.vertex);
+            write(json, "fragment", pass.fragment);
+            json.write("uniformBytes", pass.cost.uniform_bytes);
+            json.end();
         }
-        writer.EndArray();
-        writer.EndObject();
+        json.end();
+        json.end();
     }
-    writer.EndArray();
-    writer.EndObject();
-    return std::string(buffer.GetString(), buffer.GetSize()) + "\n";
+    json.end();
+    json.end();
+    return json.take() + "\n";
 }
 
 }  // namespace patina::cli

@@ -1,5 +1,5 @@
 #include "compiler/cli/diff/report.h"
-#include "compiler/json/memory/json_memory.h"
+#include "compiler/json/memory/json_writer.h"
 
 namespace patina::cli {
 namespace {
@@ -15,118 +15,91 @@ std::string_view word(GraphChangeKind kind) {
     return {};
 }
 
-void write(JsonPages& writer, const char* key, std::string_view text) {
-    writer.Key(key);
-    writer.String(text.data(), static_cast<rapidjson::SizeType>(text.size()));
-}
-
-void write_count(JsonPages& writer, const char* key, std::size_t count) {
-    writer.Key(key);
-    writer.Uint64(count);
-}
-
 // A value as the graph has it.
-void write_value(JsonPages& writer, const char* key, const std::string& json) {
-    if (json.empty()) return;
-    writer.Key(key);
-    writer.RawValue(json.data(), json.size(), rapidjson::kObjectType);
+void write_value(JsonWriter& json, std::string_view key, const std::string& value) {
+    if (value.empty()) return;
+    json.write_key(key);
+    json.raw(value);
 }
 
-void write_place(JsonPages& writer, const char* key, const FilePlace& place) {
+void write_place(JsonWriter& json, std::string_view key, const FilePlace& place) {
     if (place.line == 0) return;
-    writer.Key(key);
-    writer.StartObject();
-    writer.Key("line");
-    writer.Int(place.line);
-    writer.Key("column");
-    writer.Int(place.column);
-    writer.EndObject();
+    json.begin(key, '{');
+    json.write("line", place.line);
+    json.write("column", place.column);
+    json.end();
 }
 
-void write_change(JsonPages& writer, const GraphChange& change) {
-    writer.StartObject();
-    write(writer, "kind", word(change.kind));
-    writer.Key("path");
-    writer.StartArray();
-    for (const std::string& part : change.path) writer.String(part.c_str());
-    writer.EndArray();
+void write_change(JsonWriter& json, const GraphChange& change) {
+    json.begin('{');
+    json.write("kind", word(change.kind));
+    json.write("path", change.path);
     if (change.kind == GraphChangeKind::Renamed) {
-        write(writer, "before", change.before);
-        write(writer, "after", change.after);
+        json.write("before", change.before);
+        json.write("after", change.after);
     } else {
-        write_value(writer, "before", change.before);
-        write_value(writer, "after", change.after);
+        write_value(json, "before", change.before);
+        write_value(json, "after", change.after);
     }
-    write_place(writer, "beforePlace", change.before_place);
-    write_place(writer, "afterPlace", change.after_place);
-    writer.EndObject();
+    write_place(json, "beforePlace", change.before_place);
+    write_place(json, "afterPlace", change.after_place);
+    json.end();
 }
 
-void write_cost(JsonPages& writer, const char* key, const StageCost& cost) {
+void write_cost(JsonWriter& json, std::string_view key, const StageCost& cost) {
     const CostCounts total = cost.total();
     if (total.instructions == 0) return;
-    writer.Key(key);
-    writer.StartObject();
-    for (const CostFigure& figure : kCostFigures) write_count(writer, figure.name, total.*figure.count);
-    write_count(writer, "perLight", cost.per_light.instructions);
-    write_count(writer, "varyings", cost.varyings);
-    write_count(writer, "registers", cost.registers);
-    writer.EndObject();
+    json.begin(key, '{');
+    for (const CostFigure& figure : kCostFigures) json.write(figure.name, total.*figure.count);
+    json.write("perLight", cost.per_light.instructions);
+    json.write("varyings", cost.varyings);
+    json.write("registers", cost.registers);
+    json.end();
 }
 
-void write_shader(JsonPages& writer, const ShaderChange& shader) {
-    writer.StartObject();
+void write_shader(JsonWriter& json, const ShaderChange& shader) {
+    json.begin('{');
     if (!shader.pass.empty()) {
-        write(writer, "pass", shader.pass);
-        write(writer, "stage", to_string(shader.stage));
+        json.write("pass", shader.pass);
+        json.write("stage", to_string(shader.stage));
     }
-    write(writer, "target", shader.target.name());
-    write(writer, "kind", !shader.was_there ? "added" : !shader.is_there ? "removed" : "changed");
+    json.write("target", shader.target.name());
+    json.write("kind", !shader.was_there ? "added" : !shader.is_there ? "removed" : "changed");
     if (shader.was_there && shader.is_there) {
-        writer.Key("computesSame");
-        writer.Bool(shader.computes_same);
-        write_count(writer, "changedLines", changed_lines(shader.lines));
+        json.write("computesSame", shader.computes_same);
+        json.write("changedLines", changed_lines(shader.lines));
     }
-    write_cost(writer, "before", shader.before);
-    write_cost(writer, "after", shader.after);
-    writer.EndObject();
+    write_cost(json, "before", shader.before);
+    write_cost(json, "after", shader.after);
+    json.end();
 }
 
 }  // namespace
 
 std::string report_json(const DiffReport& report) {
-    JsonBuffer buffer;
-    JsonPages writer(buffer);
-    writer.SetIndent(' ', 2);
-    writer.StartObject();
-    write(writer, "before", report.before);
-    write(writer, "after", report.after);
-    writer.Key("differs");
-    writer.Bool(report.differs());
-    writer.Key("sameText");
-    writer.Bool(report.same_text);
-    writer.Key("changes");
-    writer.StartArray();
-    for (const GraphChange& change : report.graph.changes) write_change(writer, change);
-    writer.EndArray();
+    JsonWriter json(JsonWriter::Layout::Pages);
+    json.begin('{');
+    json.write("before", report.before);
+    json.write("after", report.after);
+    json.write("differs", report.differs());
+    json.write("sameText", report.same_text);
+    json.begin("changes", '[');
+    for (const GraphChange& change : report.graph.changes) write_change(json, change);
+    json.end();
     if (report.has_shaders) {
-        writer.Key("shaders");
-        writer.StartArray();
-        for (const ShaderChange& shader : report.shaders) write_shader(writer, shader);
-        writer.EndArray();
+        json.begin("shaders", '[');
+        for (const ShaderChange& shader : report.shaders) write_shader(json, shader);
+        json.end();
     }
     if (report.picture) {
-        writer.Key("picture");
-        writer.StartObject();
-        write(writer, "file", report.picture->path);
-        writer.Key("share");
-        writer.Double(report.picture->share);
-        writer.Key("largest");
-        writer.Double(report.picture->largest);
-        writer.EndObject();
+        json.begin("picture", '{');
+        json.write("file", report.picture->path);
+        json.write("share", report.picture->share);
+        json.write("largest", report.picture->largest);
+        json.end();
     }
-    writer.EndObject();
-    return std::string(buffer.GetString(), buffer.GetSize()) + "\n";
+    json.end();
+    return json.take() + "\n";
 }
 
 }  // namespace patina::cli

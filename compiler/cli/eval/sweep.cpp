@@ -7,7 +7,7 @@
 #include <cmath>
 #include <optional>
 
-#include "compiler/cli/eval/json_numbers.h"
+#include "compiler/json/memory/json_writer.h"
 
 namespace patina::cli {
 namespace {
@@ -132,23 +132,16 @@ std::string sweep_csv(const std::vector<Axis>& axes, const std::vector<SweepRow>
 }
 
 std::string sweep_json(const std::vector<Axis>& axes, const std::vector<SweepRow>& rows) {
-    JsonBuffer buffer;
-    JsonLines writer(buffer);
-    writer.StartArray();
+    JsonWriter json;
+    json.begin('[');
     for (const SweepRow& row : rows) {
-        writer.StartObject();
-        for (std::size_t i = 0; i < axes.size(); ++i) {
-            writer.Key(axes[i].name.c_str());
-            write_number(writer, row.at[i]);
-        }
-        for (const EvalOutput& output : row.outputs) {
-            writer.Key(output.name.c_str());
-            write_numbers(writer, output.values);
-        }
-        writer.EndObject();
+        json.begin('{');
+        for (std::size_t i = 0; i < axes.size(); ++i) json.write(axes[i].name, row.at[i]);
+        for (const EvalOutput& output : row.outputs) json.write_numbers(output.name, output.values);
+        json.end();
     }
-    writer.EndArray();
-    return std::string(buffer.GetString()) + "\n";
+    json.end();
+    return json.take() + "\n";
 }
 
 }  // namespace patina::cli

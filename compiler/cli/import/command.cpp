@@ -12,10 +12,10 @@
 #include "compiler/base/disk/disk.h"
 #include "compiler/cli/commands/commands.h"
 #include "compiler/cli/failures/failures.h"
-#include "compiler/cli/json_text.h"
 #include "compiler/cli/outputs.h"
 #include "compiler/importers/importer.h"
 #include "compiler/importers/source_text.h"
+#include "compiler/json/memory/json_writer.h"
 
 namespace patina::cli {
 namespace {

@@ -1,341 +1,172 @@
 #include "compiler/cli/pages/library_json.h"
 
+#include "compiler/api/describe/list_json.h"
 #include "compiler/cli/pages/model_cost.h"
 #include "compiler/cli/pages/pages.h"
-#include "compiler/json/memory/json_memory.h"
 
 namespace patina::cli {
 namespace {
 
-void write_text(JsonPages& writer, const char* key, const std::string& text) {
-    if (text.empty()) return;
-    writer.Key(key);
-    writer.String(text.c_str());
-}
-
-void write_word(JsonPages& writer, const char* key, HasWords auto value) {
-    write_text(writer, key, std::string(to_string(value)));
-}
-
-void write_range(JsonPages& writer, const std::optional<std::array<double, 2>>& range) {
-    if (!range) return;
-    writer.Key("range");
-    writer.StartArray();
-    for (double limit : *range) writer.Double(limit);
-    writer.EndArray();
-}
-
-void write_texts(JsonPages& writer, const char* key, std::span<const std::string> texts) {
-    if (texts.empty()) return;
-    writer.Key(key);
-    writer.StartArray();
-    for (const std::string& text : texts) writer.String(text.c_str());
-    writer.EndArray();
-}
-
-void write_pairs(JsonPages& writer, const char* key, std::span<const std::pair<std::string, std::string>> pairs) {
+void write_pairs(JsonWriter& json, std::string_view key, std::span<const std::pair<std::string, std::string>> pairs) {
     if (pairs.empty()) return;
-    writer.Key(key);
-    writer.StartObject();
-    for (const auto& [name, value] : pairs) {
-        writer.Key(name.c_str());
-        writer.String(value.c_str());
-    }
-    writer.EndObject();
+    json.begin(key, '{');
+    for (const auto& [name, value] : pairs) json.write(name, value);
+    json.end();
 }
 
-void write_port(JsonPages& writer, const PortInfo& port) {
-    writer.StartObject();
-    write_text(writer, "name", port.name);
-    write_text(writer, "type", port.type);
-    write_text(writer, "default", port.default_value);
-    write_range(writer, port.range);
-    write_text(writer, "unit", port.unit);
-    write_text(writer, "doc", port.doc);
-    std::vector<std::string> names, docs;
-    for (const EnumeratorInfo& enumerator : port.enumerators) {
-        names.push_back(enumerator.name);
-        docs.push_back(enumerator.doc);
-    }
-    write_texts(writer, "values", names);
-    write_texts(writer, "valueDocs", docs);
-    writer.EndObject();
-}
-
-void write_ports(JsonPages& writer, const char* key, const NodeInfo& node, bool outputs) {
-    writer.Key(key);
-    writer.StartArray();
-    for (const PortInfo& port : node.ports) {
-        if (port.is_output == outputs) write_port(writer, port);
-    }
-    writer.EndArray();
-}
-
-void write_node(JsonPages& writer, const NodeInfo& node) {
-    writer.StartObject();
-    write_text(writer, "name", node.name);
-    write_text(writer, "category", node.category);
-    writer.Key("also");
-    writer.StartArray();
-    for (const std::string& name : node.also) writer.String(name.c_str());
-    writer.EndArray();
-    write_text(writer, "doc", node.doc);
-    write_text(writer, "formula", node.formula);
-    write_text(writer, "source", node.source);
-    write_text(writer, "file", node.file);
-    write_ports(writer, "inputs", node, false);
-    write_ports(writer, "outputs", node, true);
-    write_text(writer, "example", example_of(node, node.name));
-    write_texts(writer, "tests", node.tests);
-    writer.EndObject();
-}
-
-void write_inputs(JsonPages& writer, const char* key, std::span<const ModelInputInfo> inputs) {
+void write_inputs(JsonWriter& json, std::string_view key, std::span<const ModelInputInfo> inputs) {
     if (inputs.empty()) return;
-    writer.Key(key);
-    writer.StartArray();
+    json.begin(key, '[');
     for (const ModelInputInfo& input : inputs) {
-        writer.StartObject();
-        write_text(writer, "name", input.name);
-        write_text(writer, "type", input.type);
-        write_text(writer, "default", input.default_value);
-        write_range(writer, input.range);
-        write_texts(writer, "values", input.values);
-        if (input.is_variant) {
-            writer.Key("variant");
-            writer.Bool(true);
-        }
-        write_text(writer, "doc", input.doc);
-        writer.EndObject();
+        json.begin('{');
+        json.if_any("name", input.name);
+        json.if_any("type", input.type);
+        json.if_any("default", input.default_value);
+        json.if_any("range", input.range);
+        json.if_any("values", input.values);
+        if (input.is_variant) json.write("variant", true);
+        json.if_any("doc", input.doc);
+        json.end();
     }
-    writer.EndArray();
+    json.end();
 }
 
-void write_counts(JsonPages& writer, const char* key, const CostCounts& counts) {
-    writer.Key(key);
-    writer.StartObject();
-    for (const CostFigure& figure : kCostFigures) {
-        writer.Key(std::string(figure.name).c_str());
-        writer.Uint(counts.*figure.count);
-    }
-    writer.EndObject();
+void write_counts(JsonWriter& json, std::string_view key, const CostCounts& counts) {
+    json.begin(key, '{');
+    for (const CostFigure& figure : kCostFigures) json.write(figure.name, counts.*figure.count);
+    json.end();
 }
 
-void write_cost(JsonPages& writer, const ModelCost& cost) {
-    writer.Key("cost");
-    writer.StartObject();
-    write_text(writer, "workflow", cost.workflow);
-    write_text(writer, "pass", cost.pass);
-    write_counts(writer, "once", cost.fragment.once);
-    write_counts(writer, "perLight", cost.fragment.per_light);
-    writer.Key("registers");
-    writer.Uint(cost.fragment.registers);
-    writer.EndObject();
+void write_cost(JsonWriter& json, const ModelCost& cost) {
+    json.begin("cost", '{');
+    json.if_any("workflow", cost.workflow);
+    json.if_any("pass", cost.pass);
+    write_counts(json, "once", cost.fragment.once);
+    write_counts(json, "perLight", cost.fragment.per_light);
+    json.write("registers", cost.fragment.registers);
+    json.end();
 }
 
 // `cost`: null if it is not measured.
-void write_model(JsonPages& writer, const Compiler& compiler, const ModelInfo& model, const ModelCost* cost) {
-    writer.StartObject();
-    write_text(writer, "name", model.name);
-    write_text(writer, "title", model.title);
-    write_text(writer, "doc", model.doc);
-    write_text(writer, "use", model.use);
-    write_text(writer, "formula", model.formula);
-    write_text(writer, "source", model.source);
-    write_text(writer, "file", model.file);
-    write_inputs(writer, "inputs", model.inputs);
-    write_inputs(writer, "properties", model.properties);
-    write_texts(writer, "reads", semantics_read(compiler, model));
-    writer.Key("nodes");
-    writer.StartArray();
+void write_model(JsonWriter& json, const Compiler& compiler, const ModelInfo& model, const ModelCost* cost) {
+    json.begin('{');
+    json.if_any("name", model.name);
+    json.if_any("title", model.title);
+    json.if_any("doc", model.doc);
+    json.if_any("use", model.use);
+    json.if_any("formula", model.formula);
+    json.if_any("source", model.source);
+    json.if_any("file", model.file);
+    write_inputs(json, "inputs", model.inputs);
+    write_inputs(json, "properties", model.properties);
+    json.if_any("reads", semantics_read(compiler, model));
+    json.begin("nodes", '[');
     for (const ModelNodeInfo& node : model.nodes) {
-        writer.StartObject();
-        write_text(writer, "id", node.id);
-        write_text(writer, "node", node.node);
-        write_text(writer, "expr", node.expr);
-        write_pairs(writer, "in", node.inputs);
-        write_text(writer, "doc", node.doc);
-        writer.EndObject();
+        json.begin('{');
+        json.if_any("id", node.id);
+        json.if_any("node", node.node);
+        json.if_any("expr", node.expr);
+        write_pairs(json, "in", node.inputs);
+        json.if_any("doc", node.doc);
+        json.end();
     }
-    writer.EndArray();
-    write_pairs(writer, "outputs", model.outputs);
-    if (cost) write_cost(writer, *cost);
-    writer.EndObject();
+    json.end();
+    write_pairs(json, "outputs", model.outputs);
+    if (cost) write_cost(json, *cost);
+    json.end();
 }
 
-void write_flag(JsonPages& writer, const char* key, bool value) {
-    writer.Key(key);
-    writer.Bool(value);
+void write(JsonWriter& json, const SemanticInfo& semantic) {
+    json.begin('{');
+    json.if_any("name", semantic.name);
+    json.if_any("type", semantic.type);
+    json.if_any("rate", semantic.rate);
+    json.if_any("doc", semantic.doc);
+    json.end();
 }
 
-void write_targets(JsonPages& writer, const std::vector<RenderTarget>& targets) {
-    writer.Key("targets");
-    writer.StartArray();
-    for (const RenderTarget& target : targets) {
-        writer.StartObject();
-        write_text(writer, "name", target.name);
-        write_word(writer, "format", target.format);
-        writer.EndObject();
-    }
-    writer.EndArray();
+void write(JsonWriter& json, const EngineValueInfo& value) {
+    json.begin('{');
+    json.if_any("name", value.name);
+    json.if_any("type", value.type);
+    json.if_any("doc", value.doc);
+    json.if_any("unit", value.unit);
+    json.if_any("space", value.space);
+    json.if_any("with", value.with);
+    json.write("ofObject", value.is_of_object);
+    json.end();
 }
 
-void write_blends(JsonPages& writer, const std::vector<PassInfo::SurfaceBlend>& blends) {
-    writer.Key("blends");
-    writer.StartArray();
-    for (const auto& [surface, blend] : blends) {
-        writer.StartObject();
-        if (surface) write_word(writer, "surface", *surface);
-        write_word(writer, "source", blend.source);
-        write_word(writer, "destination", blend.destination);
-        write_word(writer, "sourceAlpha", blend.source_alpha);
-        write_word(writer, "destinationAlpha", blend.destination_alpha);
-        writer.EndObject();
-    }
-    writer.EndArray();
+void write(JsonWriter& json, const EngineBlockInfo& block) {
+    json.begin('{');
+    json.if_any("name", block.name);
+    json.if_any("doc", block.doc);
+    json.begin("values", '[');
+    for (const EngineValueInfo& value : block.values) write(json, value);
+    json.end();
+    json.end();
 }
 
-void write_pass(JsonPages& writer, const PassInfo& pass) {
-    const Pass& state = pass.state;
-    writer.StartObject();
-    write_text(writer, "name", state.name);
-    write_word(writer, "draws", state.draws);
-    write_word(writer, "each", state.each);
-    write_word(writer, "lights", state.lights);
-    write_word(writer, "camera", state.camera);
-    write_text(writer, "fallback", state.fallback);
-    write_flag(writer, "optional", pass.is_optional);
-    write_text(writer, "depthTarget", state.depth_target);
-    write_targets(writer, state.targets);
-    write_blends(writer, pass.blends);
-    writer.EndObject();
-}
-
-void write_path(JsonPages& writer, const PathInfo& path) {
-    writer.StartObject();
-    write_text(writer, "name", path.name);
-    write_text(writer, "doc", path.doc);
-    write_text(writer, "source", path.source);
-    write_text(writer, "file", path.file);
-    writer.Key("passes");
-    writer.StartArray();
-    for (const PassInfo& pass : path.passes) write_pass(writer, pass);
-    writer.EndArray();
-    writer.EndObject();
-}
-
-void write_engine(JsonPages& writer, const EngineInfo& engine) {
-    writer.StartObject();
-    write_text(writer, "name", engine.name);
-    write_text(writer, "title", engine.title);
-    write_text(writer, "doc", engine.doc);
-    write_text(writer, "file", engine.file);
-    write_texts(writer, "languages", engine.languages);
-    write_flag(writer, "default", engine.is_default);
-    write_flag(writer, "ownPasses", engine.has_own_passes);
-    write_texts(writer, "paths", engine.paths);
-    write_flag(writer, "oneFile", engine.is_one_file);
-    write_text(writer, "folder", engine.folder);
-    writer.EndObject();
-}
-
-void write_semantic(JsonPages& writer, const SemanticInfo& semantic) {
-    writer.StartObject();
-    write_text(writer, "name", semantic.name);
-    write_text(writer, "type", semantic.type);
-    write_text(writer, "rate", semantic.rate);
-    write_text(writer, "doc", semantic.doc);
-    writer.EndObject();
-}
-
-void write_engine_value(JsonPages& writer, const EngineValueInfo& value) {
-    writer.StartObject();
-    write_text(writer, "name", value.name);
-    write_text(writer, "type", value.type);
-    write_text(writer, "doc", value.doc);
-    write_text(writer, "unit", value.unit);
-    write_text(writer, "space", value.space);
-    write_texts(writer, "with", value.with);
-    write_flag(writer, "ofObject", value.is_of_object);
-    writer.EndObject();
-}
-
-void write_block(JsonPages& writer, const EngineBlockInfo& block) {
-    writer.StartObject();
-    write_text(writer, "name", block.name);
-    write_text(writer, "doc", block.doc);
-    writer.Key("values");
-    writer.StartArray();
-    for (const EngineValueInfo& value : block.values) write_engine_value(writer, value);
-    writer.EndArray();
-    writer.EndObject();
-}
-
+// A page that `write` fills.
 template <class Write>
-std::string as_text(Write write) {
-    JsonBuffer buffer;
-    JsonPages writer(buffer);
-    writer.SetIndent(' ', 2);
-    write(writer);
-    return std::string(buffer.GetString()) + "\n";
+std::string page_of(const Write& write) {
+    JsonWriter json(JsonWriter::Layout::Pages);
+    write(json);
+    return json.take() + "\n";
+}
+
+template <class All, class Write>
+std::string list_of(const All& all, const Write& write) {
+    return page_of([&](JsonWriter& json) {
+        json.begin('[');
+        for (const auto& each : all) write(json, each);
+        json.end();
+    });
+}
+
+void write_node(JsonWriter& json, const NodeInfo& node) {
+    write_json(json, node, example_of(node, node.name));
 }
 
 }  // namespace
 
 std::string to_json(const NodeInfo& node) {
-    return as_text([&](JsonPages& writer) { write_node(writer, node); });
+    return page_of([&](JsonWriter& json) { write_node(json, node); });
 }
 
 std::string to_json(std::span<const NodeInfo* const> nodes) {
-    return as_text([&](JsonPages& writer) {
-        writer.StartArray();
-        for (const NodeInfo* node : nodes) write_node(writer, *node);
-        writer.EndArray();
-    });
+    return list_of(nodes, [](JsonWriter& json, const NodeInfo* node) { write_node(json, *node); });
 }
 
 std::string to_json(const Compiler& compiler, const ModelInfo& model) {
     const ModelCost cost = cost_of(compiler, model);
-    return as_text([&](JsonPages& writer) { write_model(writer, compiler, model, &cost); });
+    return page_of([&](JsonWriter& json) { write_model(json, compiler, model, &cost); });
 }
 
 std::string to_json(const Compiler& compiler, std::span<const ModelInfo> models) {
-    return as_text([&](JsonPages& writer) {
-        writer.StartArray();
-        for (const ModelInfo& model : models) write_model(writer, compiler, model, nullptr);
-        writer.EndArray();
-    });
+    return list_of(models,
+                   [&](JsonWriter& json, const ModelInfo& each) { write_model(json, compiler, each, nullptr); });
 }
 
 std::string to_json(std::span<const EngineInfo> engines) {
-    return as_text([&](JsonPages& writer) {
-        writer.StartArray();
-        for (const EngineInfo& engine : engines) write_engine(writer, engine);
-        writer.EndArray();
-    });
+    return list_of(engines, [](JsonWriter& json, const EngineInfo& each) { write_json(json, each); });
 }
 
 std::string to_json(std::span<const SemanticInfo> semantics, std::span<const EngineBlockInfo> blocks) {
-    return as_text([&](JsonPages& writer) {
-        writer.StartObject();
-        writer.Key("semantics");
-        writer.StartArray();
-        for (const SemanticInfo& semantic : semantics) write_semantic(writer, semantic);
-        writer.EndArray();
-        writer.Key("blocks");
-        writer.StartArray();
-        for (const EngineBlockInfo& block : blocks) write_block(writer, block);
-        writer.EndArray();
-        writer.EndObject();
+    return page_of([&](JsonWriter& json) {
+        json.begin('{');
+        json.begin("semantics", '[');
+        for (const SemanticInfo& semantic : semantics) write(json, semantic);
+        json.end();
+        json.begin("blocks", '[');
+        for (const EngineBlockInfo& block : blocks) write(json, block);
+        json.end();
+        json.end();
     });
 }
 
 std::string to_json(std::span<const PathInfo> paths) {
-    return as_text([&](JsonPages& writer) {
-        writer.StartArray();
-        for (const PathInfo& path : paths) write_path(writer, path);
-        writer.EndArray();
-    });
+    return list_of(paths, [](JsonWriter& json, const PathInfo& each) { write_json(json, each); });
 }
 
 }  // namespace patina::cli

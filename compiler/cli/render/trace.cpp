@@ -7,8 +7,8 @@
 #include <memory>
 
 #include "compiler/cli/commands/commands.h"
-#include "compiler/cli/eval/json_numbers.h"
 #include "compiler/cli/render/picture_options.h"
+#include "compiler/json/memory/json_writer.h"
 #include "runtime/picture/image.h"
 
 namespace patina::cli {
@@ -197,86 +197,58 @@ void print_text(const Console& console, const Arguments& arguments, const runtim
 
 // --- as JSON
 
-void write_color(JsonLines& writer, const char* key, const std::array<float, 4>& color) {
-    writer.Key(key);
-    const std::array<double, 4> numbers = {color[0], color[1], color[2], color[3]};
-    write_numbers(writer, numbers);
-}
-
-void write_row(JsonLines& writer, const Row& row) {
+void write_row(JsonWriter& json, const Row& row) {
     const TracedValue& value = *row.value;
-    const auto text = [&](const char* key, std::string_view word) {
-        writer.Key(key);
-        writer.String(word.data(), static_cast<rapidjson::SizeType>(word.size()));
-    };
-    const auto count = [&](const char* key, int number) {
-        writer.Key(key);
-        writer.Int(number);
-    };
-    writer.StartObject();
-    text("graph", value.graph);
-    text("kind", to_string(value.kind));
-    text("node", value.node);
-    text("port", value.port);
-    text("type", value.type);
-    writer.Key("value");
-    write_numbers(writer, value.values);
-    if (row.corner >= 0) count("corner", row.corner);
-    if (value.light >= 0) count("light", value.light);
-    if (!value.file.empty()) text("file", value.file);
+    json.begin('{');
+    json.write("graph", value.graph);
+    json.write("kind", value.kind);
+    json.write("node", value.node);
+    json.write("port", value.port);
+    json.write("type", value.type);
+    json.write_numbers("value", value.values);
+    if (row.corner >= 0) json.write("corner", row.corner);
+    if (value.light >= 0) json.write("light", value.light);
+    json.if_any("file", value.file);
     if (value.line > 0) {
-        count("line", value.line);
-        count("column", value.column);
+        json.write("line", value.line);
+        json.write("column", value.column);
     }
-    writer.EndObject();
+    json.end();
 }
 
 std::string as_json(const Arguments& arguments, const runtime::TraceOutcome& outcome, const std::vector<Row>& rows) {
     const runtime::PixelTrace& trace = outcome.trace;
-    JsonBuffer buffer;
-    JsonLines writer(buffer);
-    const auto key = [&](const char* name) -> JsonLines& {
-        writer.Key(name);
-        return writer;
-    };
-    const auto pair = [&](const char* name, int a, int b) {
-        key(name).StartArray();
-        writer.Int(a);
-        writer.Int(b);
-        writer.EndArray();
-    };
-    writer.StartObject();
-    key("graph").String(arguments.request.graph.c_str());
-    key("pass").String(outcome.pass.c_str());
-    key("precision").String(arguments.in_double ? "double" : "float");
-    key("size").Int(arguments.request.size);
-    key("height").Int(height_of(arguments.request));
-    key("samples").Int(arguments.request.samples);
-    pair("pixel", arguments.x, arguments.y);
-    key("covered").Bool(trace.is_covered);
+    JsonWriter json;
+    json.begin('{');
+    json.write("graph", arguments.request.graph);
+    json.write("pass", outcome.pass);
+    json.write("precision", arguments.in_double ? "double" : "float");
+    json.write("size", arguments.request.size);
+    json.write("height", height_of(arguments.request));
+    json.write("samples", arguments.request.samples);
+    json.write("pixel", std::array{arguments.x, arguments.y});
+    json.write("covered", trace.is_covered);
     if (is_scene(arguments.request.graph)) {
         if (trace.is_covered) {
-            key("object").String(outcome.object.c_str());
-            key("material").String(outcome.material.c_str());
-            key("materialGraph").String(outcome.graph.c_str());
-            if (outcome.instances > 0) key("instance").Uint64(trace.instance);
-            key("hidden").Bool(trace.is_hidden);
+            json.write("object", outcome.object);
+            json.write("material", outcome.material);
+            json.write("materialGraph", outcome.graph);
+            if (outcome.instances > 0) json.write("instance", trace.instance);
+            json.write("hidden", trace.is_hidden);
         }
-        key("seen").StartArray();
-        for (const std::string& name : outcome.seen) writer.String(name.c_str());
-        writer.EndArray();
+        json.write("seen", outcome.seen);
     }
     if (trace.is_covered) {
-        key("discarded").Bool(trace.is_discarded);
-        pair("sample", trace.sample_x, trace.sample_y);
+        json.write("discarded", trace.is_discarded);
+        json.write("sample", std::array{trace.sample_x, trace.sample_y});
     }
-    key("values").StartArray();
-    for (const Row& row : rows) write_row(writer, row);
-    writer.EndArray();
-    if (trace.is_covered) write_color(writer, "sampleColor", trace.sample_color);
-    write_color(writer, "color", trace.color);
-    writer.EndObject();
-    return std::string(buffer.GetString()) + "\n";
+    json.begin("values", '[');
+    for (const Row& row : rows) write_row(json, row);
+    json.end();
+    if (trace.is_covered) json.write("sampleColor", trace.sample_color);
+    json.write("color", trace.color);
+    json.end();
+    return json.take() + "\n";
 }
 
 Exit trace_pixel(const Console& console, const Arguments& arguments) {

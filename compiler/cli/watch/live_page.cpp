@@ -4,8 +4,8 @@
 
 #include <filesystem>
 
-#include "compiler/cli/json_text.h"
 #include "compiler/cli/watch/page_frame.h"
+#include "compiler/json/memory/json_writer.h"
 
 namespace patina::cli {
 namespace {

@@ -19,8 +19,8 @@ constexpr Row kRows[] = {
 };
 
 const Row* row_of(std::string_view function) {
-    const auto row = std::find_if(std::begin(kRows), std::end(kRows),
-                                  [&](const Row& each) { return each.function == function; });
+    const auto row =
+        std::find_if(std::begin(kRows), std::end(kRows), [&](const Row& each) { return each.function == function; });
     return row == std::end(kRows) ? nullptr : row;
 }
 

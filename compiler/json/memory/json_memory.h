@@ -1,13 +1,7 @@
-// The room `json/memory` has memory for RapidJSON, for all trees. RapidJSON's own allocator gives what malloc gives, and
-// RapidJSON writes there without a look, also if that is null. This one throws std::bad_alloc.
-//
-//   JsonBuffer buffer;
-//   JsonLines writer(buffer);   // or JsonPages, which is indented
+// The room `json/memory` has what all trees use of JSON: documents in memory, and a writer. This is their memory.
+// RapidJSON's own allocator gives what malloc gives, and RapidJSON writes there without a look, also if that is null.
+// This one throws std::bad_alloc.
 #pragma once
-
-#include <rapidjson/prettywriter.h>
-#include <rapidjson/stringbuffer.h>
-#include <rapidjson/writer.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -30,9 +24,5 @@ public:
     }
     static void Free(void* memory) noexcept { ::operator delete(memory); }
 };
-
-using JsonBuffer = rapidjson::GenericStringBuffer<rapidjson::UTF8<>, JsonMemory>;
-using JsonLines = rapidjson::Writer<JsonBuffer, rapidjson::UTF8<>, rapidjson::UTF8<>, JsonMemory>;
-using JsonPages = rapidjson::PrettyWriter<JsonBuffer, rapidjson::UTF8<>, rapidjson::UTF8<>, JsonMemory>;
 
 }  // namespace patina
