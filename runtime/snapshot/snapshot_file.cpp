@@ -1,8 +1,6 @@
 #include "runtime/snapshot/snapshot_file.h"
 
 #include <fmt/format.h>
-#include <rapidjson/error/en.h>
-#include <rapidjson/reader.h>
 
 #include <algorithm>
 #include <array>
@@ -10,11 +8,12 @@
 #include <charconv>
 #include <cmath>
 #include <filesystem>
-#include <set>
 #include <vector>
 
+#include "compiler/api/report.h"
 #include "compiler/base/disk/disk.h"
-#include "compiler/json/memory/json_memory.h"
+#include "compiler/format/read_graph.h"
+#include "compiler/json/json.h"
 #include "patina/complaints.h"
 #include "patina/scene.h"
 #include "runtime/gltf/gltf_model.h"
@@ -24,12 +23,9 @@
 namespace patina::runtime {
 namespace {
 
-constexpr std::uintmax_t kLargestFile = 1 << 20;  // bytes
+using json::Json;
 
-// A part of the text, in bytes.
-struct TextRange {
-    std::size_t begin = 0, end = 0;
-};
+constexpr std::uintmax_t kLargestFile = 1 << 20;  // bytes
 
 // What is wrong, for a diagnostic. No message: nothing.
 struct Problem {
@@ -44,108 +40,61 @@ struct Problem {
 // the same path, and an empty array is one entry of its own.
 struct Entry {
     enum class Kind { Text, Number, Bool, EmptyArray } kind = Kind::Text;
-    std::string path;
-    std::string text;  // a string's content, a number as written, true or false
-    TextRange key{};   // that it stands at
+    std::string path{};
+    std::string text{};  // a string's content, a number as written, true or false
+    Span key{};          // that it stands at
     bool in_array = false;
 };
 
-// Flattens the file as the parser walks it.
-struct Flattener : rapidjson::BaseReaderHandler<rapidjson::UTF8<>, Flattener> {
-    struct Level {
-        std::string prefix;  // of the paths within: "" or "set/"
-        bool is_array = false;
-    };
-    const rapidjson::StringStream& stream;
-    std::vector<Level> levels{};
+// The values of a file, in its order.
+struct Flattener {
+    const SourceMap& sources;
     std::vector<Entry> entries{};
-    std::string path{};
-    TextRange key{};
-    std::set<std::string> seen{};
-    Problem problem{};  // stops the parser, at `key`
+    Problem problem{};  // of the value at `key`, which is the last one
+    Span key{};
 
-    explicit Flattener(const rapidjson::StringStream& from) : stream(from) {}
-
-    bool fail(std::string why, std::string_view code = Problem{}.code) {
-        problem = {.message = std::move(why), .code = code};
+    bool fail(std::string why) {
+        problem = {.message = std::move(why)};
         return false;
     }
-    bool add(Entry::Kind kind, std::string value) {
-        if (levels.empty()) return fail("a snapshot is an object: { \"patina\": 1, ... }");
-        entries.push_back(
-            {.kind = kind, .path = path, .text = std::move(value), .key = key, .in_array = levels.back().is_array});
+    bool add(const std::string& path, const Json& json, bool in_array) {
+        if (path.empty()) return fail("a snapshot is an object: { \"patina\": 1, ... }");
+        Entry& entry = entries.emplace_back(Entry{.path = path, .key = key, .in_array = in_array});
+        if (json.kind == Json::Kind::String) {
+            entry.text = json.string;
+        } else {
+            entry.kind = json.kind == Json::Kind::Number ? Entry::Kind::Number : Entry::Kind::Bool;
+            entry.text = sources.text(json.span);
+        }
         return true;
     }
-
-    bool Null() { return fail("null is not allowed here: leave the key out"); }
-    bool Bool(bool value) { return add(Entry::Kind::Bool, value ? "true" : "false"); }
-    bool RawNumber(const char* digits, rapidjson::SizeType length, bool) {
-        return add(Entry::Kind::Number, std::string(digits, length));
-    }
-    bool String(const char* characters, rapidjson::SizeType length, bool) {
-        return add(Entry::Kind::Text, std::string(characters, length));
-    }
-    bool Key(const char* characters, rapidjson::SizeType length, bool) {
-        // The opening quote: the reader parses strings in a copy of the stream.
-        key = {.begin = stream.Tell(), .end = stream.Tell() + length + 2};
-        path = levels.back().prefix + std::string(characters, length);
-        return seen.insert(path).second || fail("the key '" + path + "' appears twice", "duplicate-key");
-    }
-    bool StartObject() {
-        if (levels.size() >= 2 || (!levels.empty() && levels.back().is_array))
-            return fail("an object is not allowed here");
-        levels.push_back({.prefix = levels.empty() ? "" : path + "/"});
+    // `path`: empty for the whole file.
+    bool take(const std::string& path, const Json& json, bool in_array = false) {
+        switch (json.kind) {
+            case Json::Kind::Null: return fail("null is not allowed here: leave the key out");
+            case Json::Kind::Bool:
+            case Json::Kind::Number:
+            case Json::Kind::String: return add(path, json, in_array);
+            case Json::Kind::Array:
+                if (path.empty() || in_array) return fail("an array is not allowed here");
+                if (json.elements.empty())
+                    entries.push_back({.kind = Entry::Kind::EmptyArray, .path = path, .key = key});
+                return std::ranges::all_of(json.elements, [&](const Json& each) { return take(path, each, true); });
+            case Json::Kind::Object:
+                if (in_array || path.find('/') != path.npos) return fail("an object is not allowed here");
+                return std::ranges::all_of(json.members, [&](const json::JsonMember& member) {
+                    key = member.key_span;
+                    return take(path.empty() ? member.key : path + "/" + member.key, member.value);
+                });
+        }
         return true;
-    }
-    bool EndObject(rapidjson::SizeType) {
-        levels.pop_back();
-        return true;
-    }
-    bool StartArray() {
-        if (levels.empty() || levels.back().is_array) return fail("an array is not allowed here");
-        levels.push_back({.prefix = levels.back().prefix, .is_array = true});
-        return true;
-    }
-    bool EndArray(rapidjson::SizeType count) {
-        levels.pop_back();
-        return count > 0 || add(Entry::Kind::EmptyArray, "");
     }
 };
 
-Diagnostic located(const Problem& problem, const std::string& path, std::string_view text, TextRange place) {
-    Diagnostic diagnostic;
-    diagnostic.code = problem.code;
-    diagnostic.message = problem.message;
-    diagnostic.file = path;
-    std::string_view before = text.substr(0, place.begin);
-    const std::size_t line_begin = before.rfind('\n') + 1;  // npos + 1 is 0
-    const std::size_t line_end = std::min(text.find('\n', place.begin), text.size());
-    diagnostic.line = diagnostic.end_line = int(std::count(before.begin(), before.end(), '\n')) + 1;
-    diagnostic.column = int(place.begin - line_begin) + 1;
-    diagnostic.end_column = int(std::min(place.end, line_end) - line_begin) + 1;
-    constexpr std::size_t kMaxLine = 1u << 16;  // as in the compiler's own diagnostics
-    if (line_end - line_begin <= kMaxLine) diagnostic.source_line = text.substr(line_begin, line_end - line_begin);
-    if (!problem.hint.empty()) {
-        Diagnostic& note = diagnostic.notes.emplace_back();
-        note.severity = Severity::Note;
-        note.message = problem.hint;
-    }
-    return diagnostic;
-}
-
 Diagnostic unreadable(const std::string& path, const std::string& why) {
-    Diagnostic diagnostic;
-    diagnostic.code = "cannot-read";
-    diagnostic.message = "cannot read '" + path + "': " + why;
+    Diagnostic diagnostic = complaint(Complaint::CannotRead, {path, why});
     diagnostic.file = path;
     return diagnostic;
-}
-
-// RapidJSON's own words, as a part of a sentence.
-std::string json_reason(rapidjson::ParseErrorCode code) {
-    std::string text = rapidjson::GetParseError_En(code);
-    if (text.ends_with('.')) text.pop_back();
-    return text;
 }
 
 // --- what the keys mean
@@ -305,7 +254,7 @@ Problem add_to_environment(const Entry& entry, const std::filesystem::path& fold
 }
 
 // Keys that need each other, or exclude each other; the place is that of the entry that is one too many.
-std::pair<Problem, TextRange> check_surroundings(const std::vector<Entry>& entries) {
+std::pair<Problem, Span> check_surroundings(const std::vector<Entry>& entries) {
     const auto find = [&](auto is_wanted) { return std::find_if(entries.begin(), entries.end(), is_wanted); };
     const auto around =
         find([](const Entry& e) { return e.path == "environment" || e.path.starts_with("environment/"); });
@@ -396,9 +345,9 @@ Problem check_words(const Entry& entry) {
 }
 
 // The mistake in the camera's numbers, and the entry that has it.
-std::pair<Problem, TextRange> check_camera(const std::vector<Entry>& entries, const std::string& words) {
+std::pair<Problem, Span> check_camera(const std::vector<Entry>& entries, const std::string& words) {
     const std::string error = words.empty() ? std::string() : parse_camera(words, Camera{}).error;
-    std::pair<Problem, TextRange> found{Problem{error}, {}};
+    std::pair<Problem, Span> found{Problem{error}, {}};
     for (const Entry& entry : entries) {
         const bool is_first = found.second.end == 0;
         if (!entry.path.starts_with("camera/")) continue;
@@ -432,21 +381,23 @@ Outcome<std::string> read_text(const std::string& path) {
 ReadSnapshot read_snapshot(const std::string& path) {
     Outcome<std::string> text = read_text(path);
     if (!text) return {.file = {}, .error = unreadable(path, text.error)};
-    const auto wrong = [&](const Problem& problem, TextRange place) {
-        return ReadSnapshot{.file = {}, .error = located(problem, path, text.value, place)};
+    SourceMap sources;
+    Diagnostics diagnostics;
+    const std::uint32_t begin = sources.add_view(path, text.value);
+    const std::unique_ptr<Json> json = json::parse_json(sources, begin, diagnostics);
+    if (diagnostics.has_errors()) return {.file = {}, .error = to_public(diagnostics, sources).front()};
+    const auto wrong = [&](const Problem& problem, Span key) {
+        const FilePlace place = format::place_of(sources, key ? key : Span{begin, begin});
+        ReadSnapshot read{.file = {}, .error = diagnostic_at(place, std::string(problem.code), problem.message)};
+        if (!problem.hint.empty()) {
+            Diagnostic& note = read.error.notes.emplace_back();
+            note.severity = Severity::Note;
+            note.message = problem.hint;
+        }
+        return read;
     };
-    rapidjson::StringStream stream(text.value.c_str());
-    Flattener flat(stream);
-    // Iterative, so that nesting cannot overflow the stack.
-    constexpr unsigned kFlags = rapidjson::kParseIterativeFlag | rapidjson::kParseCommentsFlag |
-                                rapidjson::kParseTrailingCommasFlag | rapidjson::kParseNumbersAsStringsFlag |
-                                rapidjson::kParseValidateEncodingFlag;
-    rapidjson::GenericReader<rapidjson::UTF8<>, rapidjson::UTF8<>, JsonMemory> reader;
-    rapidjson::ParseResult parsed = reader.Parse<kFlags>(stream, flat);
-    if (flat.problem) return wrong(flat.problem, flat.key);
-    if (!parsed)
-        return wrong({.message = "broken JSON: " + json_reason(parsed.Code()), .code = "bad-json"},
-                     {.begin = parsed.Offset(), .end = parsed.Offset()});
+    Flattener flat{.sources = sources};
+    if (!flat.take("", *json)) return wrong(flat.problem, flat.key);
 
     std::filesystem::path folder = std::filesystem::path(path).parent_path();
     SnapshotFile file{.request = default_request()};
@@ -457,8 +408,7 @@ ReadSnapshot read_snapshot(const std::string& path) {
     if (const auto [problem, place] = check_camera(flat.entries, file.request.camera); problem)
         return wrong(problem, place);
     if (const auto [problem, place] = check_surroundings(flat.entries); problem) return wrong(problem, place);
-    if (!flat.seen.contains("patina"))
-        return wrong({.message = "the key \"patina\": 1 is missing", .code = "missing-key"}, {});
+    if (!json->find("patina")) return wrong({.message = "the key \"patina\": 1 is missing", .code = "missing-key"}, {});
 
     std::string stem = std::filesystem::path(path).filename().string();
     if (stem.ends_with(kSnapshotEnding)) stem.resize(stem.size() - kSnapshotEnding.size());
@@ -467,15 +417,7 @@ ReadSnapshot read_snapshot(const std::string& path) {
     request.graph = (folder / request.graph).string();
     if (is_model_name(request.mesh)) request.mesh = (folder / request.mesh).string();
     ReadSnapshot read{.file = std::move(file), .error = {}};
-    for (const Entry& entry : flat.entries) {
-        const Diagnostic at = located({}, path, text.value, entry.key);
-        read.places[entry.path] = {.file = path,
-                                   .line = at.line,
-                                   .column = at.column,
-                                   .end_line = at.end_line,
-                                   .end_column = at.end_column,
-                                   .source_line = at.source_line};
-    }
+    for (const Entry& entry : flat.entries) read.places[entry.path] = format::place_of(sources, entry.key);
     return read;
 }
 
