@@ -1,5 +1,5 @@
-// What programs around the compiler say to users: the diagnostics of the command, the importers and the runtime, and
-// hints for names of other programs. The table is complaints.def; no code is written as a word where it is used.
+// The diagnostics of the command, the importers and the runtime, and hints for names of other programs. The table is
+// complaints.def. Code names its rows and never writes a diagnostic's code as text.
 //
 //   Diagnostic wrong = complaint(Complaint::CannotRead, {"rust.png", "no such file"});
 //   std::puts(to_text(wrong).c_str());   // error: cannot read 'rust.png': no such file [cannot-read]
@@ -28,12 +28,12 @@ enum class Complaint {
 struct ComplaintInfo {
     std::string_view code;     // "cannot-read"
     std::string_view message;  // with a {} for each word
-    bool only_checked;         // only `patina check` looks for it: `patina compile` writes the graph's files
+    bool only_checked;         // only `patina check` searches for it: `patina compile` writes the graph's files
 };
 
 // The code of a diagnostic: "cannot-read".
 PATINA_API std::string_view code_of(Complaint what);
-// An error without a place. `words` fill the {} of the message in order, or {0}, {1} by number.
+// An error without a location. `words` fill the {} of the message in order, or {0}, {1} by number.
 PATINA_API Diagnostic complaint(Complaint what, std::initializer_list<std::string_view> words);
 // Every row of the table, in its order. Several rows may have the same code.
 PATINA_API std::span<const ComplaintInfo> all_complaints();
@@ -43,7 +43,7 @@ struct Hint {
     std::string_view name;  // "MatrixTranspose"
     std::string text;       // "written 'transpose(m)'"
 };
-// All of them. NodeInfo has the names that other programs give to nodes.
+// All hints. NodeInfo has the names that other programs give to nodes.
 PATINA_API std::vector<Hint> hints();
 
 }  // namespace patina

@@ -1,6 +1,6 @@
-// What shaders read of the engine, by the library's declarations: the members of the engine's uniform blocks and the
-// engine's textures, with their meaning. `patina values` lists them. A reflection says which of them a material reads,
-// and at which offset.
+// The engine's values that shaders can read, as the library declares them: the members of the engine's uniform blocks
+// and the engine's textures, with their meaning. `patina values` lists these values. A reflection lists the values that
+// a material reads, with their offsets.
 //
 //   for (const patina::EngineBlockInfo& block : patina::engine_blocks(compiler))
 //       for (const patina::EngineValueInfo& value : block.values) std::puts(value.name.c_str());
@@ -15,13 +15,13 @@ namespace patina {
 
 // A member of a block, or a texture.
 struct EngineValueInfo {
-    std::string name;   // as the reflection has it, unless the engine has a name of its own: "lightPosition"
+    std::string name;   // as in the reflection, unless the engine has a name of its own: "lightPosition"
     std::string type;   // "float4x4", "float4[16]", "TextureCube"
     std::string doc;    // what it is
     std::string unit;   // "m"; empty: it has none
-    std::string space;  // the coordinate space, or two of a matrix: "world", "world to view"; empty: it is in none
-    std::vector<std::string> with;  // it exists if one of these switches or paths is on; empty: always
-    bool is_of_object = false;      // a draw of instances has one for each
+    std::string space;  // the coordinate space, or two of a matrix: "world", "world to view"; empty: no space
+    std::vector<std::string> with;  // the value exists if one of these switches or paths is on; empty: always
+    bool is_of_object = false;      // each instance of a draw has its own value
 };
 
 // A uniform block by its name in the library, or all textures.

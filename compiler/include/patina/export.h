@@ -1,5 +1,5 @@
-// Marks what the library shows to programs. Everything else in it is hidden, so that its own copies of other libraries
-// cannot meet a program's.
+// Marks the functions and classes that the library exports. All other symbols are hidden, so that the library's copies
+// of other libraries do not conflict with those of a program.
 #pragma once
 
 #if defined(_WIN32)

@@ -1,6 +1,5 @@
-// A graph that is built in code. It has the keys and values of the graph format (docs/graph-format.md), and everything
-// else is as for a file: what can be wrong is found by Compiler::compile(), and the diagnostic names the node and the
-// port.
+// A graph that is built in code, with the keys and values of the graph format (docs/graph-format.md).
+// Compiler::compile() finds errors as in a file, and the diagnostic names the node and the port.
 //
 //   patina::GraphBuilder graph("dots.graph.json");
 //   graph.set("workflow", "metallic-roughness").set("lighting", "unity-brdf1");
@@ -23,7 +22,7 @@ namespace patina {
 
 struct GraphMember;
 
-// A node of a graph that is being built. As a value it is a link to its output.
+// A node of a graph that is being built. Used as a value, it is a link to the node's output.
 struct GraphNode {
     std::string id;  // unique in the graph, or a link to a part of a node: "noise.rgb"
 
@@ -38,8 +37,7 @@ public:
     // The kinds of JSON but null.
     enum class Kind { Number, Bool, Text, List, Object };
 
-    // A number, or true or false. The format has no number for an infinity and none for NaN: that is an error of the
-    // graph.
+    // A number, or true or false. The format has no infinity and no NaN: both are errors of the graph.
     template <class T>
     requires std::is_arithmetic_v<T> GraphValue(T value)
         : kind_(std::is_same_v<T, bool> ? Kind::Bool : Kind::Number),
@@ -58,7 +56,7 @@ public:
     // { "range": [0, 1] }
     static GraphValue object(std::vector<GraphMember> members);
 
-    Kind kind() const { return kind_; }                              // says which of the following it has
+    Kind kind() const { return kind_; }                              // which of the functions below have a value
     double number() const { return number_; }                        // also 1 for true
     bool is_float() const { return is_float_; }                      // of a number: 0.1f is written as 0.1
     const std::string& text() const { return text_; }                // of a text
@@ -82,8 +80,8 @@ struct GraphMember {
 // An object, or a part of one, in its order.
 using GraphMembers = std::vector<GraphMember>;
 
-// A graph that grows by each call, in the order of the calls. A key, an input or an id that is given twice is an error
-// of the graph. It is not for two threads at once.
+// A graph that grows by each call, in the order of the calls. A key, an input or an id that is set twice is an error of
+// the graph. Only one thread at a time may use a builder.
 class PATINA_API GraphBuilder {
 public:
     // `path` names the graph in messages and output files; relative files are searched in its folder.
@@ -99,14 +97,14 @@ public:
     GraphNode node(std::string id, std::string type, GraphMembers in = {}, GraphMembers more = {});
     // A node that is an expression over other nodes and properties: "mask * $_Tint.rgb".
     GraphNode expression(std::string id, std::string text, GraphMembers more = {});
-    // What an input of the workflow's surface reads: "baseColor".
+    // Sets an input of the workflow's surface: "baseColor".
     GraphBuilder& surface(std::string input, GraphValue value);
-    // What the vertex stage gives: "positionOS".
+    // Sets an output of the vertex stage: "positionOS".
     GraphBuilder& vertex(std::string output, GraphValue value);
-    // An output of a sub-graph. Those of a lighting graph are keys of their own: set("direct", ...).
+    // Sets an output of a sub-graph. In a lighting graph, each output is a key of its own: set("direct", ...).
     GraphBuilder& output(std::string name, GraphValue value);
 
-    const std::string& path() const { return path_; }  // what the constructor was given
+    const std::string& path() const { return path_; }  // the constructor's argument
     // The graph as a file: the lines and columns of diagnostics are in this text.
     std::string text() const;
 

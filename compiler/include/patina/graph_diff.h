@@ -1,5 +1,5 @@
-// What changed in meaning between two graphs or scenes. Layout, comments, the order of nodes and of keys, and what an
-// editor keeps under "ui" are no meaning. Nothing is compiled.
+// Finds the changes in meaning between two graphs or scenes. Layout, comments, the order of nodes and of keys, and an
+// editor's data under "ui" have no meaning. Nothing is compiled.
 //
 //   patina::GraphDiff diff = patina::diff_graphs({"old.graph.json", old_text}, {"new.graph.json", new_text});
 //   for (const patina::GraphChange& change : diff.changes) show(change.path, change.before, change.after);
@@ -17,10 +17,10 @@ struct GraphVersion {
 
 // What happened to a value.
 enum class GraphChangeKind {
-    Added,      // it is only in the new version
-    Removed,    // it is only in the old one
-    Changed,    // it is another one
-    Renamed,    // the path has the new name, `before` and `after` are the names; what reads it has not changed
+    Added,      // only the new version has the value
+    Removed,    // only the old version has the value
+    Changed,    // the value differs
+    Renamed,    // `path` has the new name, `before` and `after` the names; links to it are no changes
     Reordered,  // a list whose order has a meaning: properties, passes
 };
 
@@ -37,11 +37,11 @@ struct GraphChange {
 struct GraphDiff {
     bool ok = false;                        // both are graphs or scenes
     std::vector<GraphChange> changes{};     // renames first
-    std::vector<Diagnostic> diagnostics{};  // why one of them is no graph and no scene
+    std::vector<Diagnostic> diagnostics{};  // why a text is neither a graph nor a scene
 };
 
-// The changes that make `after` of `before`. A text that did not exist has no values. Of the limits `source_bytes`, for
-// both together, and `cancelled` count.
+// The changes that turn `before` into `after`. A text that did not exist has no values. Of the limits, only
+// `source_bytes`, for both texts together, and `cancelled` count.
 PATINA_API GraphDiff diff_graphs(const GraphVersion& before, const GraphVersion& after, const Limits& limits = {});
 
 }  // namespace patina

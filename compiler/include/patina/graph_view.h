@@ -1,4 +1,4 @@
-// A graph as boxes and lines, for drawings: what its file says, with the types that its values have.
+// A graph as boxes and lines, for drawings: the content of its file, with the types of its values.
 //
 //   patina::GraphView view = patina::view_graph(compiler, "rust.graph.json");
 //   for (const patina::GraphEdge& edge : view.edges) draw(view.boxes[edge.from], view.boxes[edge.to]);
@@ -12,11 +12,11 @@ namespace patina {
 struct GraphPort {
     std::string name;  // "baseColor"; of an expression: "expr" and "out"
     std::string type;  // "float3"; if the graph does not compile: as it is declared, "floatN", or empty
-    // Of an input that is set to something else than a node: "0.5", "@uv0", "mask.r". Of one that is not set: the
-    // semantic that it reads by default.
+    // Of an input that is set to something else than a node: "0.5", "@uv0", "mask.r". Of an input that is not set: its
+    // default semantic.
     std::string value;
 };
-// A node; or a list of values that the graph gives to something: "surface", "vertex", "outputs".
+// A node; or a list of values that the graph sets: "surface", "vertex", "outputs".
 struct GraphBox {
     std::string id;                          // of the node; else the key of the list, or "pass outline"
     std::string title;                       // the node's type, or "= expression"
@@ -29,7 +29,7 @@ struct GraphEdge {
     std::size_t from = 0, from_port = 0;  // indices into GraphView::boxes and its `outputs`
     std::size_t to = 0, to_port = 0;      // indices into GraphView::boxes and its `inputs`
 };
-// What is drawn of a graph.
+// A graph for a drawing.
 struct GraphView {
     bool ok = false;                        // there are no errors; else there are no boxes
     std::string name;                       // the graph's own, or that of its file
@@ -40,8 +40,7 @@ struct GraphView {
     std::vector<std::string> dependencies;  // files that were read
     std::vector<std::string> missing;       // files that were looked for and are not there, sorted
 };
-// Reads a graph and finds its types. Of the options, only `include_dirs`, `files` and `limits` count. A file of every
-// kind of graph.
+// Reads a graph of any kind and finds its types. Of the options, only `include_dirs`, `files` and `limits` count.
 PATINA_API GraphView view_graph(const Compiler& compiler, const std::string& path, const CompileOptions& options = {});
 
 }  // namespace patina

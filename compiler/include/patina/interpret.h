@@ -1,6 +1,6 @@
 // The CPU reference: runs a stage of a compiled material on 2x2 pixel quads, directly from the unoptimised IR, in float
-// or double. It shares no folding, identity or printer with the GPU's path. It is slow and exact, and it is not a
-// renderer (the runtime's `--via cpu` puts a rasteriser around it).
+// or double. Folding, identities and printers, which the GPU's shaders went through, are not used here. It is slow and
+// exact, and it is not a renderer: the runtime's `--via cpu` adds a rasteriser.
 //
 //   Result r = compiler.compile_file(path, {.keep_programs = true});
 //   Interpreter fragment(*r.program, "forward", Stage::Fragment, Precision::Double);
@@ -25,12 +25,12 @@ enum class Precision { Float, Double };
 struct TextureLevel {
     int width = 0, height = 0;  // texels
     std::vector<float> texels;  // 4 * width * height, for each layer
-    int depth = 1;              // of a 3D texture: its layers, which get fewer from level to level
+    int depth = 1;              // of a 3D texture: its layers; smaller levels have fewer
 };
 // A texture with its levels, and how it is sampled.
 struct TextureData {
     std::vector<TextureLevel> levels;  // the finest first
-    Sampler sampler;                   // how places between and beyond the texels are read
+    Sampler sampler;                   // how points between and beyond the texels are read
     int layers = 1;                    // of an array; 6: also of a cube, whose sides are square
 };
 
@@ -43,7 +43,7 @@ struct QuadInputs {
 struct QuadOutputs {
     std::array<std::vector<double>, 4> lanes;  // components of outputs(), in order
     std::array<bool, 4> discarded{};           // pixels that are not drawn
-    bool is_over_budget = false;               // it ended early, and all components are 0
+    bool is_over_budget = false;               // the run ended early, and all components are 0
 };
 
 // An input or an output of a stage.
@@ -56,52 +56,52 @@ struct StageValue {
 
 // The value of one port of a graph for a quad.
 struct TracedValue {
-    // Whose value it is.
+    // What has the value.
     enum class Kind {
         Node,    // `node` is an id path: "rust", "rust/height" in the sub-graph of the node "rust"
         Output,  // of the graph itself: "surface" and the input's name, "direct", "indirect", "final", "vertex"
         Given,   // passed to the graph: "@light", "@sum"
     };
-    Kind kind = Kind::Node;      // whose value it is
+    Kind kind = Kind::Node;      // what has the value
     std::string graph;           // "material", "workflow" or "lighting"
     std::string node;            // as `kind` says
     std::string port;            // "out", or the output's name
     std::string type;            // "float3"
     std::vector<double> values;  // components; matrices row by row; bool 0 or 1
     int light = -1;              // index of the light, if the value depends on it; else -1
-    std::string file;            // the place in the graph's text
-    int line = 0, column = 0;    // of that place, from 1
+    std::string file;            // the location in the graph's text
+    int line = 0, column = 0;    // of that location, from 1
 };
 // The kind as a word: "node", "output", "given".
 PATINA_API std::string_view to_string(TracedValue::Kind kind);
 
-// Runs one stage of a pass. It is not for two threads at once.
+// Runs one stage of a pass. Only one thread at a time may use an interpreter.
 class PATINA_API Interpreter {
 public:
-    // The stage of a pass, as Result::reflection names it. The program must live as long. If it has no such stage, the
-    // interpreter has no inputs and outputs.
+    // The stage of a pass, as Result::reflection names it. The program must live as long as the interpreter. If the
+    // program has no such stage, the interpreter has no inputs and outputs.
     Interpreter(const Program& program, std::string_view pass, Stage stage, Precision precision);
     ~Interpreter();
     Interpreter(Interpreter&&) noexcept;  // what was moved from can only be destroyed
 
-    const std::vector<StageValue>& inputs() const;   // what a quad must give, in order
-    const std::vector<StageValue>& outputs() const;  // what the stage gives, in order
+    const std::vector<StageValue>& inputs() const;   // the values that a quad must have, in order
+    const std::vector<StageValue>& outputs() const;  // the values that the stage computes, in order
 
-    // Bytes of a uniform block as the reflection lays it out; missing bytes are 0. Names that the stage does not know
-    // are ignored, here and below.
+    // Sets the bytes of a uniform block, in the layout of the reflection; missing bytes are 0. Names that the stage
+    // does not know are ignored, here and below.
     void set_block(std::string_view name, std::span<const std::byte> bytes);
     // Sets one member of a uniform block, or a specialization constant, by its name. The components keep the precision
     // of a double.
     void set_value(std::string_view name, std::span<const double> components);
-    // Sets a texture and its sampler, by Texture::identifier. Until then all of its texels are 1.
+    // Sets a texture and its sampler, by Texture::identifier. A texture that is not set has 1 in all texels.
     void set_texture(std::string_view name, std::shared_ptr<const TextureData> texture);
-    // Sets one of Reflection::samplers, by its identifier. Until then, textures are read by their own samplers there.
+    // Sets one of Reflection::samplers, by its identifier. If it is not set, textures are read with their own samplers.
     void set_sampler(std::string_view name, const Sampler& sampler);
 
-    // Of one run. A material has some thousands, and a loop that never seems to end has more.
+    // The limit of operations for one run. A material has some thousands; only a loop that does not end has more.
     static constexpr std::uint64_t kMostSteps = std::uint64_t{1} << 24;
-    // Runs the four lanes of a quad. Components that are missing are 0. With more than kMostSteps operations it ends,
-    // `is_over_budget`, and all outputs are 0.
+    // Runs the four lanes of a quad. Missing components are 0. After kMostSteps operations the run ends:
+    // `is_over_budget` is true, and all outputs are 0.
     QuadOutputs run(const QuadInputs& quad);
     // Runs the quad and returns every node's value in one lane (0 to 3): graph after graph in the order of execution,
     // each node after those that it reads, and values that depend on the light after the others. Nodes that this stage

@@ -1,6 +1,6 @@
 // Light from the surroundings, in the three forms that Patina's shaders read: nine coefficients, a blurred cube map and
-// the table of the split sum. It is computed on the CPU. A library of its own, patina::lighting, that needs no other:
-// neither the compiler nor a GPU, nor code that reads pictures.
+// the table of the split sum. It is computed on the CPU. patina::lighting is a library of its own. It needs no other
+// library: no compiler, no GPU and no code that reads pictures.
 //
 //   patina::lighting::Environment sky = patina::lighting::prefilter({.width = 1024, .height = 512, .numbers = pixels});
 //   if (!sky.error.empty()) return fail(sky.error);
@@ -42,7 +42,8 @@ struct Options {
     int face_size = 0;
     // The result is for a world in which ahead is +z, as in Unity and often with Direct3D; else ahead is -z.
     bool is_left_handed = false;
-    // Called on the calling thread with the share that is done, 0 to 1. What it throws ends the work, and is the error.
+    // Called on the calling thread with the share that is done, 0 to 1. If it throws, the work ends, and the
+    // exception's text is the error.
     std::function<void(double)> progress{};
 };
 
@@ -59,8 +60,8 @@ struct Level {
 
 // The surroundings as light.
 struct Environment {
-    // Empty if all is well. Else what is wrong with the picture or the options, in a sentence, or "out of memory"; the
-    // rest is empty then.
+    // Empty if all is well. Else a sentence that says what is wrong with the picture or the options, or "out of
+    // memory"; then all other members are empty.
     std::string error{};
     // The value of `ambientSH`: red, green and blue of radiance for each of the nine functions of the real basis
     // without the Condon-Shortley sign, order l(l+1)+m, on the axes of the world (Ramamoorthi and Hanrahan, "An
@@ -74,7 +75,7 @@ struct Environment {
 };
 
 // Computes the light of a picture. It takes a second or more, on up to six threads. The same picture gives the same
-// numbers each time. No exception leaves it.
+// numbers each time. It never throws.
 PATINA_API Environment prefilter(const Picture& picture, const Options& options = {});
 
 // The texture `splitSumTable`. It is the same for all environments.
@@ -86,7 +87,8 @@ struct SplitSumTable {
     // second, for GGX with Smith's exact joint visibility (Karis, SIGGRAPH 2013).
     std::vector<float> texels{};
 };
-// It is computed when Patina is built: this only copies it. It throws std::bad_alloc if there is no memory for that.
+// The table is computed when Patina is built, and this function copies it. It throws std::bad_alloc if there is no
+// memory for the copy.
 PATINA_API SplitSumTable split_sum_table();
 
 }  // namespace patina::lighting

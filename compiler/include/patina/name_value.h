@@ -6,7 +6,7 @@
 
 namespace patina {
 
-// Both are parts of the text that was split.
+// Two views of the text that was split.
 struct NameValue {
     std::string_view name;                    // what is before the first '='
     std::optional<std::string_view> value{};  // may be empty: "NAME="

@@ -1,5 +1,5 @@
-// The compiler for programs in C, and in any language that can call C. It has what most programs need of patina.h: a
-// graph in, shaders and their reflection out.
+// The compiler for programs in C, and in any language that can call C. It has the part of patina.h that most programs
+// need: a graph in, shaders and their reflection out.
 //
 //   patina_compiler* compiler = NULL;
 //   if (patina_compiler_create(PATINA_C_ABI, NULL, 0, &compiler) != PATINA_OK) return 1;
@@ -11,11 +11,11 @@
 //   patina_result_free(result);
 //   patina_compiler_free(compiler);
 //
-// Texts are UTF-8. Texts that the library gives end with a zero byte and live as long as the object that gave them;
-// texts that it is given are copied or only read during the call. No function throws; none ends the program. A null
-// pointer where an object is wanted is PATINA_BAD_ARGUMENT, or an empty answer. So is a size that nothing can have: of
-// a text that is null and not empty, or beyond PTRDIFF_MAX bytes. After any status, all objects are as usable as
-// before.
+// Texts are UTF-8. Texts that the library returns end with a zero byte and live as long as their object. Texts that a
+// program passes are copied, or only read during the call. No function throws, and no function ends the program. If an
+// object is required and the pointer is null, the status is PATINA_BAD_ARGUMENT, or the result is empty. The same is
+// true for an impossible size: of a text that is null and not empty, or more than PTRDIFF_MAX bytes. After any status,
+// all objects are as usable as before.
 //
 // Threads: any number of them may compile with one compiler, and read one result. An object is freed once, when no
 // other thread uses it.
@@ -31,24 +31,24 @@
 extern "C" {
 #endif
 
-// Counts the changes of this header that an older program could not run with.
+// Grows with each change of this header with which older programs cannot run.
 #define PATINA_C_ABI 1
 
 // The compiler with its library. It is loaded once, and never changes.
 typedef struct patina_compiler patina_compiler;
-// What a compilation made, complete and unchanging.
+// The result of a compilation. It is complete and never changes.
 typedef struct patina_result patina_result;
-// Where a callback puts its answer. It is only for the time of the call.
+// The answer of a callback. It may be used only during the call.
 typedef struct patina_reply patina_reply;
 
-// What became of a call.
+// The status of a call.
 typedef enum patina_status {
     PATINA_OK = 0,             // all is well
-    PATINA_HAS_ERRORS = 1,     // the graph, the options or a file has errors: the result's messages say which
+    PATINA_HAS_ERRORS = 1,     // errors in the graph, the options or a file: see the messages
     PATINA_WRONG_ABI = 2,      // the program was compiled for another version of this header
-    PATINA_BAD_ARGUMENT = 3,   // a pointer is null that must not be, or a size or a word is impossible
+    PATINA_BAD_ARGUMENT = 3,   // a required pointer is null, or a size or a word is impossible
     PATINA_OUT_OF_MEMORY = 4,  // there was not enough memory; no object was made
-    PATINA_INTERNAL_ERROR = 5  // a mistake of the library; no object was made
+    PATINA_INTERNAL_ERROR = 5  // a bug in the library; no object was made
 } patina_status;
 
 // The status as a sentence, for messages. It lives as long as the program.
@@ -61,9 +61,9 @@ PATINA_API const char* patina_version(void);
 
 // --- the compiler
 
-// A file that is added to the library: a node, a rendering path, a lighting model or a workflow of the program's own.
+// A file that a program adds to the library: a node, a rendering path, a lighting model or a workflow.
 typedef struct patina_library_file {
-    const char* name;  // its ending says what it holds: "mine/dots.node.hlsl" (LibraryFile in patina/patina.h)
+    const char* name;  // its ending decides the kind: "mine/dots.node.hlsl" (LibraryFile in patina/patina.h)
     const char* text;  // need not end with a zero byte
     size_t size;       // bytes of the text
 } patina_library_file;
@@ -77,27 +77,29 @@ PATINA_API void patina_compiler_free(patina_compiler* compiler);
 
 // --- files of the program's own
 
-// Where a compilation finds files. Each function may be null, and is called from the thread that compiles. It must not
-// jump out of the call. If it is of C++, it may throw: that is an error of the compilation, with what() as its reason.
+// Where a compilation finds files. Each function may be null, and is called from the thread that compiles. A function
+// must not leave the call by longjmp. A C++ function may throw: the compilation then has an error with what() as its
+// reason.
 typedef struct patina_callbacks {
     void* user;  // handed to each function
-    // Gives the text of a file: calls patina_reply_text() if there is one, patina_reply_error() if it cannot be read,
-    // and neither if there is none. Within one compilation it is asked once for each file. Null: the disk.
+    // Returns the text of a file: calls patina_reply_text() with the text, patina_reply_error() if the file cannot be
+    // read, and neither if there is no file. Within one compilation it is called once for each file. Null: the disk.
     void (*read)(void* user, const char* path, patina_reply* reply);
-    // Not 0 if the file is there. Textures are asked for by this function alone. Null: a file is there if `read` gives
-    // a text.
+    // Not 0 if the file exists. For textures, only this function is called. Null: a file exists if `read` returns a
+    // text.
     int (*exists)(void* user, const char* path);
-    // Gives the path of the file that `name` means in the file `from`, by patina_reply_text(); without
-    // a reply the name is the path. Null: paths and URIs are joined as usual.
+    // Returns the path of the file that `name` means in the file `from`, by patina_reply_text(). If it calls nothing,
+    // the name is the path. Null: paths and URIs are joined as usual.
     void (*resolve)(void* user, const char* from, const char* name, patina_reply* reply);
-    // Not 0: the compilation ends with the error `cancelled`. It is asked often. Null: never.
+    // Not 0: the compilation ends with the error `cancelled`. It is called often. Null: never cancelled.
     int (*cancelled)(void* user);
 } patina_callbacks;
 
-// Answers with a text, which is copied. It need not end with a zero byte. An impossible size is an answer that the text
-// cannot be read.
+// Answers with a text, which is copied. It need not end with a zero byte. If the size is impossible, the file counts as
+// one that cannot be read.
 PATINA_API void patina_reply_text(patina_reply* reply, const char* text, size_t size);
-// Answers that there is a text that cannot be given, and why: the error `cannot-read` at the place that names the file.
+// Answers that the file exists and cannot be read, with the reason: the error `cannot-read` at the location that names
+// the file.
 PATINA_API void patina_reply_error(patina_reply* reply, const char* reason);
 
 // --- compilation
@@ -122,8 +124,8 @@ PATINA_API void patina_reply_error(patina_reply* reply, const char* reason);
 //   "hashes"        true: the reflection has the hash of each pass
 //   "limits"        object: the most "nodes", "instructions", "sourceBytes" and "shaderBytes"
 //
-// patina::CompileOptions says more about each. An error in the text has a place in a file that is called "options". An
-// error in a name that only the graph or the path knows, such as one of "switches", has no place.
+// patina::CompileOptions says more about each. An error in the text has a location in a file with the name "options".
+// An error in a name that depends on the graph or the path, such as one of "switches", has no location.
 //
 // `callbacks` may be null. A result is made if the status is PATINA_OK or PATINA_HAS_ERRORS; otherwise it is null.
 PATINA_API patina_status patina_compile(const patina_compiler* compiler, const char* path, const char* text,
@@ -135,15 +137,15 @@ PATINA_API patina_status patina_compile_file(const patina_compiler* compiler, co
 // Room for a key, with its zero byte.
 #define PATINA_KEY_SIZE 33
 // Writes a key to `key`, which has room for PATINA_KEY_SIZE bytes: two compilations with one key give one result.
-// `text` is null, and `size` 0, for the text of the file that `path` names. It reads the graph and the files that this
-// names, and compiles nothing. A graph with errors has a key, too. PATINA_HAS_ERRORS: the options are wrong, and the
-// key is empty.
+// `text` is null, and `size` 0, for the text of the file that `path` names. The function reads the graph and the files
+// that the graph names, and compiles nothing. A graph with errors has a key, too. PATINA_HAS_ERRORS: the options are
+// wrong, and the key is empty.
 PATINA_API patina_status patina_cache_key(const patina_compiler* compiler, const char* path, const char* text,
                                           size_t size, const char* options, const patina_callbacks* callbacks,
                                           char* key);
-// Writes the key of the library with the files that were added, and of this build of the compiler.
+// Writes a key of the library with the added files, and of this build of the compiler.
 PATINA_API patina_status patina_library_hash(const patina_compiler* compiler, char* key);
-// Frees a result with all that it has given. Null is allowed.
+// Frees a result with everything that it has returned. Null is allowed.
 PATINA_API void patina_result_free(patina_result* result);
 
 // --- results
@@ -174,8 +176,8 @@ PATINA_API const char* patina_result_reflection(const patina_result* result);
 PATINA_API size_t patina_result_dependency_count(const patina_result* result);
 // The path of one of them; null if there is no such file.
 PATINA_API const char* patina_result_dependency(const patina_result* result, size_t index);
-// The number of files that were looked for and are not there, sorted: the folder of a graph comes before include_dirs.
-// If one of them appears, the result may be another one.
+// The number of files that were searched for and do not exist, sorted. For example, a file is searched in the folder of
+// the graph before "includeDirs". If one of these files appears, the result may change.
 PATINA_API size_t patina_result_missing_count(const patina_result* result);
 // The path of one of them; null if there is no such file.
 PATINA_API const char* patina_result_missing(const patina_result* result, size_t index);
@@ -184,15 +186,15 @@ PATINA_API const char* patina_result_missing(const patina_result* result, size_t
 
 // The combinations of a material's variants, before they are compiled.
 typedef struct patina_plan patina_plan;
-// Their programs. Each different one is there once.
+// The programs of the combinations. Combinations with equal shaders share one program.
 typedef struct patina_variants patina_variants;
 // The usual limit of their number.
 #define PATINA_VARIANT_LIMIT 1024
 
-// Counts the combinations, and compiles as little as that needs. `wanted`: "all", "listed", those under the graph's
-// "variants", or "reachable", without choices that change nothing; another word is PATINA_BAD_ARGUMENT. More than
-// `limit` combinations are an error. `options` and `callbacks` are as for patina_compile(); the plan keeps both, and
-// the callbacks may be called as long as it lives. A plan is made if the status is PATINA_OK or PATINA_HAS_ERRORS.
+// Counts the combinations, and compiles only as much as that needs. `wanted` is "all"; "listed": those under the
+// graph's "variants"; or "reachable": without choices that change nothing. Another word is PATINA_BAD_ARGUMENT. More
+// than `limit` combinations are an error. `options` and `callbacks` are as for patina_compile(); the plan keeps both,
+// and the callbacks may be called as long as it lives. A plan is made if the status is PATINA_OK or PATINA_HAS_ERRORS.
 PATINA_API patina_status patina_plan_variants(const patina_compiler* compiler, const char* path, const char* wanted,
                                               size_t limit, const char* options, const patina_callbacks* callbacks,
                                               patina_plan** plan);
@@ -205,17 +207,16 @@ PATINA_API const char* patina_plan_axes(const patina_plan* plan);
 // As for a result.
 PATINA_API const char* patina_plan_messages(const patina_plan* plan);
 PATINA_API const char* patina_plan_diagnostics(const patina_plan* plan);  // the same
-// Frees a plan. What was compiled by it may live on. Null is allowed.
+// Frees a plan. Programs that were compiled from it may live on. Null is allowed.
 PATINA_API void patina_plan_free(patina_plan* plan);
 
-// Compiles all combinations of a plan, by the compiler that made it.
+// Compiles all combinations of a plan, with the compiler that made the plan.
 PATINA_API patina_status patina_compile_variants(const patina_compiler* compiler, const patina_plan* plan,
                                                  patina_variants** variants);
 // The number of different programs; 0 if there are errors.
 PATINA_API size_t patina_variants_program_count(const patina_variants* variants);
 // The shaders and the reflection of a program. It lives as long as `variants` and is not freed; null if there is none
-// of this index. Its messages, its dependencies and its missing files are those of all combinations, which `variants`
-// has.
+// of this index. Messages, dependencies and missing files are not in it: `variants` has those of all combinations.
 PATINA_API const patina_result* patina_variants_program(const patina_variants* variants, size_t index);
 // The hash of a program: 32 hexadecimal digits; null if there is none of this index.
 PATINA_API const char* patina_variants_hash(const patina_variants* variants, size_t index);
@@ -233,7 +234,7 @@ PATINA_API void patina_variants_free(patina_variants* variants);
 
 // --- scenes
 
-// A scene that was read, complete and unchanging.
+// A scene that was read. It is complete and never changes.
 typedef struct patina_scene patina_scene;
 
 // Reads a scene; its graphs are found, not compiled. Of the options only "includeDirs", "root" and "limits" count. A
@@ -257,7 +258,7 @@ PATINA_API const char* patina_scene_missing(const patina_scene* scene, size_t in
 // Frees a scene. Null is allowed.
 PATINA_API void patina_scene_free(patina_scene* scene);
 
-// --- what the library has
+// --- the library
 
 // A node.
 typedef struct patina_node {
@@ -278,15 +279,15 @@ typedef struct patina_path {
 typedef struct patina_engine {
     const char* name;   // as "targets" of the options name it
     const char* title;  // "Vulkan"
-    const char* doc;    // a sentence on the files that it gets
+    const char* doc;    // a sentence about its files
     const char* json;   // all of it, with its languages and paths, as an object: EngineInfo
 } patina_engine;
 
-// Gives the list of all nodes, by category, then name. It lives as long as the compiler and is not freed.
+// Returns the list of all nodes, by category, then name. The list lives as long as the compiler and must not be freed.
 PATINA_API patina_status patina_nodes(const patina_compiler* compiler, const patina_node** nodes, size_t* count);
-// The same of the rendering paths, by name.
+// The same for the rendering paths, by name.
 PATINA_API patina_status patina_paths(const patina_compiler* compiler, const patina_path** paths, size_t* count);
-// The same of the engines, the default one first.
+// The same for the engines, the default one first.
 PATINA_API patina_status patina_engines(const patina_compiler* compiler, const patina_engine** engines, size_t* count);
 
 #ifdef __cplusplus

@@ -1,5 +1,5 @@
-// The differences of two texts, line by line, with the lines around them. Myers, "An O(ND) Difference Algorithm and Its
-// Variations" (1986), finds the fewest.
+// The differences of two texts, line by line, with the lines around them. The algorithm is from Myers, "An O(ND)
+// Difference Algorithm and Its Variations" (1986), and finds the fewest differences.
 //
 //   for (const DiffLine& line : differences(old_text, new_text)) ...
 #pragma once
@@ -14,7 +14,7 @@ namespace patina {
 
 // A line of the differences.
 struct DiffLine {
-    // Which text has it: both, the old one, or the new one; or a gap, where equal lines are left out.
+    // Which text has the line: both, the old one, or the new one; or a gap, where equal lines are left out.
     enum class Kind { Same, Removed, Added, Gap } kind = Kind::Same;  // which of them it is
     int old_line = 0, new_line = 0;                                   // from 1; 0: the text does not have it
     std::string text{};                                               // without its line break; of a gap: empty
@@ -22,11 +22,11 @@ struct DiffLine {
 
 inline constexpr int kDiffContext = 3;  // lines before and after a difference
 
-// Empty if the texts are equal. Texts of very many differences may not get the fewest.
+// Empty if the texts are equal. If the texts have very many differences, the result may have more lines than necessary.
 PATINA_API std::vector<DiffLine> differences(std::string_view old_text, std::string_view new_text);
-// The same with all lines that both texts have, and without gaps; also of equal texts.
+// The same with all lines, also those that are equal, and without gaps. Equal texts have lines here, too.
 PATINA_API std::vector<DiffLine> all_lines(std::string_view old_text, std::string_view new_text);
-// How many lines are added or removed.
+// The number of lines that were added or removed.
 PATINA_API std::size_t changed_lines(const std::vector<DiffLine>& diff);
 
 }  // namespace patina

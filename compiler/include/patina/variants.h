@@ -1,5 +1,5 @@
 // Compiles all combinations of a material's variants. They are planned first, so that their number is known before the
-// work begins. Each different shader is kept once.
+// work begins. Combinations with equal shaders share one program.
 //
 //   patina::VariantPlan plan = compiler.plan_variants("rust.graph.json", patina::VariantsWanted::All, options,
 //                                                    patina::kVariantLimit);
@@ -27,7 +27,7 @@ enum class VariantsWanted {
     Listed,    // the combinations that the graph lists under "variants"; missing values are the defaults
     Reachable  // only properties that make different shaders, given the values of the others
 };
-// What is wanted as a word: "all", "listed", "reachable".
+// The word of `wanted`: "all", "listed", "reachable".
 PATINA_API std::string_view to_string(VariantsWanted wanted);
 
 inline constexpr std::size_t kVariantLimit = 1024;       // the usual limit of their number
@@ -47,23 +47,23 @@ struct PATINA_API VariantPlan {
     // Exactly one combination matches any choice of values.
     VariantValues combination(std::size_t index) const;
 };
-// The number of combinations of all axes; may be more than a plan can hold.
+// The number of combinations of all axes; it may be more than a plan can have.
 PATINA_API double combinations_of(const std::vector<VariantAxis>& axes);
 
 // The compiled program of one or more combinations, made from the first of them.
 struct VariantProgram {
     std::string hash;  // of all passes: 32 hexadecimal digits, which do not depend on the graph's names
-    Result result;     // with hashes; the reflection states the variants' default values
+    Result result;     // with hashes; the reflection has the variants' default values
 };
 
 // All combinations of a plan, compiled.
 struct VariantSet {
     bool ok = false;                        // there are no errors
     std::vector<Diagnostic> diagnostics;    // each diagnostic once
-    std::vector<VariantProgram> programs;   // if each was handed over as it was compiled: their hashes alone
-    std::vector<std::size_t> program_of;    // index into `programs`, by that of VariantPlan::combination
+    std::vector<VariantProgram> programs;   // with `finished`, which received each program: the hashes alone
+    std::vector<std::size_t> program_of;    // index into `programs`, for each index of VariantPlan::combination
     std::vector<std::string> dependencies;  // files that were read, the graph first
-    std::vector<std::string> missing;       // files that were looked for and are not there, sorted
+    std::vector<std::string> missing;       // files that were searched for and do not exist, sorted
 };
 
 }  // namespace patina

@@ -1,5 +1,5 @@
-// The fixed words of graphs, passes and scenes: an enum for each choice, and one table that says how each value is
-// written. Readers, writers, the reflection's JSON and the runtime all use these tables.
+// The fixed words of graphs, passes and scenes: an enum for each choice, and a table with the word of each value.
+// Readers, writers, the reflection's JSON and the runtime all use these tables.
 //
 //   to_string(Compare::LessEqual)       // "lessEqual"
 //   from_word<Compare>("lessEqual")     // Compare::LessEqual; nothing if there is no such word
@@ -19,10 +19,10 @@ namespace patina {
 template <class E>
 struct Word {
     std::string_view text;  // as files and messages have it: "lessEqual"
-    E value;                // what it stands for
+    E value;                // the value of the word
 };
 
-// Takes the place of the table of an enum that has none.
+// Marks an enum without a table.
 struct NoWords {};
 // The table of an enum: a std::array of Word<E>.
 template <class E>
@@ -84,7 +84,8 @@ constexpr bool is_texture(PropertyType type) {
 constexpr bool is_array(PropertyType type) {
     return type >= PropertyType::Float2x2 && type <= PropertyType::Curve;
 }
-// How many numbers a value has: 4 for a colour; 1 for an enum, whose number is an index, and for what has no numbers.
+// How many numbers a value has: 4 for a colour; 1 for an enum, whose number is an index; 1 also for types without
+// numbers.
 constexpr std::size_t component_count(PropertyType type) {
     switch (type) {
         case PropertyType::Float2: return 2;
@@ -151,8 +152,8 @@ inline constexpr auto kWords<TextureUsage> = std::to_array<Word<TextureUsage>>({
     {"normal", TextureUsage::Normal},
 });
 
-// What the green of a normal map counts: up in the picture (+y), as OpenGL's maps and glTF do, or down, as DirectX's
-// do.
+// The direction in which the green channel of a normal map grows: up in the picture (+y), as in OpenGL's maps and glTF,
+// or down, as in DirectX's maps.
 enum class Handedness { OpenGL, DirectX };
 template <>
 inline constexpr auto kWords<Handedness> = std::to_array<Word<Handedness>>({
@@ -160,7 +161,8 @@ inline constexpr auto kWords<Handedness> = std::to_array<Word<Handedness>>({
     {"directx", Handedness::DirectX},
 });
 
-// What a texture property has if a material gives it none: one texel, or a file. None: it is the engine's.
+// The value of a texture property that a material does not set: one texel, or a file. None: the texture is the
+// engine's.
 enum class TextureDefault { White, Black, Gray, Bump, File, None };
 template <>
 inline constexpr auto kWords<TextureDefault> = std::to_array<Word<TextureDefault>>({
@@ -265,8 +267,8 @@ inline constexpr auto kWords<Stage> = std::to_array<Word<Stage>>({
 });
 
 // How a surface covers what is behind it. Cutout: pixels with little alpha are not drawn. Fade: all of it is weighted
-// by alpha. Transparent: only its diffuse colour is. Additive: it is added to what is there. Multiply: it is multiplied
-// with it.
+// by alpha. Transparent: only its diffuse colour is. Additive: it is added to what is behind it. Multiply: it is
+// multiplied with that.
 enum class SurfaceKind { Opaque, Cutout, Fade, Transparent, Additive, Multiply };
 template <>
 inline constexpr auto kWords<SurfaceKind> = std::to_array<Word<SurfaceKind>>({
@@ -312,7 +314,7 @@ inline constexpr auto kWords<MatrixOrder> = std::to_array<Word<MatrixOrder>>({
     {"rows", MatrixOrder::Rows},
 });
 
-// Compares the new depth to the depth that is there, or (reference & read mask) to the stencil that is there.
+// Compares the new depth to the stored depth, or (reference & read mask) to the stored stencil.
 enum class Compare { Never, Less, Equal, LessEqual, Greater, NotEqual, GreaterEqual, Always };
 template <>
 inline constexpr auto kWords<Compare> = std::to_array<Word<Compare>>({
@@ -341,8 +343,8 @@ inline constexpr auto kWords<StencilOp> = std::to_array<Word<StencilOp>>({
     {"decrementWrap", StencilOp::DecrementWrap},
 });
 
-// What a stencil is compared with: a number that the material states, which has no word; or a number that the materials
-// of one lighting pass share.
+// The number that a stencil is compared with: the material's own number, which has no word; or a number that the
+// materials of one lighting pass share.
 enum class StencilReference { Stated, Lighting };
 template <>
 inline constexpr auto kWords<StencilReference> = std::to_array<Word<StencilReference>>({
@@ -391,7 +393,7 @@ inline constexpr auto kWords<TargetFormat> = std::to_array<Word<TargetFormat>>({
 
 // --- what a pass draws
 
-// What a pass draws: the objects of the scene; the whole picture; or a volume around each light that ends.
+// What a pass draws: the objects of the scene; the whole picture; or a volume around each light of limited range.
 enum class PassDraws { Objects, Fullscreen, LightVolumes };
 template <>
 inline constexpr auto kWords<PassDraws> = std::to_array<Word<PassDraws>>({
@@ -400,7 +402,7 @@ inline constexpr auto kWords<PassDraws> = std::to_array<Word<PassDraws>>({
     {"light-volumes", PassDraws::LightVolumes},
 });
 
-// How often a pass draws. Light: once for each of its lights, which is then the only one that it sees.
+// How often a pass draws. Light: once for each of its lights; each time, the pass has only this light.
 enum class PassEach { Once, Light };
 template <>
 inline constexpr auto kWords<PassEach> = std::to_array<Word<PassEach>>({
@@ -408,9 +410,9 @@ inline constexpr auto kWords<PassEach> = std::to_array<Word<PassEach>>({
     {"light", PassEach::Light},
 });
 
-// The lights that a pass is given. Main: the brightest directional one, while the others come as vertex lights and in
-// the ambient light. MainOnly: without those. Further: those that count per pixel, without the main one. Local: point
-// and spot. Shadowed: those that cast shadows; the pass draws their shadow maps.
+// The lights that a pass gets. Main: the brightest directional light; the others come as vertex lights and in the
+// ambient light. MainOnly: the same, without the others. Further: the lights per pixel, without the main light. Local:
+// point and spot lights. Shadowed: lights that cast shadows; the pass draws their shadow maps.
 enum class PassLights { All, Main, MainOnly, Further, Directional, Local, Shadowed, None };
 template <>
 inline constexpr auto kWords<PassLights> = std::to_array<Word<PassLights>>({
@@ -424,7 +426,7 @@ inline constexpr auto kWords<PassLights> = std::to_array<Word<PassLights>>({
     {"none", PassLights::None},
 });
 
-// The cameras that a pass works for. With another camera, a material takes the path's fallback.
+// The cameras for which a pass works. With another camera, a material is drawn with the path's fallback.
 enum class PassCamera { Any, Perspective };
 template <>
 inline constexpr auto kWords<PassCamera> = std::to_array<Word<PassCamera>>({
@@ -443,7 +445,7 @@ inline constexpr auto kWords<LightKind> = std::to_array<Word<LightKind>>({
     {"spot", LightKind::Spot},
 });
 
-// What a rendering path that cannot compute every light per pixel does with this one.
+// How a light is computed in a rendering path that cannot compute every light per pixel.
 enum class LightImportance { Auto, Important, NotImportant };
 template <>
 inline constexpr auto kWords<LightImportance> = std::to_array<Word<LightImportance>>({
