@@ -1,5 +1,5 @@
-// What keeps a text from being read, whatever its format: it is UTF-16, or a merge left its markers in it. And text
-// that can be read in any case.
+// Why a text cannot be read, in any format: it is UTF-16, or it has the markers of a merge. And text that can be read
+// in any case.
 //
 //   if (const std::optional<BrokenText> wrong = broken_text(text)) ...   // {.line = 12, .what = "a merge left ..."}
 #pragma once
@@ -19,8 +19,8 @@ struct BrokenText {
 // Nothing, if neither is so.
 std::optional<BrokenText> broken_text(std::string_view text);
 
-// With U+FFFD in the place of each byte that is not UTF-8: what is written as JSON goes through this, because the name
-// of a file may have any bytes.
+// Writes U+FFFD for each byte that is not UTF-8. JSON output goes through this function, because the name of a file may
+// have any bytes.
 std::string as_utf8(std::string_view text);
 
 }  // namespace patina

@@ -1,5 +1,5 @@
 // Results that are kept because a later request may have the same key. Any thread may use the object. If a key gets a
-// second result, that one is kept from then on.
+// second result, the cache has that result from then on.
 //
 //   Cache<Result> results(16 << 20);
 //   const auto [cached, is_asked_again] = results.ask(key);
@@ -28,8 +28,8 @@ public:
 
     struct Answer {
         std::shared_ptr<const Value> value;  // null if there is none
-        // If so, the value that is made now should be kept. Most of what a new graph asks for is never asked for again:
-        // to keep it would take more time and memory than it can save.
+        // If so, the value that is made now should be kept. Most requests of a new graph never come again. To cache
+        // their results would take more time and memory than it can save.
         bool is_asked_again = false;
     };
     Answer ask(std::string_view key) {

@@ -1,14 +1,14 @@
-// Asks the program that called the library whether the work should go on (Limits::cancelled). Whatever can take long
-// counts its steps here: a JSON value that is read, an instruction that is made, a statement that is printed. A step
-// takes some microseconds at most, so a question each kStepsPerQuestion steps comes several times in 100 ms. Steps are
-// counted, and no clock is read, so the same work always asks at the same steps.
+// Asks the program that called the library whether the work should go on (Limits::cancelled). All work that can take
+// long counts its steps here: a JSON value that is read, an instruction that is made, a statement that is printed. A
+// step takes some microseconds at most, so a question each kStepsPerQuestion steps comes several times in 100 ms. Steps
+// are counted, and no clock is read, so the same work always asks at the same steps.
 //
-// Work that ends early ends by an exception, Stopped: a reader, an IR pass or a printer that is half done has nothing
-// that anybody could use. Only the function that began the call catches it (resolve::until_stopped()).
+// Cancelled work ends with an exception, Stopped, because a half-finished reader, IR pass or printer has no useful
+// result. Only the function that began the call catches it (resolve::until_stopped()).
 //
-// A Cancellation belongs to the thread that made it, for as long as it lives: a thread works for one call at a time.
-// Where there is none, a step does nothing. What all compilations share (a library's file that is read when it is first
-// needed) is made under one that never asks, so that nobody's end leaves it half made.
+// A Cancellation belongs to the thread that made it, while it exists: a thread works for one call at a time. Where
+// there is none, a step does nothing. Values that all compilations share, such as a library's file, are made under a
+// Cancellation that never asks. So a cancelled call never leaves such a value half made.
 //
 //   const Cancellation cancellation(options.limits.cancelled);
 //   for (const Function& function : functions) Cancellation::step(function.insts.size());
@@ -26,8 +26,8 @@ struct Stopped {
     bool is_reported = false;  // there is an error that says why
 };
 
-// How large what a call makes may become. A few lines of a node file can stand for millions of instructions: loops that
-// are written out inside of one another, or calls of calls. All modules of one compilation count together.
+// How large what a call makes may become. A few lines of a node file can become millions of instructions, by nested
+// loops that are written out, or by calls of calls. All modules of one compilation count together.
 struct Growth {
     std::size_t most;      // Limits::instructions
     std::size_t made = 0;  // so far

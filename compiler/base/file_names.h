@@ -20,7 +20,7 @@ bool is_file_name(std::string_view text);
 std::string join_names(const std::string& from, const std::string& name);
 
 // A name for files whose characters every system takes: `<>:"/\|?*`, control characters and bytes that are not UTF-8
-// become '_', and so does the first letter of a name that Windows keeps for a device ("con", "nul", "com1"). An empty
+// become '_'. If Windows reserves the name for a device ("con", "nul", "com1"), its first letter becomes '_'. An empty
 // name becomes "graph". Another name has as many bytes as before: a long one is not shortened.
 std::string portable_name(std::string name);
 

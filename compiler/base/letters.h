@@ -1,4 +1,4 @@
-// Letters of ASCII, whatever the locale says: text that the language, graphs and other programs' files are written in.
+// Letters of ASCII, in any locale: for the texts of the node language, of graphs and of other programs' files.
 //
 //   small_letters("Rock.MAT")   // rock.mat
 //   trimmed("  a b ")           // "a b"

@@ -1,6 +1,6 @@
 // A value that is made when somebody first asks for it, by whichever thread comes first. If that fails with an
-// exception, nothing is kept, and the next one who asks makes it: nobody ever sees a half of it. std::call_once would
-// do for one thread after another, but some C libraries hang after an exception.
+// exception, nothing is stored, and the next thread that asks makes the value. No thread ever sees a half-made value.
+// std::call_once would do for one thread after another, but some C libraries hang after an exception.
 //
 //   MadeOnce<ReadBody> body;
 //   const ReadBody& read = body.get([&] { return std::make_unique<ReadBody>(...); });

@@ -1,6 +1,6 @@
-// Where text came from. A location is one integer: the files lie end to end in one range of offsets, and line and
-// column are computed when they are asked for. A SourceMap may extend another one, as a compilation extends the map of
-// the node library, so that one diagnostic can have spans of both.
+// Where text came from. A location is one integer: all files share one range of offsets, one file after the other. Line
+// and column are computed on demand. A SourceMap may extend another one. A compilation extends the map of the node
+// library, so that one diagnostic can have spans of both.
 //
 //   SourceMap map;
 //   std::uint32_t base = map.add("rust.graph.json", text);

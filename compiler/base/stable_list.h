@@ -1,5 +1,5 @@
 // A list that only grows, and whose elements never move: references to them stay valid, also when the list itself is
-// moved. An empty one has no memory of its own, as a std::deque has: the library has thousands of lists, most of them
+// moved. Unlike a std::deque, an empty list allocates nothing: the library has thousands of lists, and most of them are
 // empty.
 //
 //   StableList<Expr> exprs;

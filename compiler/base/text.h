@@ -1,5 +1,5 @@
-// What several rooms need to know about text: whether it is an identifier, which known word the user meant, how a
-// number is written so that it reads back the same. Not a string library.
+// Functions about text that several rooms need: whether it is an identifier, which known word the user meant, and how
+// to write a number so that it is read back unchanged. Not a string library.
 //
 // Numbers do not depend on the locale. They go through {fmt} rather than std::to_chars, which the standard library of
 // Emscripten 3.1.6 (libc++ 13) has for whole numbers only.
@@ -19,8 +19,8 @@ bool is_identifier(std::string_view text);
 // The word without what spellings differ by: case, underscores and spaces. "normal_ws" and "normalWS" are "normalws".
 std::string spelled_alike(std::string_view word);
 
-// The candidate that `word` means: the one that differs by case and underscores only (normal_ws, normalWS), else the
-// nearest by edit distance, or empty if none is near enough.
+// The candidate that `word` probably means: a candidate that differs only in case and underscores (normal_ws,
+// normalWS), else the nearest by edit distance. Empty if none is near enough.
 std::string_view nearest(std::string_view word, std::span<const std::string_view> candidates);
 
 // Shortest text that reads back as the same value, as std::to_chars writes it: "0.5", "1", "1e-05".

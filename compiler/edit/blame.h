@@ -1,5 +1,6 @@
-// Which changes of two sides made an error of their merge. The changes are put in the order of their distance from the
-// error: those at its place, those of what its message names, those of what its place reads, and so on.
+// Which changes of two sides made an error of their merge. The changes are sorted by their distance from the error:
+// first the changes at its place, then those of names in its message, then those of values that its place reads, and so
+// on.
 //
 //   Suspects suspects = find_suspects({error, *merged, {base, ours, theirs}}, changes_of_ours);
 #pragma once

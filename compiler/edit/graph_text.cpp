@@ -157,7 +157,7 @@ TreeValue member_value(const TreeValue& object, const json::JsonMember& member) 
     return value;
 }
 
-// A string of a member that is the name of its object, and of what else reads it.
+// If the string of a member is a name: the pairs of names for its kind.
 const NamePairs* names_of(const TreeValue& object, const json::JsonMember& member, const Renaming& renaming) {
     if (member.key != format::identity_of(object.kind) || member.value.kind != json::Json::Kind::String) return nullptr;
     if (object.kind == format::ObjectKind::Node) return &renaming.nodes;

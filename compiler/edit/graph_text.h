@@ -1,6 +1,6 @@
-// A text that has been read: the JSON tree, and the graph that it means. Two trees are compared here by meaning: nodes
-// are matched by id, properties by name, ports by name; numbers and colours are equal by value, and expressions by
-// their syntax trees, in which 1 is an integer and 1.0 a float.
+// A text that has been read: the JSON tree, and the graph that it means. Two trees are compared here by meaning. Nodes,
+// properties and ports are matched by id or name. Numbers and colours are equal by value, and expressions by their
+// syntax trees, in which 1 is an integer and 1.0 a float.
 //
 //   const std::unique_ptr<GraphText> text = read_graph_text("rust.graph.json", bytes);
 //   if (text->ok && is_same(text->root(), other->root())) ...
@@ -41,7 +41,7 @@ struct GraphText {
     format::ObjectKind kind = format::ObjectKind::Material;
     std::shared_ptr<const format::Graph> graph{};                       // null: a scene
     std::unordered_map<std::uint32_t, const nodelang::Expr*> values{};  // by the first byte of the JSON value
-    // Of lists and objects in which something was looked for: the index of each child by its name.
+    // For each list and object that was searched: the index of each child by its name.
     mutable std::unordered_map<const json::Json*, std::unordered_map<std::string, std::size_t>> children{};
     bool ok = false;  // a graph or a scene without errors in its form
 
@@ -72,7 +72,7 @@ std::vector<TreeChild> children_of(const TreeValue& value);
 // Names that the graph `a` has and the graph `b` has under another name.
 struct NamePairs {
     std::unordered_map<std::string_view, std::string_view> pairs{};
-    // A name of the first set stands for any of the second one that is in no pair.
+    // A name of the first set matches any name of the second set that is in no pair.
     std::set<std::string_view> any_of_a{}, any_of_b{};
 
     bool match(std::string_view a, std::string_view b) const;
@@ -90,7 +90,7 @@ TreeValue find(const GraphText& text, const Path& path);
 // The path of the innermost value that holds the offset.
 Path path_at(const GraphText& text, std::uint32_t offset);
 
-// The expressions of a graph, each with its place, except those of lighting graphs in place, which have nodes of their
+// The expressions of a graph, each with its path; without those of inline lighting graphs, which have nodes of their
 // own.
 struct PlacedExpr {
     Path path;

@@ -32,7 +32,7 @@ std::string trailing(const TreeValue& value) {
     return value.json->comments ? value.json->comments->trailing : std::string();
 }
 
-// One value in the merged text and in the three texts of which it was made; the base may lack it.
+// One value in the merged text and in the three input texts; the base may lack it.
 struct Four {
     TreeValue merged{}, base{}, ours{}, theirs{};
 

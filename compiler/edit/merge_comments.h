@@ -9,8 +9,8 @@
 
 namespace patina::edit {
 
-// The merged text, in which a value whose comments OURS left as they were in BASE has those of THEIRS; so has a value
-// that was taken from THEIRS, though OURS has another one there.
+// The merged text with comments of THEIRS. A value gets them if OURS left its comments as in BASE, or if the merge took
+// the value from THEIRS instead of another one in OURS.
 std::string with_comments(const SameNames& names, std::string merged);
 
 // The comments that only THEIRS has and the merged text lacks, each with the value that has it.

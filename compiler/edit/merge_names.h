@@ -1,5 +1,5 @@
-// The renames of two sides of a merge. If one side renamed a node, the other side's text gets the new name, too, so
-// that its changes of that node, and what it newly reads of it, go along.
+// The renames of two sides of a merge. If one side renamed a node, the other side's text gets the new name, too. So the
+// other side's changes of the node, and its new links to the node, are merged with the rename.
 //
 //   SameNames same = unify_names(std::move(base), std::move(ours), std::move(theirs));
 #pragma once
@@ -15,7 +15,7 @@ struct NameConflict {
     std::string list, from, ours, theirs;  // both sides renamed one thing
 };
 
-// One side renamed what the other one removed.
+// One side renamed a thing that the other side removed.
 struct LostName {
     std::string list, from, to;
     Side renamed_by;
@@ -26,7 +26,7 @@ struct SameNames {
     std::vector<Rename> from_ours, from_theirs;     // that were carried into the other texts
     std::vector<NameConflict> conflicts;            // the texts have the name of OURS
     std::vector<LostName> lost;                     // the base has the new name
-    // Names that one side gave to other things, where the other side did not do the same.
+    // Names that one side now uses for other things, if the other side did not do the same.
     ReusedNames reused_by_ours, reused_by_theirs;
     // Renames that were not carried over, because the other text has such a name.
     std::vector<Rename> held_of_ours, held_of_theirs;

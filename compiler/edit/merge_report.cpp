@@ -17,7 +17,7 @@ struct ConflictReport::Did {
 
 namespace {
 
-// The place of a value, or of what lacks it.
+// The location of a value; if the value is missing, of the object that lacks it.
 FilePlace place_in(const GraphText& text, Path path) {
     bool is_there = true;
     for (;;) {
@@ -70,7 +70,7 @@ ConflictReport::Did ConflictReport::did(Side side, const Path& path) const {
     } else if (is_same(before, after)) {
         what += fmt::format("keeps '{}'", to_string(own));
     } else {
-        // The first change in it; of a whole node, a reader would look for it.
+        // The first change inside of it. For a whole node, this is the change that a reader would search for.
         std::vector<TreeChange> changes;
         std::copy_if(changes_of(side).begin(), changes_of(side).end(), std::back_inserter(changes),
                      [&](const TreeChange& change) { return starts_with(change.path, path); });

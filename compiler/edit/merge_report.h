@@ -1,4 +1,4 @@
-// Says what the conflicts of a merge are: each with what both sides did, at the places of their files.
+// Reports the conflicts of a merge: the changes of both sides, with the locations in their files.
 //
 //   ConflictReport report(original, names);
 //   report.conflict({.kind = TreeConflict::Kind::BothChanged, .path = {"surface", "roughness"}});
@@ -29,7 +29,7 @@ public:
     struct Reuse {
         std::string list, name;
         Side by;
-        // Who has the name no more: `by` renamed the thing, and the other side uses it, or renamed or removed it.
+        // Which sides no longer have the name. `by` renamed the thing; the other side uses, renamed or removed it.
         bool lacks_by = false, lacks_other = false;
         std::vector<TreeChange> ours{}, theirs{};
     };

@@ -117,15 +117,15 @@ public:
     const std::vector<Diagnostic>& old_errors() const { return old_errors_; }
 
 private:
-    // If one side gave a name to another thing, and the other side reads the name or changes what it named, then these
-    // changes do not go together.
+    // If one side uses a name for another thing, and the other side reads the name or changes the old thing, then these
+    // changes conflict.
     void find_reuses(Side by, const ReusedNames& reused) {
         const bool ours = by == Side::Ours;
         const GraphText &side = ours ? *names_.ours : *names_.theirs, &other = ours ? *names_.theirs : *names_.ours;
         bool is_used = false;
         for (const auto& [as, name] : reused.all) {
-            // Of the other names: both sides renamed the thing, or one removed it, or both took a new name, or only
-            // this side renamed it.
+            // For each remaining name: both sides renamed the thing, or one side removed it, or both sides took the
+            // same new name, or only this side renamed it.
             const std::string in_base = list_of(*names_.base->graph, {as, name});
             const std::string in_other = list_of(*other.graph, {as, name});
             const bool is_taken = reused.taken.count({as, name}) != 0;

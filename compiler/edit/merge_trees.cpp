@@ -126,8 +126,8 @@ private:
             edit_children(sources_, *values.ours.json, changes, edits);
     }
 
-    // What a side put in the place of inputs that it removed and that the other side changed. A node's file may have
-    // renamed its inputs, and takes either the old ones or the new ones.
+    // One side replaced inputs that the other side changed. A node's file may have renamed its inputs, and takes either
+    // the old ones or the new ones.
     struct Replaced {
         std::vector<Path> by_ours{}, by_theirs{};
     };

@@ -22,7 +22,7 @@ struct TreeConflict {
     enum class Kind { BothChanged, BothAdded, OursRemoved, TheirsRemoved, BothReordered };
     Kind kind = Kind::BothChanged;
     Path path{};
-    std::vector<Path> added{};  // in the place of what a side removed: inputs of a node that is a file
+    std::vector<Path> added{};  // they replace inputs that a side removed, of a node that is a file
 };
 
 struct MergedTrees {

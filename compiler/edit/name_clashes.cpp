@@ -38,7 +38,8 @@ public:
     }
 
 private:
-    // A side that renamed something to this name has another name for it than the other side. Both may have renamed it.
+    // A side that renamed something to this name has another name for this thing than the other side. Both may have
+    // renamed it.
     void add_other_names(const Name& name, std::set<Name>& names) const {
         names.insert(name);
         for_each_held([&](const Rename& rename) {
@@ -56,7 +57,7 @@ private:
         for (const Rename& rename : names_.held_of_theirs) visit(rename);
     }
 
-    // The names that a side added, and that stand now where one that it removed was read.
+    // Finds the names that a side added, and that are now read in place of a removed name.
     void add_names_in_place_of(std::set<Name>& gone, const format::Graph& side) const {
         if (gone.empty()) return;
         std::map<Path, std::vector<Name>> now;

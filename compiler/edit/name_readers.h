@@ -1,5 +1,5 @@
-// What reads the names of a graph: nodes are read as `name`, properties and the inputs of a sub-graph as `$name`, and
-// the inputs of a lighting graph as `@surface.name`.
+// Finds the readers of the names of a graph: nodes are read as `name`, properties and the inputs of a sub-graph as
+// `$name`, and the inputs of a lighting graph as `@surface.name`.
 //
 //   for (const NameReader& reader : name_readers(*text->graph)) print(to_string(reader.path));
 #pragma once
@@ -44,7 +44,8 @@ struct NameReader {
 };
 std::vector<NameReader> name_readers(const format::Graph& graph);
 
-// The changes of things with one of the names, and of places that read one in one of the graphs.
+// The changes of things with one of the names, and the changes of values that read one of the names in one of the
+// graphs.
 std::vector<TreeChange> changes_about(std::span<const TreeChange> changes, const std::set<Name>& names,
                                       std::initializer_list<const format::Graph*> graphs);
 

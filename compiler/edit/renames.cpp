@@ -60,7 +60,7 @@ public:
         }
     }
 
-    // Names of which the one text has the one, and the other text the other.
+    // Pairs of names: only the first text has the first name, and only the second text has the second.
     std::vector<Rename> find() {
         open_names([](const TreeValue&, const TreeValue&) { return false; });
         find_pairs();
@@ -68,7 +68,7 @@ public:
         return renames();
     }
 
-    // Names that both texts have, and that stand for something else.
+    // Names that both texts have, and that mean different things there.
     ReusedNames find_reused(std::span<const Rename> known) {
         for (const Rename& rename : known) {
             names_of_list(rename.list).pairs.emplace(rename.from, rename.to);
@@ -129,7 +129,7 @@ private:
         return renaming_.surface;
     }
 
-    // The names that may be those of other things: those that one text lacks, and those whose thing is another one.
+    // The names that may be those of other things: names that one text lacks, and names whose thing differs.
     template <class IsOther>
     void open_names(const IsOther& is_other) {
         for (const std::string_view list : kNameLists) {
@@ -149,7 +149,7 @@ private:
         }
     }
 
-    // A thing that is another one only by the names that it reads keeps its name.
+    // A thing keeps its name if it differs only by the names that it reads.
     void close_names_that_stay() {
         std::vector<std::pair<NamePairs*, std::string_view>> closed;
         for (const std::string_view list : kNameLists) {
@@ -189,8 +189,8 @@ private:
                 const TreeValue& other = new_things.at(to);
                 if (!is_same(thing, other, renaming_)) continue;
                 const std::size_t common = common_readers({as, from}, {as, to});
-                // Two nodes that compute the same can stand for each other. Two properties with one declaration are
-                // often different ones: a reader tells.
+                // Two nodes that compute the same are interchangeable. Two properties with one declaration are often
+                // different ones: a reader tells.
                 if (common == 0 && as != ReadAs::Node && is_read({as, from})) continue;
                 candidates.push_back({list, from, to, thing, other, common});
             }
@@ -202,8 +202,8 @@ private:
                            [&](const auto& each) { return reads(each.second, name); });
     }
 
-    // The places that read the one name before, and the other name after. If a place reads as many names as before,
-    // the other name stands where the one stood.
+    // The number of places that read the one name before, and the other name after. If a place reads as many names as
+    // before, the other name must be in the position of the first.
     std::size_t common_readers(const Name& from, const Name& to) const {
         std::size_t common = 0;
         for (const auto& [path, names] : readers_before_) {
@@ -217,8 +217,8 @@ private:
         return common;
     }
 
-    // True if the other text has the name, too, and a place reads the same names, this one among them. So a side that
-    // swaps two values differs from one that swaps two names.
+    // True if the other text has the name, too, and some place reads the same names in both texts, and this name is one
+    // of them. So a side that swaps two values differs from one that swaps two names.
     bool stays(const Name& name) const {
         for (const auto& [path, names] : readers_before_) {
             if (!reads(names, name)) continue;
@@ -241,7 +241,7 @@ private:
         return path;
     }
 
-    // Properties with one declaration: if all places that read them read others now, their names may be swapped.
+    // Properties with equal declarations: if all places that read these now read others, their names may be swapped.
     void add_twins(ReusedNames& reused) {
         for (const std::string_view list : kNameLists) {
             const ReadAs as = *read_as(list);
@@ -265,7 +265,7 @@ private:
         }
     }
 
-    // True if a place reads as many names as before, and `name` where it read `twin`.
+    // True if a place reads as many names as before, and now reads `name` where it read `twin`.
     bool is_read_in_place_of(const Name& twin, const Name& name) const {
         return std::any_of(readers_before_.begin(), readers_before_.end(), [&](const auto& each) {
             const std::vector<Name>& names = each.second;

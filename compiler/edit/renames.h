@@ -19,15 +19,15 @@ struct Rename {
     friend bool operator==(const Rename&, const Rename&) = default;
 };
 
-// A thing is the same under another name if only the name differs; a property that is read must have a reader that
-// reads the new name. Only for the graph of the file; a lighting graph in place has names of its own.
+// A thing counts as renamed if only its name differs. If a property is read, a reader must also have the new name. Only
+// for the graph of the file; a lighting graph in place has names of its own.
 std::vector<Rename> find_renames(const GraphText& before, const GraphText& after);
 
 // Changes each name and all that reads it. Names that the graph does not have change nothing.
 std::vector<TextEdit> rename_edits(const GraphText& text, std::span<const Rename> renames);
 
-// Names that both texts have, and that are those of other things after: two names are swapped, or a thing is renamed
-// and another one gets its old name. A thing with another value keeps its name, if something reads it as before.
+// Names that both texts have, but for different things: two names were swapped, or a thing was renamed and another
+// thing got its old name. A thing with another value keeps its name, if something reads it as before.
 struct ReusedNames {
     std::vector<Rename> moves{};                       // as far as they are known by what the things hold
     std::set<std::pair<ReadAs, std::string>> taken{};  // the names that both texts have

@@ -136,7 +136,7 @@ private:
     bool comments_at_end_ = false;
 };
 
-// One way of writing the children of a container: each on a line of its own, or one behind the other.
+// A layout for the children of a container: each on a line of its own, or all on one line.
 struct Style {
     bool lines = false;
     std::string indent{};   // of the children

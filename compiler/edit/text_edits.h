@@ -1,9 +1,9 @@
-// The room `edit` changes the text of graphs and scenes where something changes, and leaves all other text as its
+// The room `edit` changes the text of graphs and scenes only where their content changes. All other text stays as its
 // author wrote it: comments, order and layout. It compares graphs by meaning, renames, and merges. It resolves no name
 // and compiles nothing.
 //
-// An edit replaces a part of a text. Functions here make the edits of one change of a JSON tree; whoever merges,
-// renames or repairs collects them and applies them at once.
+// An edit replaces a part of a text. The functions here make the edits for one change of a JSON tree. Callers that
+// merge, rename or repair collect the edits and apply them together.
 //
 //   std::vector<TextEdit> edits;
 //   replace_value(old_text, *old_text.json->find("workflow"), {*new_value, new_sources}, edits);
@@ -48,13 +48,13 @@ struct NewChild {
 };
 struct ChildEdits {
     std::vector<std::size_t> removed{};  // indices
-    std::vector<NewChild> added{};       // those of one place in their order
+    std::vector<NewChild> added{};       // in order, if several have one place
 };
 // Removes children with their comments, and adds others. The edits of children that stay can be made in addition.
 void edit_children(const SourceMap& sources, const json::Json& container, const ChildEdits& changes,
                    std::vector<TextEdit>& edits);
 
-// The comments of a child: those on the lines above it, and the one behind it. Nothing: they stay as they are.
+// The comments of a child: those on the lines above it, and the comment behind it. Nothing: they stay as they are.
 struct ChildComments {
     std::size_t child = 0;  // its index
     std::optional<std::vector<std::string>> before{};

@@ -214,7 +214,7 @@ std::optional<unsigned> change_of(Type from, Type to) {
     return change;
 }
 
-// The function of that name which HLSL would call: the one whose parameters change the arguments least.
+// The overload that HLSL would call: the function whose parameters convert the arguments least.
 [[gnu::noinline]] const FunctionDecl* overload(Emitter& emitter, const Expr& expr, Scope& scope) {
     const FunctionDecl* const first = scope.declarations->function(expr.text);
     if (!scope.hlsl || !first) return first;

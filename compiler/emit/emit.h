@@ -1,17 +1,17 @@
 // The room `emit` turns syntax trees of the node language into IR, and checks their types on the way. It parses nothing
-// (nodelang does), and it knows no graph, material or pass (lower does): it asks an Environment what a name means that
-// is not the language's own, and a Known which slots, externs and statics there are. So function bodies and expressions
-// of graphs are emitted by the same code.
+// (nodelang does), and it knows no graph, material or pass (lower does). Names that are not the language's own are
+// answered by an Environment; slots, externs and statics by a Known. So function bodies and expressions of graphs are
+// emitted by the same code.
 //
 //   Emitter emitter{.module = module, .diagnostics = diagnostics};
 //   Scope scope{.builder = &builder, .declarations = &library, .environment = &graph};
 //   Typed mask = expression(emitter, *expr, scope);
 //
-// Below is all that other rooms call; with it they use scope.h, known.h and instances.h. The other headers are private
-// to the room. An expression is emitted by expression.cpp, which hands it on by its kind: to operations.h (operators,
-// members, intrinsics), textures.h (methods) or calls.h. A call gathers its values (arguments.h), and a function that
-// is called for the first time is emitted (functions.h) by its statements (statements.h), which hold expressions again.
-// All of them use conversion.h, types.h and constant_value.h.
+// Other rooms call only the functions below, and use scope.h, known.h and instances.h with them. The other headers are
+// private to the room. expression.cpp emits an expression. It calls, by the kind of the expression, operations.h
+// (operators, members, intrinsics), textures.h (methods) or calls.h. A call gathers its values (arguments.h). If a
+// function is called for the first time, functions.h emits it with its statements (statements.h), which contain
+// expressions again. All of them use conversion.h, types.h and constant_value.h.
 #pragma once
 
 #include <array>
@@ -24,8 +24,8 @@
 
 namespace patina::emit {
 
-// What is read of a texture, if that is not what its file has. It is part of the texture's type: whoever reads texels
-// applies it, and each function that takes textures is emitted for each view of them.
+// How a texture is read, if not as its file has it. It is part of the texture's type. Code that reads texels applies
+// it, and each function that takes textures is emitted once for each view of them.
 struct TextureView {
     std::array<char, 4> channels{'r', 'g', 'b', 'a'};  // of the four components: r, g, b, a, 0 or 1
     bool green_is_down = false;                        // the component that is green after that is 1 - green
@@ -77,10 +77,10 @@ struct TextureParts {
     TextureView view{};
 };
 Typed make_texture(Emitter& emitter, const TextureParts& parts, Scope& scope);
-// As expression_as(), but a texture keeps its view: for what may have the type of its value.
+// As expression_as(), but a texture keeps its view: for parameters and variables that may have the type of their value.
 Typed view_as(Emitter& emitter, const Expr& expr, ir::Type type, Scope& scope, std::string_view what);
 bool is_texture(const Emitter& emitter, ir::Type type);
-// True for two types of textures that differ at most in what is read of them.
+// True for two texture types that differ at most in their views.
 bool is_view_of(const Emitter& emitter, ir::Type type, ir::Type texture);
 
 // Counts what is made for an expression of the language. If that is too much, reports it at `where`, and ends the work.
@@ -104,7 +104,8 @@ const Outputs* keep(Emitter& emitter, Outputs outputs);
 // `needs_quad` is set if it reads neighbouring pixels.
 ir::FunctionId semantic_function(Emitter& emitter, const FunctionDecl& function, const Declarations& home,
                                  Environment& environment, bool in_vertex_stage, bool* needs_quad = nullptr);
-// A function that is put in the place of another: parameters without a default stay its own, the others are semantics.
+// A function that replaces another one. Parameters without a default are those of the replaced function, and the others
+// are semantics.
 ir::FunctionId given_function(Emitter& emitter, const FunctionDecl& function, const Declarations& home,
                               Environment& environment, bool half);
 // A function with plain parameters only: no floatN and no constants. It is always inlined.

@@ -78,7 +78,7 @@ private:
         return found && found->marks.is_foreign && found->has_body ? found : nullptr;
     }
 
-    // In the order of their file: as in any file of that language, a function stands before those that call it.
+    // In the order of their file: as in any file of that language, a function comes before its callers.
     void find_helpers(const FunctionDecl& function) {
         std::vector<const FunctionDecl*> found = {&function};
         for (std::size_t i = 0; i < found.size(); ++i) {

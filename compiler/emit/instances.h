@@ -1,9 +1,9 @@
-// The store of the functions that have been emitted. A function of the language becomes one IR function ("instance")
-// for each width of floatN, each precision, each list of constant arguments and each view of its textures that somebody
-// calls it with.
+// The store of the functions that have been emitted. A function of the language becomes several IR functions
+// ("instances"): one for each width of floatN, each precision, each list of constant arguments and each view of its
+// textures in a call.
 //
-// An instance is passing if its body depends on an answer of Known::make_static that holds only for the pass that is
-// being lowered. The code that gives such an answer calls note_passing_answer(); forget_passing() then drops these
+// An instance is passing if its body depends on a result of Known::make_static that is valid only for the pass that is
+// now lowered. The code that gives such an answer calls note_passing_answer(); forget_passing() then drops these
 // instances, and they are emitted again for the next pass.
 #pragma once
 

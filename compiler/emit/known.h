@@ -1,6 +1,6 @@
-// What the caller of emission knows of declarations that have no body in the language: which function fills a slot,
-// which global an [extern] variable is, which value a [static] has. Emission reads this and never changes it; what is
-// not known yet is made by the two makers.
+// What emission must know of declarations without a body in the language: which function fills a slot, which global an
+// [extern] variable is, which value a [static] has. Emission reads this and never changes it. If an entry is missing,
+// one of the two makers makes it.
 //
 //   emitter.known.slots["direct"] = {.function = direct, .result = ir::kFloat3};
 //   emitter.known.externs[&variable] = global;

@@ -1,5 +1,5 @@
-// What an emitted expression gives (Typed), and what the code that is being emitted can see (Scope). A Scope is made by
-// the caller that begins a function or a graph; emission adds and removes the local variables.
+// The result of an emitted expression (Typed), and the names that are visible to the code that is emitted (Scope). A
+// Scope is made by the caller that begins a function or a graph; emission adds and removes the local variables.
 //
 //   Scope scope{.builder = &builder, .declarations = &library, .environment = &graph};
 //   Typed mask = expression(emitter, *expr, scope);
@@ -64,11 +64,11 @@ public:
     virtual Typed file(const Expr& expr, Scope& scope) = 0;
     // True if the environment itself has the name (a node's id), which then hides a constant of the library.
     virtual bool hides(std::string_view) const { return false; }
-    // In the vertex stage: adds to a message who reads the value there.
+    // In the vertex stage: adds to a message which node or output reads the value there.
     virtual void tell_reader(DiagnosticRecord&) const {}
 };
 
-// A port that is left open, while its default is emitted: where the call is, and which port of which function.
+// A port without a value, while its default is emitted: the location of the call, and the port and its function.
 struct OpenPort {
     Span call;
     std::string_view function, port;

@@ -1,6 +1,6 @@
-// Writes the canonical text of a graph file, so that the changes of two people merge: keys in the format's order, two
-// spaces of indentation, one line for a value that fits on it, one line for each element of a list of objects, comments
-// where they were. The JSON must be readable; the graph may have errors.
+// Writes the canonical text of a graph file, so that the changes of two people can be merged. Keys are in the format's
+// order, with two spaces of indentation. A value that fits on a line has one line; a list of objects has one line for
+// each element. Comments stay with their values. The JSON must be readable; the graph may have errors.
 //
 //   FormattedText formatted = format_graph(sources, base, diagnostics);
 //   if (formatted.ok) write(path, formatted.text);

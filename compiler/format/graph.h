@@ -29,7 +29,7 @@ struct PortValue {
 };
 
 enum class Precision { Inherit, Float, Half };
-// The stage that computes a node: that of its readers, or the one that "stage" pins it to.
+// The stage that computes a node: the stage of its readers, or the stage in its key "stage".
 enum class NodeStage { OfReaders, Fragment, Vertex };
 
 struct Node {

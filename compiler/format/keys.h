@@ -1,6 +1,6 @@
-// Lists the keys of the graph format, of engines and of JSON options: those of each object, in canonical order, with
+// Lists the keys of the graph format, of engines and of JSON options. Each object has its keys in canonical order, with
 // their help and the forms of their values. The reader refuses other keys and numbers outside of their limits, `fmt`
-// sorts by this order, and the JSON Schema is made from it.
+// sorts by this order, and the JSON Schema is generated from it.
 //
 //   for (const KeyInfo& key : keys_of(ObjectKind::Node)) ...   // id, node, expr, in, ...
 #pragma once
@@ -76,7 +76,7 @@ struct Form {
         Object,      // of `kind`
         Objects,     // an array of at most `count` of them; 0: of any number
         Definition,  // of the schema: `text` is its name
-        Library,     // what the library has of `text`: "node", "model", "workflow"
+        Library,     // which names of the library: "node", "model", "workflow"
         Schema       // `text` is its JSON Schema
     };
     Of of = Of::Anything;
@@ -123,8 +123,8 @@ const Form& form_of(ObjectKind kind, std::string_view key, Form::Of of);
 std::string_view describe(ObjectKind kind);
 // The name of such an object in the JSON Schema; empty if it is not there.
 std::string_view definition_of(ObjectKind kind);
-// The key that distinguishes an object of this kind from the others of its list: "id" of a node; empty if there is
-// none.
+// The key that distinguishes an object of this kind from the other objects of its list: "id" of a node; empty if there
+// is none.
 std::string_view identity_of(ObjectKind kind);
 // Whether the order of a list of such objects has a meaning.
 bool is_ordered(ObjectKind kind);

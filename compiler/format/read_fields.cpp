@@ -222,7 +222,7 @@ void read_limits(Reading& reading, const json::Json& json, std::optional<std::ar
     if (!json.find("range")) reading.diagnostics.report(Code::MissingKey, member->key_span, "'hard'", "range");
 }
 
-// Reads the name and its place, and adds it to the names that `$` reads.
+// Reads the name with its location, and adds it to the names that `$` reads.
 void read_name(Reading& reading, const json::Json& json, std::string_view what, std::string& name, Span& span,
                UniqueNames& names) {
     const json::Json* value = json.find("name");

@@ -1,5 +1,5 @@
-// Functions that the readers of a graph's parts share: each reads one JSON value and reports what is wrong with it.
-// Private to compiler/format/read_*.cpp.
+// Functions for all readers of a graph's parts: each reads one JSON value and reports its errors. Private to
+// compiler/format/read_*.cpp.
 //
 //   read_word(reading, json, "wrap", "a wrap mode", sampler.wrap);
 //   read_int(reading, json, ObjectKind::Sampler, "anisotropy", sampler.anisotropy);
@@ -64,13 +64,13 @@ std::string read_text(Reading& reading, const json::Json& object, std::string_vi
 // Reports a text that is not an identifier. Empty if the value is not a string.
 std::string read_identifier(Reading& reading, const json::Json& json, std::string_view what);
 
-// Reads the "name" of a property or an input and its place, and adds it to the names that `$` reads.
+// Reads the "name" of a property or an input with its location, and adds it to the names that `$` reads.
 void read_name(Reading& reading, const json::Json& object, std::string_view what, std::string& name, Span& span,
                UniqueNames& names);
 // "range" and "hard".
 void read_limits(Reading& reading, const json::Json& object, std::optional<std::array<double, 2>>& range, bool& hard);
 
-// Reports each key that an object of this kind cannot have, and each missing key that it requires. The keys in `unfit`
+// Reports each key that an object of this kind cannot have, and each required key that is missing. The keys in `unfit`
 // are not suggested, because they have no use in this place.
 void check_keys(Reading& reading, const json::Json& object, ObjectKind kind,
                 std::span<const std::string_view> unfit = {});
@@ -86,13 +86,13 @@ void check_range(Reading& reading, Span span, double value, const std::array<dou
 
 // The keys of a property that is a texture: "usage", "sampler" and so on (read_texture_keys.cpp).
 void read_texture_keys(Reading& reading, const json::Json& json, Property& property);
-// The name of a sampler: of a property that is one, or of one that textures share.
+// Reads the name of a sampler: the value of a property of the type sampler, or a sampler that textures share.
 void read_named_sampler(Reading& reading, const json::Json& json, Property& property);
 
-// The numbers of a value that is more than a vector (read_keys.cpp). Those of a gradient or a curve are what the array
-// in the struct of the node library holds, and those of a matrix go row by row. Nothing after an error.
+// The numbers of a value that is more than a vector (read_keys.cpp). A gradient or a curve has the numbers of its array
+// in the node library's struct; a matrix has its numbers row by row. Nothing after an error.
 std::optional<std::vector<double>> read_array_value(Reading& reading, const json::Json& json, PropertyType type);
-// What the value is by its form; nothing if it is none of them.
+// The type that fits the form of the value; nothing if no type fits.
 std::optional<PropertyType> array_type(const json::Json& json);
 bool has_rows(const json::Json& json);
 // Of a property without a default: the unit matrix; from black to white, opaque; a line from (0, 0) to (1, 1).

@@ -8,7 +8,8 @@
 
 namespace patina::format {
 
-// "textures/wall.v1.graph.json" -> "wall.v1": the name of a graph that states none, and of the files made from it.
+// "textures/wall.v1.graph.json" -> "wall.v1": the name of files that are made from a graph, and of the graph if it sets
+// no name.
 std::string name_of_file(std::string_view path);
 
 // Returns a graph even after errors (the parts that could be read). `ast` owns the expressions. `expected`: the kind
@@ -20,7 +21,7 @@ std::shared_ptr<Graph> read_graph(const json::Json& json, std::string path, cons
 const nodelang::Expr* read_value(const json::Json& json, const SourceMap& sources, nodelang::Ast& ast,
                                  Diagnostics& diagnostics);
 
-// Where something stands in its file, for what only a renderer can check.
+// The location of a span, for diagnostics that only a renderer can find.
 FilePlace place_of(const SourceMap& sources, Span span);
 
 }  // namespace patina::format

@@ -6,7 +6,7 @@
 namespace patina::format {
 namespace {
 
-// Each use of a sub-graph looks for each of them among the values that it is given.
+// Each use of a sub-graph searches for each of them among the values that it sets.
 constexpr std::size_t kMostInputs = 256;
 
 using nodelang::Expr;
@@ -36,7 +36,7 @@ void check_default_range(Reading& reading, const Input& input) {
     }
 }
 
-// Reads "gives" and "as", which come together: this input is an alternative to the input that it gives.
+// Reads "gives" and "as", which need each other: this input is an alternative to the input in "gives".
 void read_conversion(Reading& reading, const json::Json& json, Input& input) {
     const json::JsonMember* gives = find_member(json, "gives");
     const json::JsonMember* as = find_member(json, "as");

@@ -110,7 +110,7 @@ std::optional<Row> read_curve_key(Reading& reading, const json::Json& key, doubl
     return row;
 }
 
-// Puts rows one after the other, and fills the space for `most` of them with the last one.
+// Appends the rows, and repeats the last one until there are `most`.
 void append(std::vector<double>& numbers, const std::vector<Row>& rows, std::size_t most) {
     for (std::size_t i = 0; i < most; ++i) {
         const Row& row = rows[std::min(i, rows.size() - 1)];

@@ -12,7 +12,7 @@
 namespace patina::format {
 namespace {
 
-// Whoever reads a property looks for its name, and for the value of an enum, among all of them.
+// Each read of a property searches all of them for its name, and for the value of an enum.
 constexpr std::size_t kMostProperties = 16384;
 constexpr std::size_t kMostValues = 1024;
 
@@ -158,8 +158,8 @@ void read_default(Reading& reading, const json::Json& json, Property& property) 
     }
 }
 
-// The value until a default is read: 0, the unit matrix, a gradient or curve from 0 to 1, a white colour (or the
-// nearest to them in the range), a texture that changes nothing.
+// The value before a default is read: 0; the unit matrix; a gradient or curve from 0 to 1; a white colour, or the
+// nearest value in the range; a texture that changes nothing.
 void set_implied_default(Property& property) {
     if (property.type == PropertyType::Color) property.value = {1, 1, 1, 1};
     if (property.type == PropertyType::Sampler) property.shared_sampler = name_of(property.sampler);

@@ -91,7 +91,7 @@ inline constexpr std::array<std::string_view, 18> kInputTypes = {
     "int",   "bool",      "float2x2",    "float3x3",       "float4x4",  "gradient",
     "curve", "texture2d", "textureCube", "texture2dArray", "texture3d", "sampler"};
 
-// The kind of texture that a property or an input has, as word of its type; nothing if it is none.
+// The texture type of a property or an input, from the word of its type; nothing if it is no texture.
 constexpr std::optional<PropertyType> texture_type(std::string_view word) {
     const std::optional<PropertyType> type = from_word<PropertyType>(word);
     return type && is_texture(*type) ? type : std::nullopt;

@@ -23,8 +23,8 @@ namespace {
 // To read so many bytes takes about as long as to make an instruction.
 constexpr std::uint32_t kBytesOfAStep = 256;
 
-// RapidJSON reads through this. It is not one of the streams that RapidJSON copies while it reads a token, so that
-// Tell() is true at every callback.
+// RapidJSON reads through this. RapidJSON copies some kinds of streams while it reads a token. It does not copy this
+// one, so Tell() is right in every callback.
 class Cursor {
 public:
     using Ch = char;
@@ -79,7 +79,8 @@ JsonComments& comments_of(Json& json) {
 double number_of(std::string_view text) {
     const double value = read_number(text).value_or(std::numeric_limits<double>::infinity());
     if (std::isfinite(value)) return value;
-    // Out of range. How many places the first digit that is not 0 stands before the point says at which end.
+    // Out of range. The distance of the first nonzero digit from the decimal point decides whether the number is too
+    // large or too small.
     const std::size_t e = std::min(text.find_first_of("eE"), text.size());
     const std::string_view digits = text.substr(0, e);
     const std::size_t point = std::min(digits.find('.'), digits.size()), first = digits.find_first_of("123456789");
@@ -247,8 +248,8 @@ bool Builder::ends_line(std::size_t i) const {
     return true;
 }
 
-// A comment belongs to the value before it if it is on the same line, and either before the comma or the last thing on
-// that line. Any other comment belongs to what follows.
+// A comment belongs to the value before it if it is on the same line and is before the comma or last on the line. Any
+// other comment belongs to what follows.
 void Builder::read_comment(std::size_t& i, Gap& gap) {
     const bool line = text_[i + 1] == '/';
     const std::size_t begin = i;

@@ -1,6 +1,6 @@
-// The room `json` reads JSON and knows nothing of what a file means: it gives a tree in which every value and key has
-// its place in the source. It accepts // comments and trailing commas, and keeps the comments for `fmt`. It wraps
-// RapidJSON's iterative SAX parser; a file that is too deep or too large is reported.
+// The room `json` reads JSON into a tree in which every value and key has its location. It does not know what a file
+// means. It accepts // comments and trailing commas, and keeps the comments for `fmt`. It wraps RapidJSON's iterative
+// SAX parser; a file that is too deep or too large is reported.
 #pragma once
 
 #include <memory>

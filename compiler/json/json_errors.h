@@ -1,5 +1,5 @@
-// The message for JSON that the parser cannot read: its error code and the place become a sentence that says what to
-// change. Private to json.cpp.
+// The message for JSON that the parser cannot read. The parser's error code and the location become a sentence that
+// says what to change. Private to json.cpp.
 //
 //   { "a": 1 "b": 2 }     ->  file:1:9: broken JSON: a ',' is missing after this value
 #pragma once

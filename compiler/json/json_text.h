@@ -1,5 +1,5 @@
-// JSON tree -> text on one line, without comments. A number keeps its value and its kind (whole or not); a string is
-// escaped only where it must be. compiler/format lays out whole files.
+// JSON tree -> text on one line, without comments. A number keeps its value and its kind (whole or not). A string is
+// escaped only where JSON requires it. compiler/format lays out whole files.
 //
 //   {"a":1.50,}   ->   { "a": 1.5 }
 #pragma once

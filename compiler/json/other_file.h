@@ -1,4 +1,4 @@
-// Files of other kinds that are given where a graph is read, and what to do with them. Private to json.cpp.
+// Recognises files of other formats that are passed as graphs, and says what to do with them. Private to json.cpp.
 //
 //   rust.shader     ->  'rust.shader' must be a graph or a scene, which are JSON, not a shader
 #pragma once

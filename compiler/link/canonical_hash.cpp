@@ -52,7 +52,7 @@ private:
     CanonicalHash value_{.high = 0x243f6a8885a308d3u, .low = 0x13198a2e03707344u};  // digits of pi
 };
 
-// The hashes of the stage's inputs, by name: the parameters of its functions that pass them on have their names.
+// The hashes of the stage's inputs, by name. A function's parameter that passes on an input has the input's name.
 using Inputs = std::map<std::string_view, CanonicalHash>;
 
 class Stage {
@@ -117,8 +117,8 @@ private:
         return hash;
     }
 
-    // Hashes a parameter. The parameters that pass on the stage's inputs are in the order of the graph's nodes, so they
-    // count by their input; the others count by their position.
+    // Hashes a parameter. The parameters that pass on the stage's inputs are in the order of the graph's nodes, so
+    // their hash is that of their input. Other parameters are hashed by position.
     CanonicalHash param(const ir::Function& function, std::uint32_t index) const {
         const ir::Param& param = function.params[index];
         const bool is_entry = module_.stage.entry && &function == &module_[module_.stage.entry];

@@ -50,8 +50,8 @@ void check_block(resolve::Session& session, const resolve::Material& material, c
     }
 }
 
-// The samplers that a stage reads, each by its texture, or by the first of those that share it, which stands before it;
-// one that nodes name stands before all textures, and is a property itself.
+// The samplers that a stage reads. Each is named by its texture, or by the first of the textures that share it. A
+// sampler that nodes name comes before all textures, and is a property itself.
 std::vector<std::string_view> samplers_of(const ir::Module& stage) {
     std::set<std::uint32_t> read;
     for (const ir::Function& function : stage.functions) {

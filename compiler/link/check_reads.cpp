@@ -81,7 +81,7 @@ public:
     Reads(const Linked& linked, std::string_view global)
         : linked_(linked), global_(global), seen_(linked.functions.size()) {}
 
-    // The name under which a graph reads the value: a semantic ("@light"), with its place in the graph, or else a
+    // The name under which a graph reads the value: a semantic ("@light"), with its location in the graph, or else a
     // function of the library.
     Missing named() {
         const auto& semantics = linked_.lowered.semantics;

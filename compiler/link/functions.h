@@ -18,7 +18,8 @@ void prefix_interface(ir::Module& module, std::string_view prefix);
 // function if the material has none for this stage.
 ir::Module link_functions(const Linked& linked, Stage stage, std::string_view prefix);
 
-// The functions of a module of link_functions(): those that can be called, and those that the engine must provide.
+// The functions of a module of link_functions(): functions that can be called, and functions that the engine must
+// provide.
 std::vector<ShaderFunction> describe_functions(const ir::Module& module, Stage stage);
 
 }  // namespace patina::link

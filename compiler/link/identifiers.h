@@ -1,5 +1,6 @@
 // Settles the names that a shader shares with its host: members of uniform blocks, textures and samplers. This is done
-// once for a material, so that all its stages and its reflection use the same names, whatever else a stage declares.
+// once for a material. So all its stages and its reflection use the same names, even if some stage declares other
+// names.
 //
 //   name_interface(lowered.module);   // a property "texture" is `texture_` in every shader and in the reflection
 #pragma once
@@ -8,7 +9,7 @@
 
 namespace patina::link {
 
-// A property keeps its name if every target language allows it and nothing else in the interface has it.
+// A property keeps its name if every target language allows it and no other part of the interface has it.
 void name_interface(ir::Module& module);
 
 }  // namespace patina::link

@@ -30,7 +30,7 @@ void set_operands(ir::Function& function, ir::Inst& inst, std::span<const Value>
     function.operands.insert(function.operands.end(), operands.begin(), operands.end());
 }
 
-// The semantics that a function needs: its own and those of the functions that it calls, in order of semantic.
+// The semantics that a function needs, sorted: its own and those of the functions that it calls.
 std::vector<SemanticId> needs_of(const ir::Function& function, const std::vector<std::vector<SemanticId>>& known) {
     std::vector<SemanticId> needs;
     for (const ir::Inst& inst : function.insts) {
@@ -43,7 +43,7 @@ std::vector<SemanticId> needs_of(const ir::Function& function, const std::vector
 }
 
 // The needs of every function. A function that a pass replaces also has the needs of its replacement, so that callers
-// pass on the same values in every pass. Parameters that a stage does not read are pruned later.
+// pass the same values in every pass. Parameters that a stage does not read are pruned later.
 std::vector<std::vector<SemanticId>> all_needs(const lower::Lowered& lowered, std::span<const ir::Function> functions) {
     std::vector<std::vector<SemanticId>> needs(functions.size());
     for (std::uint32_t i = 0; i < functions.size(); ++i) needs[i] = needs_of(functions[i], needs);
@@ -143,7 +143,8 @@ public:
         if (known[semantic.index]) return known[semantic.index];
         const bool outside = std::exchange(reads_usual_, false);
         const Value made = make(semantic, original);
-        // What a recipe of the pass's own reads of its usual value is not the value that other readers get.
+        // Inside a recipe of the pass, a value may be made from the usual value of the semantic. Other readers must not
+        // get it.
         if (!reads_usual_) known[semantic.index] = made;
         reads_usual_ = !giving_.empty() && (reads_usual_ || outside);
         if (builder_[made].op != Op::Param && builder_[made].op != Op::Global) {
@@ -175,7 +176,7 @@ private:
     bool wraps(ir::FunctionId wrap) const { return wrap && pass_.declaration->state.lights != PassLights::Shadowed; }
 
     // Copies a function into the stage, after the functions that it calls. A function that replaces another one in this
-    // pass may call the one that it replaces.
+    // pass may call the replaced one.
     ir::FunctionId imported(ir::FunctionId function) {
         const bool is_usual = std::find(replacing_.begin(), replacing_.end(), function) != replacing_.end();
         if (const auto* other = is_usual ? nullptr : pass_.replacement_of(function, module_.stage.kind)) {
@@ -186,8 +187,8 @@ private:
         }
         if (imported_[function.index]) return imported_[function.index];
         ir::Function copy = linked_.functions[function.index];
-        // The fragment stage of a pass without targets does not share functions, so that it has only the inputs that it
-        // reads.
+        // The fragment stage of a pass without targets does not share functions. So it has no inputs that it does not
+        // read.
         const bool shares = in_vertex_stage() || !pass_.declaration->state.targets.empty();
         if (linked_.lowered.keeps_functions && shares && !ir::is_elsewhere(copy)) copy.linkage = ir::Linkage::Exported;
         ir::renumber_calls(copy, [&](std::uint32_t callee) { return imported({callee}).index; });
@@ -296,7 +297,7 @@ private:
     std::vector<ir::FunctionId> imported_;
 };
 
-// Finds the semantics that are unit vectors whatever pass reads them.
+// Finds the semantics that are unit vectors in every pass.
 void note_unit_semantics(lower::Lowered& lowered) {
     ir::Module& module = lowered.module;
     const auto gives_unit = [&](ir::FunctionId function) {
@@ -304,7 +305,7 @@ void note_unit_semantics(lower::Lowered& lowered) {
     };
     for (std::uint32_t i = 0; i < module.semantics.size(); ++i) {
         const lower::SemanticRecipe& semantic = lowered.semantics[i];
-        // What is interpolated does not keep its length.
+        // An interpolated vector does not keep its length.
         if (semantic.source != SemanticSource::Pixel && semantic.source != SemanticSource::Uniform) continue;
         module.semantics[i].is_unit =
             gives_unit(semantic.recipe) &&
@@ -315,8 +316,8 @@ void note_unit_semantics(lower::Lowered& lowered) {
     }
 }
 
-// Makes the functions that passes share as short as they can be for all of them: members that are always the same, and
-// those that no function that an entry may call reads.
+// Makes the functions that passes share as short as possible for all of them. Removes members that are always the same,
+// and members that no function reads that an entry may call.
 void tidy_shared(lower::Lowered& lowered) {
     std::vector<ir::FunctionId> entries, called;
     const auto add = [&](ir::FunctionId function) {

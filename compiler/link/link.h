@@ -15,7 +15,7 @@
 namespace patina::link {
 
 struct Linked {
-    lower::Lowered lowered;               // its module has no functions any more: each stage copies those that it calls
+    lower::Lowered lowered;  // its module has no functions any more: each stage has copies of those that it calls
     std::vector<ir::Function> functions;  // every `semantic` is a parameter now, which the entry function passes down
     std::vector<std::vector<ir::SemanticId>> needs;  // by function: the semantics of its last parameters
     std::vector<ir::OriginId> readers;               // by semantic: a place in a graph that reads it; may be none

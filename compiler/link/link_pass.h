@@ -16,8 +16,8 @@ using Materials = std::vector<const resolve::Material*>;
 LinkedPass link_pass(const resolve::Material& material, const Linked& linked, const lower::LoweredPass& pass,
                      const resolve::Session& session, Result& result, std::uint32_t left_out = 0);
 
-// The vectors that a pass sends from the vertex stage to the fragment stage in addition to the position: those with a
-// number, and those that the engine's text adds without one.
+// The vectors that a pass sends from the vertex stage to the fragment stage, without the position: those with a number,
+// and those that the engine's text adds without a number.
 struct Varyings {
     std::size_t numbered = 0, others = 0;
 };

@@ -9,7 +9,7 @@
 namespace patina::link {
 namespace {
 
-// An input of the fragment stage, by its position, and the hash of what the vertex stage computes for it.
+// An input of the fragment stage, by its position, with the hash of its computation in the vertex stage.
 struct Pinned {
     std::uint32_t place;
     CanonicalHash hash;

@@ -1,5 +1,6 @@
-// How a pass reads the targets of the picture that other passes draw: at its own pixel, or at other places. Targets
-// that hold only a part of the picture can be read at the own pixel alone, and through a function (lower::Wraps).
+// How a pass reads the targets of the picture that other passes draw: only at its own pixel, or also at other pixels.
+// Targets that hold only a part of the picture can be read at the own pixel alone, and through a function
+// (lower::Wraps).
 //
 //   wrap_reads(function, lowered.picture_reads, place_in_tile);
 //   made.reads_elsewhere = reads_elsewhere(linked, pass, fragment, vertex);

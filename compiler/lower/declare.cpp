@@ -36,7 +36,7 @@ bool is_wanted(const paths::ExternDecl& value, std::span<const std::string_view>
            std::find_first_of(value.with.begin(), value.with.end(), on.begin(), on.end()) != value.with.end();
 }
 
-// The values that are declared: those that are wanted, and in a block those before them, which hold their places. So no
+// The values to declare: the wanted ones and, in a block, all values before them, so that offsets stay the same. So no
 // switch moves a value, and an engine fills its blocks in one way for all shaders.
 std::set<const paths::ExternDecl*> held(std::span<const paths::ExternDecl* const> externs,
                                         std::span<const std::string_view> on) {
@@ -78,7 +78,7 @@ Numbering numbering_of(const engines::Engine& engine, std::span<const paths::Ext
     return made;
 }
 
-// The sampler of a texture: its own, or the one that textures before it have declared under the name that it shares.
+// The sampler of a texture: its own, or the sampler of earlier textures that share the same name.
 ir::GlobalId add_sampler(ir::Module& module, const engines::Engine& engine, const format::Property& property,
                          std::map<std::string, ir::GlobalId>& shared) {
     const bool is_shared = engine.shares_samplers && !property.shared_sampler.empty();
@@ -250,7 +250,7 @@ std::vector<PropertyGlobals> declare_material(const engines::Engine& engine, con
     for (std::size_t i = 0; i < globals.size(); ++i) {
         const format::Property& property = *material.properties[i].property;
         if (property.type != PropertyType::Sampler) continue;
-        // An engine whose textures bring their samplers cannot set others: equal ones are the same.
+        // An engine whose textures have their samplers cannot set others: equal samplers are one.
         const bool is_fixed = material.properties[i].is_at_port || !engine.shares_samplers;
         const auto known = shared.find(property.shared_sampler);
         globals[i].sampler = is_fixed && known != shared.end()
@@ -274,7 +274,7 @@ std::vector<PropertyGlobals> declare_material(const engines::Engine& engine, con
             const bool is_of_instance = instances && property.binding == Binding::Instance;
             made.value = add_block_global(module, is_of_instance ? *instances : block, property.name,
                                           property_type(module, property.type), property.span);
-            // Artists see its name, so it must be kept, whatever block holds it.
+            // Artists see its name, so the name must not change, in any block.
             module.globals[made.value.index].group = ir::Group::Material;
             continue;
         }

@@ -17,22 +17,22 @@ namespace patina::lower {
 struct PropertyGlobals {
     ir::GlobalId value;       // numeric properties
     ir::GlobalId texture;     // texture properties
-    ir::GlobalId sampler;     // of a texture: declared behind it, or behind the first one of those that share it; or
+    ir::GlobalId sampler;     // of a texture: declared behind it, or behind the first of the textures that share it; or
                               // of a property that is a sampler: declared before all textures
     ir::GlobalId tiling;      // float4 scale and offset, when the property has "tiling"
     ir::GlobalId texel_size;  // float4; only if the engine fills it for the texture (keep_values.cpp)
-    // For a keyword: its global; none if it is a constant, because the text is made for one value.
+    // For a keyword: its global. None if it is a constant, because the text is made for one value.
     ir::GlobalId keyword;
 };
 
 // The kind of a texture property.
 ir::Kind texture_kind(PropertyType type);
 // The type of a property's value in its block, or of a texture. A matrix of any size is a float4x4 there, because
-// languages differ on what may follow a smaller one; a gradient and a curve are arrays of float4.
+// languages pad smaller ones differently. A gradient and a curve are arrays of float4.
 ir::Type property_type(ir::Module& module, PropertyType type);
 
-// The numbers of the library's blocks and textures, by their names, if all switches and paths were on: what a switch
-// adds has a number of its own, so no switch moves the binding of anything.
+// The numbers of the library's blocks and textures, by name, as if all switches and paths were on. A value of a switch
+// has a number of its own, so no switch changes any binding.
 struct Numbering {
     std::map<std::string, std::uint32_t, std::less<>> blocks;
     std::array<std::map<std::string, std::uint32_t, std::less<>>, 3> textures;  // by ir::Group
@@ -40,7 +40,7 @@ struct Numbering {
 
 // Declares every [extern] and [reads] variable: numbers in one block per name, each texture followed by its sampler,
 // all in order of appearance. Variables that exist only [with] a switch or path are declared if one of these is in
-// `on`. They come last, so that they move neither the members nor the numbers of the others.
+// `on`. They come last, so that they change neither the offsets nor the numbers of the others.
 struct EngineGlobals {
     Numbering numbering;
     std::set<std::uint32_t> per_object;          // those of the drawn object

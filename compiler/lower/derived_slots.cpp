@@ -1,5 +1,5 @@
-// Makes the derived slots when a pass first requests them: the part of a slot that is linear in a value, the rest of it
-// without that part, and the packing of values for which a G-buffer has no room.
+// Makes the derived slots when a pass first requests them: the part of a slot that is linear in a value, the remainder
+// of the slot, and the packing of values for which a G-buffer has no room.
 //
 //   [slot] [part("final", "sum.direct")] float3 added(LightingSurface surface, LightSum sum);
 //   [slot] [without("indirect", "EnvironmentRadiance")] float3 indirect_near(LightingSurface surface);
@@ -66,8 +66,8 @@ LinearIn source_named(Lowering& lowering, const FunctionDecl& of, ir::FunctionId
     return {.seed = ir::Seed::of_calls(made.front().id)};
 }
 
-// A part may read no member of its parameter's struct but the one that it is linear in, because the others are not
-// known where it is used.
+// A part may read only one member of its parameter's struct, that in which it is linear. The other members are not
+// known where the part is used.
 std::string other_member_of(const ir::Module& module, ir::FunctionId function, const ir::Seed& seed) {
     if (seed.callee) return {};
     for (const ir::MemberRead& read : ir::members_read(module, function, seed.param)) {

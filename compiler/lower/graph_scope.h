@@ -1,5 +1,5 @@
 // Emits a graph into one IR function: holds the values of its nodes so far, and resolves $, @ and names in it. A
-// sub-graph is a scope inside the scope of the graph that uses it; if several nodes use it, it has a function of its
+// sub-graph is a scope inside the scope of the graph that uses it. If several nodes use it, it is a function of its
 // own.
 #pragma once
 
@@ -15,14 +15,15 @@ namespace patina::lower {
 // A slot that is derived from others (derived_slots.cpp): made when a pass first asks for it.
 struct DerivedSlot {
     emit::Slot slot{};
-    std::string why_not{};       // not empty: why it cannot be made
-    ir::Origin where{};          // the node that prevents it
-    bool is_zero = false;        // always zero: the slot does not read what the part is linear in
-    bool is_of_missing = false;  // it depends on another derived slot that cannot be made, and has that one's reason
+    std::string why_not{};  // not empty: why it cannot be made
+    ir::Origin where{};     // the node that prevents it
+    bool is_zero = false;   // always zero: the slot does not read what the part is linear in
+    bool is_of_missing =
+        false;  // it depends on another derived slot that cannot be made, and `why_not` is the reason of that slot
 };
 
 // What tells the functions of sub-graphs apart. Inputs that a function cannot take (textures and samplers), or that
-// decide what it computes (bools), are part of it where their values are known.
+// decide what it computes (bools), are in the key with their values, if known.
 struct SubgraphKey {
     const resolve::CheckedGraph* graph = nullptr;
     bool in_vertex_stage = false;
@@ -57,7 +58,8 @@ struct Lowering {
     AllSubgraphUses subgraph_uses;
     std::map<SubgraphKey, SubgraphFunction> subgraph_functions;
     std::size_t subgraphs_in_place = 0;  // uses whose nodes have been emitted where they are
-    // A reader of what the vertex stage computes: a node whose interpolator is being made, or an output of "vertex".
+    // A reader of values that the vertex stage computes: a node whose interpolator is being made, or an output of
+    // "vertex".
     struct VertexReader {
         std::string name;  // id path, or the output's
         Span span;
@@ -103,9 +105,9 @@ public:
     // --- emitting
     // Emits the marked nodes in order.
     void emit_nodes(const std::vector<bool>& wanted);
-    // In the vertex stage, only outputs of a sub-graph that something reads are emitted, because the others may sample
-    // textures, which cannot be done there. emit_nodes() announces what nodes read; announce() the expression of a
-    // port.
+    // In the vertex stage, the outputs of a sub-graph are emitted only if something reads them. The others may sample
+    // textures, which the vertex stage cannot do. emit_nodes() announces what nodes read; announce() the expression of
+    // a port.
     void announce(const nodelang::Expr& expr);
     // A port's value, converted; nodes that it reads must have been emitted. Three numbers are an opaque colour, as
     // "#ff8800" is.

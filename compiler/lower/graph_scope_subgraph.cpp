@@ -1,5 +1,5 @@
 // Nodes that are sub-graphs. If one node uses a sub-graph, its nodes are emitted there, under an id path. If several
-// use it, it becomes a function, and each of them a call; inline_calls() takes back those that make the text longer.
+// nodes use it, it becomes a function, and each node a call. inline_calls() undoes this where it makes the text longer.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -72,7 +72,7 @@ bool is_texture_or_sampler(const emit::Emitter& emitter, Type type) {
     return type.kind == ir::Kind::Sampler || emit::is_texture(emitter, type);
 }
 
-// What is not folded stays where it is used, so that each use has its probes, and the CPU is a witness of the
+// If nothing is folded, sub-graphs do not become functions, so that each use has its probes and the CPU checks the
 // functions. Only levels of sub-graphs that double their nodes many times have so many uses.
 constexpr std::size_t kMostUnfolded = 4096;
 
@@ -287,7 +287,7 @@ SubgraphFunction GraphScope::subgraph_function(const GraphScope& inner, const Su
             .outputs = outputs.outputs};
 }
 
-// Of what belongs to no node of a function: it belongs to the node that uses the sub-graph.
+// The origin of code that belongs to no node of a function: the node that uses the sub-graph.
 ir::OriginId GraphScope::origin_of_use(Span span) {
     std::vector<ir::Origin>& origins = lowering_.out.module.origins;
     const std::string path = outer_->id_path(outer_->graph_.graph->nodes[outer_node_].id);

@@ -1,5 +1,5 @@
-// Nodes in the vertex stage: those that are pinned there, whose values are interpolated, and the messages for a node
-// that needs a pixel.
+// Nodes in the vertex stage: nodes that are pinned there, whose values are interpolated, and messages for nodes that
+// need a pixel.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,6 +1,6 @@
-// Many instances of an object in one draw. If a property of a material is bound `as: instance`, that property, and the
-// globals of the object that is drawn, become arrays with an element for each instance. So do these globals if the
-// material reads the index of the instance.
+// Many instances of an object in one draw. If a property of a material is bound `as: instance`, then this property and
+// the globals of the drawn object become arrays with an element for each instance. So do these globals if the material
+// reads the index of the instance.
 #pragma once
 
 #include "compiler/lower/lower.h"
@@ -11,8 +11,9 @@ bool is_instanced(const resolve::Material& material);
 // Whether a pass of the material may read the index of the instance.
 bool reads_instance(const Lowered& lowered);
 
-// The values of the object that belong to a switch (by their globals), if one that brings them is on, and the types of
-// all others. No switch moves a member: these stand behind the properties, and have room where they are not declared.
+// The values of the object that belong to a switch (by their globals), if a switch that adds them is on, and the types
+// of all others. No switch moves a member: these members come after the properties, and have space even if they are not
+// declared.
 struct OptionalValues {
     std::set<std::uint32_t> declared;
     std::vector<ir::Type> absent;
@@ -26,8 +27,8 @@ struct InstanceSize {
 InstanceSize size_of_instance(const Lowered& lowered, const std::set<std::uint32_t>& globals,
                               const OptionalValues& optional, std::uint32_t most_bytes);
 
-// Makes the globals arrays of as many elements as fit in their blocks, and replaces each read by a read of the element
-// of the instance that is drawn. Returns the number of elements. The functions must be lowered and not linked yet.
+// Turns the globals into arrays with as many elements as fit in their blocks, and replaces each read by a read of the
+// drawn instance's element. Returns the number of elements. The functions must be lowered and not linked yet.
 std::uint32_t make_instanced(Lowered& lowered, const std::set<std::uint32_t>& globals, const OptionalValues& optional,
                              std::uint32_t most_bytes);
 

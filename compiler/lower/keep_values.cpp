@@ -35,7 +35,7 @@ void mark_outputs(const Expr& expr, const format::Node& node, std::span<const fo
     for (const Expr* arg : expr.args) mark_outputs(*arg, node, outputs, read);
 }
 
-// The outputs of a sub-graph's node that the ports read, and the other nodes that they read.
+// The outputs of a sub-graph's node that the ports read, and the other nodes that the ports read.
 std::vector<format::PortValue> outputs_read(const resolve::CheckedGraph& graph,
                                             std::span<const format::PortValue> ports, const std::vector<bool>& nodes,
                                             std::uint32_t at) {
@@ -74,8 +74,8 @@ bool reaches(const resolve::CheckedGraph& graph, std::span<const format::PortVal
     return false;
 }
 
-// True for a colour that may be brighter than white: its range ends above 1, or its default is above 1, or only emitted
-// light reads it ([hdr] members of the lighting surface).
+// True for a colour that may be brighter than white: its range or its default exceeds 1, or only emitted light reads it
+// ([hdr] members of the lighting surface).
 bool is_hdr(const paths::PathDeclarations& paths, const resolve::CheckedGraph& graph,
             const format::Property& property) {
     if (property.range && (*property.range)[1] > 1) return true;
@@ -96,7 +96,8 @@ std::string_view usage_of(const paths::PathDeclarations& paths, const resolve::C
                           const format::Property& property) {
     if (property.type == PropertyType::Color) return is_hdr(paths, graph, property) ? "" : "color";
     if (!is_texture(property.type)) return {};
-    // An engine's own normal maps keep only what a decoder makes of them: other channels are those of a plain texture.
+    // An engine's own normal maps have only the channels that a decoder reads. If other channels are read, the map is a
+    // plain texture.
     if (property.usage == TextureUsage::Normal) return property.swizzle.empty() ? "normal" : "";
     return property.usage == TextureUsage::Color ? "color" : "";
 }

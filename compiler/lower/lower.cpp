@@ -208,7 +208,8 @@ const format::Property* variant_of_lighting(const resolve::Material& material, s
     return nullptr;
 }
 
-// A switch that changes what all passes do, and no pass: the path has it only while a renderer turns it on.
+// A switch that only changes positions or reads of all passes, and adds no pass. The path has it only while a renderer
+// turns it on.
 bool is_of_wraps(const paths::PathDeclarations& paths, std::string_view name) {
     return std::any_of(paths.wraps.begin(), paths.wraps.end(), [&](const paths::WrapDecl& wrap) {
         return std::find(wrap.with.begin(), wrap.with.end(), name) != wrap.with.end();

@@ -1,8 +1,8 @@
-// The room `lower` turns a checked material into IR functions: one each for the surface, the workflow's set-up, the
-// outputs of the lighting graph, each vertex output and each interpolator, and the functions of the passes. It checks
-// types, because they are first known here (expressions are emitted by compiler/emit), and decides which passes can
-// draw the material. It resolves no files or names of files, and prints nothing. Reads of the mesh and the camera stay
-// `semantic` instructions until a pass is linked (compiler/link).
+// The room `lower` turns a checked material into IR functions. The surface, the workflow's set-up, the outputs of the
+// lighting graph, each vertex output and each interpolator have a function each; then come the functions of the passes.
+// It checks types, because they are first known here (expressions are emitted by compiler/emit), and decides which
+// passes can draw the material. It resolves no files or names of files, and prints nothing. Reads of the mesh and the
+// camera stay `semantic` instructions until a pass is linked (compiler/link).
 #pragma once
 
 #include "compiler/lower/declare.h"

@@ -88,7 +88,7 @@ LoweredOutput lower_lighting(Lowering& lowering, const paths::SlotDecl& declared
     return made;
 }
 
-// A slot of a preview that adds nothing, or, if its parameters have the sums of the others, only these.
+// A slot of a preview that adds nothing; or, if its parameters have the sums of the other slots, adds only these.
 ir::FunctionId lower_sum(Lowering& lowering, const paths::SlotDecl& declared) {
     ir::Module& module = lowering.out.module;
     const emit::Scope scope{.declarations = lowering.session.declarations};
@@ -141,8 +141,8 @@ bool reads_parameter(const resolve::CheckedGraph& lighting, const format::PortVa
     return false;
 }
 
-// The slot that has the sums of the others, if the value that a preview shows reads them: the others are then as in the
-// picture. Else null.
+// The slot that has the sums of the others, if the value that a preview shows reads them. Then the other slots are as
+// in the picture. Else null.
 const paths::SlotDecl* shown_sum(const Lowering& lowering) {
     const resolve::Material& material = lowering.material;
     if (!material.shown_value.value) return nullptr;
@@ -153,8 +153,8 @@ const paths::SlotDecl* shown_sum(const Lowering& lowering) {
     return nullptr;
 }
 
-// A preview of a value of the lighting graph: it is the only light. If it depends on the light, it is summed over
-// them; else it counts once.
+// A preview of a value of the lighting graph: it is the only light. If the value depends on the light, it is summed
+// over the lights; else it counts once.
 void lower_shown(Lowering& lowering, GraphScope& material) {
     const format::PortValue& shown = lowering.material.shown_value;
     bool is_per_light = false;

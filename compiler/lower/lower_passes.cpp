@@ -88,7 +88,7 @@ private:
         in_order_of([&](const LoweredPass& pass) { return pass.declaration - paths_.passes.data(); });
     }
 
-    // A pass may ask which other passes are drawn with it, so the optional ones are lowered first.
+    // A pass may ask which other passes are drawn with it. So the optional passes are lowered first.
     void begin_path() { first_of_path_ = lowering_.out.passes.size(); }
     static std::vector<const paths::PassDecl*> optional_first(std::vector<const paths::PassDecl*> passes) {
         std::stable_partition(passes.begin(), passes.end(),
@@ -252,7 +252,8 @@ private:
                             [](const paths::BlendRow& row) { return row.blend.destination == BlendFactor::One; }));
     }
 
-    // The slot that a pass needs, if it is always 0: a pass that adds light, or that a material can be without.
+    // A slot that is always 0, although the pass needs it. Only for passes that add light, or that a material can do
+    // without.
     std::optional<std::string_view> vain_part(const paths::PassDecl& pass) const {
         if (!only_adds(pass) && !pass.is_optional) return {};
         for (const std::string_view name : pass.needs) {

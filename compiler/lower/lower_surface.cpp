@@ -1,5 +1,5 @@
 // Lowers the two functions between a material and its lighting: the surface that the graph computes, and the lighting
-// surface that its workflow makes of it.
+// surface that its workflow computes from that.
 #include <algorithm>
 #include <array>
 
@@ -31,7 +31,7 @@ Typed as_color(Lowering& lowering, Typed value, GraphScope& scope, Span span) {
 
 namespace {
 
-// The value of one surface input: as given, or converted from another input that gives it, or its default.
+// The value of one surface input: as the graph sets it, or converted from an alternative input, or its default.
 Typed surface_value(Lowering& lowering, GraphScope& scope, std::span<const format::Input* const> inputs,
                     const format::Input& input, Type type) {
     const std::vector<format::PortValue>& ports = lowering.material.graph->graph->surface;
@@ -62,8 +62,8 @@ Typed surface_value(Lowering& lowering, GraphScope& scope, std::span<const forma
     return scope.value_as(*input.value, type, fmt::format("the default of '{}'", input.name));
 }
 
-// The nodes that are emitted for the pixel: those that the surface reads without an interpolator, and those that
-// nothing reads, so that their errors are found.
+// The nodes that are emitted for the pixel: nodes that the surface reads without an interpolator, and unread nodes, so
+// that their errors are found.
 std::vector<bool> pixel_nodes(const resolve::CheckedGraph& graph) {
     std::vector<bool> pixel(graph.nodes.size(), false), vertex = graph.reachable(graph.graph->vertex);
     const auto walk = [&](std::vector<std::uint32_t> work, std::vector<bool>& seen, bool stop_at_interpolators) {

@@ -19,8 +19,9 @@ ir::FunctionId lower_surface(Lowering& lowering, std::vector<const format::Input
 // lightingSurface(): the workflow's set-up, over the surface.
 ir::FunctionId lower_setup(Lowering& lowering, const nodelang::FunctionDecl& slot, ir::FunctionId surface,
                            std::span<const format::Input* const> members);
-// The function of a lighting graph, in a material that does not set all inputs of the model: their defaults are
-// constants, and what they switch off is left out (unset_inputs.cpp). Its first parameter is the lighting surface.
+// The function of a lighting graph, in a material that does not set all inputs of the model. The defaults of unset
+// inputs are constants, and everything that they switch off is left out (unset_inputs.cpp). Its first parameter is the
+// lighting surface.
 ir::Function without_unset_inputs(Lowering& lowering, ir::Function function);
 // Leaves such inputs out of the structs of the surface. For functions, whose text shows these structs.
 void leave_out_unset_inputs(Lowering& lowering);
@@ -39,8 +40,8 @@ void lower_wraps(Lowering& lowering, std::span<const std::string_view> on);
 void lower_passes(Lowering& lowering);
 // The functions for an engine's own shaders, instead of passes (lower_functions.cpp).
 void lower_functions(Lowering& lowering);
-// Records how the engine stores the values of properties, and adds the lines of its file for each stage that calls its
-// functions (keep_values.cpp).
+// Records how the engine stores the values of properties, and adds lines of the engine's file to each stage that calls
+// its functions (keep_values.cpp).
 void keep_values(Lowering& lowering);
 void give_texts(Lowering& lowering);
 // Why a pass cannot draw this material, found in its functions (pass_refusal.cpp); empty if it can.

@@ -168,8 +168,8 @@ private:
         return lowering_.session.paths->semantic(global) ? "@" + global : global;
     }
 
-    // Refuses the material if a graph reads this value and the pass lacks it: by its name, its block, or the target
-    // that it reads. `shown`: what the graph says.
+    // Refuses the material if a graph reads this value and the pass does not have it. The pass lacks its name, its
+    // block, or the target that it reads. `shown`: what the graph says.
     bool is_lacking(std::string_view name, const nodelang::VariableDecl* variable, std::string_view shown,
                     const VisitedPlace& place) {
         if (!is_graph(place)) return false;

@@ -46,7 +46,7 @@ std::vector<SetShifts> place_globals(ir::Module& module, const engines::Engine& 
         first.textures = places.textures.value_or(
             first.buffers + blocks.count(count(module.blocks, [](const ir::UniformBlock&) { return true; })));
         first.samplers = places.samplers.value_or(first.textures + textures.count(count(module.globals, is_texture)));
-        // Owners that share a set share its registers, so these have one distance from the bindings.
+        // Owners that share a set share its registers, so all of them have the same distance from the bindings.
         auto shift =
             std::find_if(shifts.begin(), shifts.end(), [&](const SetShifts& each) { return each.set == places.set; });
         if (shift == shifts.end()) shift = shifts.insert(shift, first);
@@ -69,7 +69,7 @@ std::vector<SetShifts> place_globals(ir::Module& module, const engines::Engine& 
                 global.place = place(first.textures + number, shift->textures);
             }
             if (!is_sampler(global)) continue;
-            // The sampler follows its texture, or the first of those that share it.
+            // The sampler follows its texture, or the first of the textures that share it.
             const std::uint32_t own = has_texture ? number : texture_count + before_textures++;
             global.place = place(first.samplers + own, shift->samplers);
         }

@@ -1,6 +1,6 @@
 // A lighting model declares inputs that most materials leave unset. In such a material their defaults are constants of
-// the lighting graph, and what they switch off is left out of its functions before anything looks at them: a layer that
-// a material does not use costs nothing, and no pass is refused for what only that layer reads.
+// the lighting graph, and everything that they switch off is left out of its functions before other steps see them. So
+// a layer that a material does not use costs nothing. No pass is refused for values that only this layer reads.
 #include <algorithm>
 #include <map>
 #include <optional>
@@ -29,7 +29,7 @@ std::vector<double> numbers_of(const Expr& value, ir::Type type) {
 }
 
 // By member of the lighting surface: the default of a model's input that the material does not set, or the number that
-// its workflow gives it.
+// its workflow computes for it.
 std::map<std::uint32_t, std::vector<double>> unset_members(const Lowering& lowering, ir::Type surface) {
     std::map<std::uint32_t, std::vector<double>> unset;
     const std::vector<format::PortValue>& set = lowering.material.graph->graph->surface;
@@ -56,9 +56,8 @@ bool reads_member_of_surface(const ir::Function& function, const ir::Inst& inst)
     return whole.op == Op::Param && whole.data == 0;
 }
 
-// Reads of unset inputs become their constants, and a choice that they decide becomes the value that it chooses: a
-// Select, and a lerp whose weight is 0 or 1. All else stays as it was emitted, so that a function that is not folded
-// remains so.
+// Reads of unset inputs become their constants, and choices that depend on them become the chosen value: a Select, and
+// a lerp whose weight is 0 or 1. All else stays as it was emitted, so that a function that is not folded remains so.
 class Rewrite {
 public:
     Rewrite(const ir::Module& module, const ir::Function& from, std::map<std::uint32_t, std::vector<double>> unset)

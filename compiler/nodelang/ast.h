@@ -1,6 +1,6 @@
-// The syntax tree of the node language: what the parser makes of a .node.hlsl or .pass.hlsl file, and of every value in
-// a graph ("albedo.rgb", "= 1 - mask", "#f2a38a", [1, 0, 0] all become an Expr). Nothing here has a type yet; types
-// appear when an expression is emitted into the IR (emit/emit.h).
+// The syntax tree of the node language, for a .node.hlsl or .pass.hlsl file and for every value in a graph:
+// "albedo.rgb", "= 1 - mask", "#f2a38a" and [1, 0, 0] all become an Expr. Nothing here has a type yet; types appear
+// when an expression is emitted into the IR (emit/emit.h).
 #pragma once
 
 #include <cstdint>

@@ -14,8 +14,8 @@ struct Decision {
     std::string_view error{};  // what was expected; empty: nothing is wrong
     Token at{};                // instead of it; the end: nothing follows
 };
-// A name that is left is 0, as in C. But it may be compared or computed with only if it is one of `zeros`: another one
-// is a value that only the engine has.
+// A name that is left is 0, as in C. But only names in `zeros` may be compared or computed with: only the engine has
+// the values of other names.
 Decision decide(std::span<const Token> condition, const std::set<std::string_view>& zeros);
 
 }  // namespace patina::nodelang

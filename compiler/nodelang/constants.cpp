@@ -16,7 +16,7 @@ public:
     Checker(const Declarations& declarations, Diagnostics& diagnostics)
         : declarations_(declarations), diagnostics_(diagnostics) {}
 
-    // How many expressions the constant stands for, and how many constants below one another; 0: it is wrong, and that
+    // How many expressions the constant stands for, and how deeply constants are nested in it. 0: it is wrong, and that
     // has been reported.
     struct Size {
         std::size_t expressions = 0, height = 0;
@@ -58,7 +58,7 @@ private:
         return std::find(open_.begin(), open_.end(), &constant) != open_.end();
     }
 
-    // Adds what the expression stands for; nothing is left of `size` after something that is wrong.
+    // Adds the size of the expression; after an error, `size` is empty.
     void add(const Expr& expr, Size& size) {
         ++size.expressions;
         if (expr.kind == Expr::Kind::Name) {

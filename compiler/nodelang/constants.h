@@ -1,5 +1,5 @@
-// Constants of a file may be made of other constants. This finds those that lead back to themselves, and those that
-// stand for so much text that reading them would not end in a reasonable time.
+// Constants of a file may be made of other constants. This finds constants that lead back to themselves, and constants
+// that stand for so much text that reading them would not end in a reasonable time.
 #pragma once
 
 #include "compiler/nodelang/library.h"

@@ -64,7 +64,7 @@ public:
         for (const ParamDecl& param : function.params) names_.insert(param.name);
     }
 
-    // False: this cannot be done with the returns that are kept.
+    // False: this cannot be done while returns stay in branches.
     bool run() {
         const bool has_value = function_.result.name != "void";
         if (has_value && !keeps_returns_) result_ = fresh("result");
@@ -248,7 +248,7 @@ private:
         Stmt made = stmt;
         const auto with_rest = [&](const Statements& list) {
             Statements all = rest;
-            // Names of the branch are not those of what follows.
+            // Names of the branch are not visible in the statements that follow it.
             if (!list.empty())
                 all.insert(all.begin(), add(Stmt{.kind = Stmt::Kind::Block, .span = stmt.span, .body = list}));
             return all;

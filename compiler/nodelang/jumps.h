@@ -1,5 +1,5 @@
-// Turns a function of HLSL, in which statements jump out of branches, loops and the function, into one without jumps:
-// what follows a jump is in an else, or behind a test of a bool that says that nothing has jumped.
+// Turns a function of HLSL, in which statements jump out of branches, loops and the function, into a function without
+// jumps. The statements after a jump go into an else, or behind a test of a bool that says that nothing has jumped.
 //
 //   for (...) { if (a) continue; b; }       ->   for (...) { if (a) { } else { b; } }
 //   while (c) { b; if (a) break; }          ->   while (running && c) { b; if (a) { running = false; } }
@@ -12,8 +12,8 @@
 
 namespace patina::nodelang {
 
-// The function's body without Break and Continue, and with at most such a Return as a function of the node language may
-// have: at the end of the body, or of each branch at its end.
+// The function's body without Break and Continue. A Return is only where the node language allows it: at the end of the
+// body, or at the end of each branch there.
 // Code behind a jump is nested one level deeper; too many levels are reported.
 void remove_jumps(FunctionDecl& function, Ast& ast, Diagnostics& diagnostics);
 

@@ -1,6 +1,6 @@
-// Splits text of the node language into tokens, one at a time, so that a large file needs no more memory than a small
-// one. It reports bad characters and numbers; the parser does not report a Bad token again. Comments are not tokens: a
-// token carries the `///` lines before it, and the `///<` text between it and the previous token.
+// Splits text of the node language into tokens, one at a time. So a large file needs no more memory than a small one.
+// It reports bad characters and numbers; the parser does not report a Bad token again. Comments are not tokens: a token
+// carries the `///` lines before it, and the `///<` text between it and the previous token.
 //
 // In a file of HLSL (hlsl_mark.h) it also knows what the preprocessor (preprocessor.h) needs: '#', and where lines
 // begin.

@@ -13,7 +13,7 @@ const Decl* find(const std::unordered_map<std::string_view, const Decl*>& map, s
     return found == map.end() ? nullptr : found->second;
 }
 
-// Those that have not been read come last: most names in the text of a function are of its own locals.
+// Declarations that have not been read come last: most names in the text of a function are of its own locals.
 template <class Decl>
 const Decl* find(const std::unordered_map<std::string_view, const Decl*>& map,
                  const std::unordered_map<std::string_view, const Unread*>& unread, StableList<Decl> Ast::*kind,

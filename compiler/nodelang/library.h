@@ -1,6 +1,5 @@
-// Finds declarations by name: those of the built-in library (nodes/**), or those of a user's .node.hlsl file, which has
-// the library as its parent. It owns only the maps; the declarations are in an Ast. Names that are declared twice are
-// reported.
+// Finds declarations by name: in the built-in library (nodes/**), or in a user's .node.hlsl file, which has the library
+// as its parent. It owns only the maps; the declarations are in an Ast. Names that are declared twice are reported.
 //
 //   Declarations library;  index_declarations(ast, library, diagnostics);
 //   const FunctionDecl* ggx = library.function("DistributionGGX");
@@ -27,7 +26,7 @@ struct Declarations {
     const StructDecl* structure(std::string_view name) const;
     const EnumDecl* enumeration(std::string_view name) const;
     const VariableDecl* variable(std::string_view name) const;
-    // The scope that declares the function, in which the names in its body are looked up.
+    // The scope that declares the function, and in which the names in its body are searched.
     const Declarations& home_of(std::string_view function_name) const;
     // Names of all library nodes and helpers that can be called, sorted.
     std::vector<std::string_view> function_names() const;

@@ -1,5 +1,5 @@
-// Names of other languages and programs (GLSL, C#, MaterialX, Unity), for people who look for theirs. Nothing compiles
-// because of them: they are advice.
+// Names of other languages and programs (GLSL, C#, MaterialX, Unity), for users who search for the name they know.
+// Nothing compiles because of them: they are advice.
 //
 //   record.note(advice("mix", known, declarations));       // "'mix' is written 'lerp' here"
 //   record.note(word_advice("_Time"));                     // "'_Time' is written '@time' here: in seconds, as _Time.y"
@@ -19,7 +19,7 @@ namespace patina::nodelang {
 struct OtherName {
     std::string_view other, own, remark{};
 };
-// All of them but those that nodes have in their files.
+// All names, except those that node files declare for their nodes.
 std::span<const OtherName> other_names();
 
 // What to write for a function, a type or a value of another language; empty if the word is unknown. "atan/2" is the
@@ -29,8 +29,7 @@ std::string word_advice(std::string_view word);
 // The node that has `word` in its attribute [also("mix")]; null if there is none. Capitals, spaces and _ do not count.
 const FunctionDecl* known_as(const Declarations& declarations, std::string_view word);
 
-// What a graph writes for an unknown input: that one that has `word` in its attribute [also("frequency")], or the
-// nearest.
+// Advice for an unknown input: the input that has `word` in its attribute [also("frequency")], or the nearest.
 std::string port_advice(std::string_view word, std::span<const std::string_view> known, const FunctionDecl* function);
 
 // What is written here for an unknown function, or for an unknown node; else the nearest of `known`, or nothing.

@@ -196,7 +196,7 @@ bool Parser::name(std::string_view what, Token& into) {
 // skipped.
 bool Parser::end_of_statement() {
     if (take_if(";")) return true;
-    // What a macro stands for is all at one place.
+    // All tokens of an expanded macro are at one place.
     const std::size_t gap = std::max(now().begin, last_end_) - last_end_;
     const bool at_line_end = text_.text.substr(last_end_, gap).find('\n') != std::string_view::npos;
     if (!at_line_end || now().kind == Token::Kind::Bad) {
@@ -209,7 +209,7 @@ bool Parser::end_of_statement() {
 
 // --- after an error
 
-// Moves behind the statement that begins in a block with `depth` open braces: behind its ';' or its last '}', but never
+// Moves behind the statement that begins in a block with `depth` open braces: behind its ';' or its last '}', but not
 // out of the block.
 void Parser::skip_statement(int depth) {
     while (now().kind != Token::Kind::End) {

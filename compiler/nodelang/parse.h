@@ -23,19 +23,20 @@ struct Text {
 // Deeper nesting of expressions or blocks is refused (the parser and the emitter recurse).
 inline constexpr int kMaxNesting = 200;
 
-// When the bodies of a file's functions are parsed. A user's file is parsed whole, to find its mistakes; of the
-// library, a compilation needs a few functions out of hundreds, and parses these when it needs them.
+// When the bodies of a file's functions are parsed. A user's file is parsed completely, to find its errors. Of the
+// library, a compilation needs a few functions out of hundreds, and parses these on demand.
 enum class Bodies { Now, WhenAsked };
-// If the first line behind comments is kHlslMark, the file is read by the rules of HLSL (docs/node-language.md): it has
-// a preprocessor, more statements, and conversions that an author need not write. Then all bodies are parsed now.
+// If the first line behind comments is kHlslMark, the file is read by the rules of HLSL (docs/node-language.md). Then
+// it has a preprocessor, more statements, and conversions that an author need not write. Then all bodies are parsed
+// now.
 inline constexpr std::string_view kHlslMark = "#pragma hlsl";
 void parse_file(Text text, Ast& ast, Diagnostics& diagnostics, Bodies bodies = Bodies::Now);
 
 // The statements of a function. Any thread may call this. The mistakes of a body that is parsed only now go to
 // body_errors().
 const Statements& body_of(const FunctionDecl& function);
-// The mistakes in the body of a function of Bodies::WhenAsked, which is parsed now if it was not before. Null for other
-// functions.
+// The errors in the body of a function of Bodies::WhenAsked, which is parsed now if it was not parsed before. Null for
+// other functions.
 const Diagnostics* body_errors(const FunctionDecl& function);
 
 // An expression of a graph: may read $properties and @semantics.

@@ -434,7 +434,7 @@ void Parser::go_to(std::size_t offset) {
     after_ = next_token();
 }
 
-// Takes the ')' here and the text behind it, from its '{' to the '}' that closes it. No token of the text is read: it
+// Takes the ')' here and the text of the body after it, from '{' to the matching '}'. No token of the text is read: it
 // need not consist of words of the node language.
 bool Parser::foreign_code(FunctionDecl& function) {
     const std::string_view text = text_.text;

@@ -46,7 +46,7 @@ bool Parser::begins_declaration() const {
     return after().kind == Token::Kind::Word || (after().is("<") && now().text.starts_with("Texture"));
 }
 
-// "static const": the first of them alone would be a variable that keeps its value between calls.
+// "static const": "static" alone would be a variable that keeps its value between calls.
 bool Parser::qualifiers(bool& is_const) {
     bool is_static = false;
     const Token first = now();

@@ -1,6 +1,6 @@
 // The recursive-descent parser behind parse.h. Private to parse*.cpp: expressions, statements and declarations are one
-// grammar in three files. A function that cannot read what it expects reports it once and returns a null Node, a null
-// Stmt or false. A caller that can go on (a list of statements, a file) then skips to a safe place.
+// grammar in three files. If a function cannot read the expected token, it reports that once and returns a null Node, a
+// null Stmt or false. A caller that can go on (a list of statements, a file) then skips to a safe place.
 //
 //   Parser parser(text, Lexer::Dialect::File, ast, diagnostics);
 //   parser.file();
@@ -21,8 +21,8 @@ namespace patina::nodelang {
 inline constexpr int kMaxExpressionHeight = 1000;
 inline constexpr std::size_t kMaxTextBytes = 1u << 20;
 
-// An expression, its height as a tree, and where its text begins. Brackets around an expression are not part of its
-// span, but the expression that contains it begins at them.
+// An expression, its height as a tree, and where its text begins. Brackets around an expression are not part of its own
+// span, but they are part of the span of the expression around it.
 struct Node {
     const Expr* expr = nullptr;
     int height = 0;

@@ -62,7 +62,7 @@ void Preprocessor::directive(const Token& mark) {
         line.push_back(token);
     }
     read_line(mark, std::move(line));
-    // What follows is read again, to report its mistakes.
+    // The text that follows is read again, to report its errors.
     lexer_.report_to(is_open() ? diagnostics_ : unread_);
     lexer_.go_to(end);
 }
@@ -168,8 +168,8 @@ Preprocessor::Tokens Preprocessor::with_defined_decided(const Tokens& line) {
     return made;
 }
 
-// Appends what stands for the name; false: it is no macro. The arguments are read from the head of `rest`, or, if that
-// is null, from the text.
+// Appends the tokens that replace the name; false: it is no macro. The arguments are read from the head of `rest`, or,
+// if that is null, from the text.
 bool Preprocessor::replace(const Token& name, Tokens& into, Rest* rest, const Active& active) {
     Cancellation::step();
     if (name.kind != Token::Kind::Word || active.contains(name.text)) return false;

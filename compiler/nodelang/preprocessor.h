@@ -1,7 +1,7 @@
-// The preprocessor of HLSL, between the lexer and the parser of a file that is read by HLSL's rules: it leaves out
-// lines whose #if does not hold, and puts the tokens of macros in the place of their names. What it puts there has the
-// place of the macro's use, so that messages point at the text of the author. It reads no other file: #include is
-// ignored, as are #pragma and #line.
+// The preprocessor of HLSL, between the lexer and the parser of a file that is read by HLSL's rules. It leaves out
+// lines whose #if is false, and replaces the names of macros by their tokens. These tokens have the location of the
+// macro's use, so that messages point at the text of the author. It reads no other file: #include is ignored, as are
+// #pragma and #line.
 //
 //   Preprocessor preprocessor(lexer, ast, diagnostics);
 //   for (Token t = preprocessor.next(); t.kind != Token::Kind::End; t = preprocessor.next()) ...

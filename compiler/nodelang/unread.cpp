@@ -9,7 +9,7 @@
 namespace patina::nodelang {
 namespace {
 
-// Attributes that only say something to a caller, who has the declaration.
+// Attributes that only matter to a caller, who has the declaration.
 constexpr std::string_view kOfNodes[] = {"node", "also", "is", "inFloat", "inline", "range"};
 
 bool is_letter(char c) {

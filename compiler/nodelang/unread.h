@@ -1,6 +1,6 @@
 // Declarations of the library that are parsed when somebody first asks for them, by any thread. Of hundreds, a
-// compilation needs a few. Where each begins and ends is seen from the lines alone: a declaration begins at the left
-// margin, after its comments and attributes, and ends with a '}' there, or at the end of its only line.
+// compilation needs a few. The lines alone show where each begins and ends. A declaration begins at the left margin,
+// after its comments and attributes, and ends with a '}' there, or at the end of its only line.
 //
 //   std::deque<Unread> unread;
 //   if (!split({.text = text, .base = base}, unread)) parse_file(...);   // not written so: read it at once
@@ -28,8 +28,8 @@ private:
     MadeOnce<Ast> ast_;  // most are never asked for
 };
 
-// Adds the declarations of a file. False, and nothing is added, if it is not written as above, or holds more than nodes
-// and helpers: whoever asks for passes, slots or semantics asks for all of them.
+// Adds the declarations of a file. False, and nothing is added, if the file is not written as above, or has more than
+// nodes and helpers. A request for passes, slots or semantics needs all declarations of a file.
 bool split(Text file, std::deque<Unread>& into);
 
 }  // namespace patina::nodelang

@@ -1,5 +1,5 @@
-// Checks the structs, enums and variables of a pass file before anything is made of them: names in attributes, and
-// types that a block or a stage can hold. The words of the attributes of passes are checked where they are read
+// Checks the structs, enums and variables of a pass file before other code uses them: names in attributes, and types
+// that a block or a stage can have. The words of the attributes of passes are checked where they are read
 // (pass_state.cpp).
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
-// Checks the functions of a pass file: which attributes stand on which of them, what they give to other passes, and
-// the recipes of semantics.
+// Checks the functions of a pass file: which attributes each function may have, the values that it gives to other
+// passes, and the recipes of semantics.
 #include <fmt/format.h>
 
 #include <array>
@@ -168,8 +168,8 @@ private:
                                 is_varying ? "a number or vector, which can be interpolated," : "a value");
     }
 
-    // A file gives to the passes of its own path, and to those that are drawn along with it. It may name others beside
-    // them, as a copy of a file of the library does.
+    // A file gives values to the passes of its own path, and to passes that are drawn together with them. It may also
+    // name other passes, because it may be a copy of a file of the library.
     void drawn_along(const Attribute& attribute) {
         if (!declarations_.parent || attribute.args.size() < 2) return;
         for (std::size_t i = 1; i < attribute.args.size(); ++i) {

@@ -45,8 +45,8 @@ void check_members(const nodelang::Ast& ast, const nodelang::Declarations& decla
     known.insert(known.end(), inputs.begin(), inputs.end());
     std::vector<std::string_view> held = known;
     for (const SlotDecl& slot : paths.slots) held.push_back(slot.name());
-    // Another lighting model may declare a member that this one lacks, and then a pass may go without it. So only a
-    // word that is close to a known one is a mistake.
+    // Another lighting model may declare a member that this model lacks, and then a pass need not have the member. So
+    // only a word that is close to a known one is an error.
     const auto check = [&](const Expr& given, std::string_view word, const std::vector<std::string_view>& words,
                            bool may_be_absent) {
         if (std::find(words.begin(), words.end(), word) != words.end()) return;

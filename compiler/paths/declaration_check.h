@@ -10,7 +10,7 @@
 
 namespace patina::paths {
 
-// The base of the checks: it holds the declarations of the file, and it reports mistakes.
+// The base of the checks: it has the declarations of the file, and reports errors.
 class DeclarationCheck {
 public:
     DeclarationCheck(const nodelang::Ast& ast, const nodelang::Declarations& declarations, const SourceMap& sources,

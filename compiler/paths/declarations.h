@@ -1,7 +1,7 @@
-// The room `paths` reads what nodes/stage, nodes/passes, an engine's pass file and a user's own .pass.hlsl declare:
-// semantics with their recipes, values of the engine, switches, slots and passes. It reads each attribute once, into
-// the types below; no room behind this one looks at nodelang::Attribute. It knows no declaration by name, resolves
-// nothing of a graph, and makes no IR.
+// The room `paths` reads the declarations of nodes/stage, nodes/passes, an engine's pass file and a user's own
+// .pass.hlsl: semantics with their recipes, values of the engine, switches, slots and passes. It reads each attribute
+// once, into the types below; no room behind this one looks at nodelang::Attribute. It knows no declaration by name,
+// resolves nothing of a graph, and makes no IR.
 //
 //   PathDeclarations paths;
 //   collect(ast, declarations, sources, paths, diagnostics);
@@ -54,7 +54,7 @@ struct ExternDecl {
     bool is_target() const { return !reads.empty(); }
 };
 
-// [static("surface", "cutout")] bool b; it is true if the value that it asks about is one of the words.
+// [static("surface", "cutout")] bool b; it is true if the value of "surface" is one of the listed words.
 struct StaticDecl {
     enum class About { Surface, Cull, Slot, Reads, Pass, Clip, UvOrigin };
     const nodelang::VariableDecl* variable = nullptr;
@@ -84,7 +84,7 @@ struct ForeignFunctionDecl {
 
 // A function that passes call and do not define.
 struct SlotDecl {
-    // Who provides the body.
+    // The origin of a slot's body.
     enum class Making {
         Graph,    // the material, its workflow or its lighting graph; or the slot's own body
         Part,     // [part("final", "sum.direct")]: the part of another slot that is linear in a value
@@ -161,8 +161,8 @@ struct PassDecl {
 
 // [gives("positionWS", "deferred-light")]: a recipe of a semantic, or a body of an [extern] function, for these passes
 // only, in both stages; with [fragment], in the fragment stage only. If no pass is named, it applies to all passes of
-// the same file, except where another one names the pass. Only in that case may it replace any function of the library,
-// and only in that case may it be a variable: a value that an included file declares, in place of an attribute or an
+// the same file, except where another one names the pass. If no pass is named, it may replace any function of the
+// library. Then it may also be a variable: a value that an included file declares, in place of an attribute or an
 // [extern] value.
 struct GivenDecl {
     std::string_view what;
@@ -176,13 +176,13 @@ struct GivenDecl {
     bool is_for(const PassDecl& pass) const;
 };
 
-// [wraps("position")] [with("tiles")] float4 f(float4 position): what every pass that draws from the camera has of that
-// kind goes through this function, while one of the switches is on.
+// [wraps("position")] [with("tiles")] float4 f(float4 position): while one of the switches is on, f changes every
+// position in every pass that draws from the camera.
 struct WrapDecl {
     enum class What {
         Position,  // of a vertex, in clip space
         Pixel,     // the builtin fragCoord
-        Reads,     // the place at which a target of the picture is read; by default, that of the pixel itself
+        Reads,     // the position at which a target of the picture is read; by default, that of the pixel
     };
     const nodelang::FunctionDecl* function = nullptr;
     What what = What::Position;
@@ -218,8 +218,8 @@ struct PathDeclarations {
     // The passes of a path that draw materials, in the order of its file.
     std::vector<const PassDecl*> passes_of(std::string_view path) const;
     std::vector<std::string_view> names() const;  // of the paths
-    // True if the pass may be in a frame of the path: as one of its passes, or of a path that it falls back to, or
-    // because a switch or a material adds it.
+    // True if a frame of the path can have the pass: as a pass of the path or of its fallback, or because a switch or a
+    // material adds it.
     bool is_drawn_along(std::string_view path, const PassDecl& pass) const;
     // The pass that draws the extra passes of materials: a pass of the path or, if it has none, of another path. Null
     // if there is none.

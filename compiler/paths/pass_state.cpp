@@ -1,5 +1,5 @@
-// Reads the attributes that say how a pass draws: checks their words, and stores their values as the reflection has
-// them.
+// Reads the attributes that say how a pass draws. Checks their words, and stores their values in the reflection's
+// types.
 #include <fmt/format.h>
 
 #include <algorithm>

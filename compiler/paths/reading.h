@@ -5,8 +5,8 @@
 
 namespace patina::paths {
 
-// Checks every declaration of the file: its structs, enums and variables (check_declarations.cpp), its functions
-// (check_functions.cpp), and the slots that are derived from others (check_slots.cpp).
+// Checks every declaration of the file: structs, enums and variables (check_declarations.cpp), functions
+// (check_functions.cpp), and slots that are derived from other slots (check_slots.cpp).
 void check_declarations(const nodelang::Ast& ast, const nodelang::Declarations& declarations, const SourceMap& sources,
                         const PathDeclarations& paths, Diagnostics& diagnostics);
 void check_functions(const nodelang::Ast& ast, const nodelang::Declarations& declarations, const SourceMap& sources,

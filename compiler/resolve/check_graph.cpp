@@ -115,7 +115,7 @@ void count_node(Session& session, const format::Node& node, const ResolvedNode& 
     session.stopped = true;
 }
 
-// Reports a sub-graph of so many levels, with those inside it, that is used too far inside others.
+// Reports a sub-graph with too many levels inside it for the level at which it is used.
 bool is_too_deep(Session& session, std::size_t levels, Span where) {
     if (session.active.size() + levels <= kMostLevels) return false;
     session.diagnostics.report(Code::TooDeep, where, kMostLevels)

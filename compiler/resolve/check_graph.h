@@ -1,6 +1,6 @@
 // Checks a graph: loads its files, finds the meaning of every node (a function, a sub-graph, an expression), resolves
-// ports and links, finds circles, and puts each node behind the nodes that it reads. Types are checked when the graph
-// is lowered (lower.h), where they are known.
+// ports and links, finds circles, and sorts the nodes so that each comes after the nodes that it reads. Types are
+// checked when the graph is lowered (lower.h), where they are known.
 #pragma once
 
 #include "compiler/resolve/session.h"
@@ -32,8 +32,8 @@ struct CheckedGraph {
     std::vector<bool> reachable(std::uint32_t node) const;
 };
 
-// The port that a preview shows, as one graph sees it: a link ("mask.amount"), or a port inside the sub-graph of a node
-// ("layers/mask.amount").
+// The port that a preview shows, as seen from one graph: a link ("mask.amount"), or a port inside the sub-graph of a
+// node ("layers/mask.amount").
 struct Shown {
     std::string_view text{};  // null: the port is not in this graph
     std::uint32_t base = 0;   // of the text in the source map

@@ -1,7 +1,7 @@
-// Warns of what a material states and does not use: lighting with a workflow that has none, alpha on an opaque surface,
-// a cut-off without cutout, a stencil that neither tests nor writes. If the graph itself states that the surface is
-// opaque, there is no warning of alpha and the cut-off: such a material has the inputs in common with similar ones of
-// other kinds. A graph whose materials choose the kind needs the inputs of all.
+// Warns of settings of a material without effect: lighting with a workflow that has none, alpha on an opaque surface, a
+// cut-off without cutout, a stencil that neither tests nor writes. If the graph itself sets an opaque surface, there is
+// no warning for alpha and the cut-off. Such a material often shares its inputs with similar materials of other kinds.
+// A graph whose materials choose the kind needs the inputs of all.
 #include <fmt/format.h>
 
 #include <algorithm>

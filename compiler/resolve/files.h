@@ -1,6 +1,6 @@
-// Finds and reads files through the caller's FileSystem. It remembers every answer, so that each file is asked for once
-// and a file that changes meanwhile is the same for everyone: compilations for several engines, or of several variants,
-// share a Files. What the caller's functions throw becomes an answer, too.
+// Finds and reads files through the caller's FileSystem. It stores every answer, so each file is requested once.
+// Compilations for several engines, or of several variants, share a Files, so a file that changes in between is the
+// same for all of them. What the caller's functions throw becomes an answer, too.
 //
 //   Files files(options);
 //   const Files::Answer& rust = files.read("rust.subgraph.json");   // its text, or why there is none
@@ -23,8 +23,8 @@ namespace patina::resolve {
 // ours, too: that exception goes on.
 bool succeeds(const std::function<void()>& call, std::string& why,
               std::string_view unknown = "the program's function failed");
-// The functions of disk(). Files knows them again by their types: it reads no more of a file than a compilation may
-// have, and tells texts of the disk from those of a program.
+// The functions of disk(). Files recognises them by their types. Then it reads no more of a file than the limits allow,
+// and distinguishes texts of the disk from those of a program.
 struct DiskPart {
     std::shared_ptr<const Root> root{};  // null: all of it, or what the process is confined to
     std::size_t most_bytes = 0;
@@ -68,7 +68,8 @@ public:
     const Answer& read(const std::string& path);
     const Answer& find(const std::string& path);
 
-    // A part that is compiled from its text is used by its name, and must not be what a file of that name holds.
+    // A part that is compiled from its text is used by its name. Then the text must be used, and not the file of that
+    // name.
     void give_part(const std::string& path, std::string text);
 
     // True if texts are those of files on the disk, which can be anything, and not of the program's own.

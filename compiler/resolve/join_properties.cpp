@@ -1,6 +1,5 @@
-// Joins the properties of all graphs into those of the material: decides which are the same property, and in what order
-// they lie. The names and the order of nodes do not count, so a rearranged graph keeps its block, its slots and its
-// ids.
+// Joins the properties of all graphs into those of the material: decides which properties are the same, and sorts them.
+// The names and the order of nodes do not matter. So a rearranged graph keeps its block, its slots and its ids.
 #include <algorithm>
 #include <map>
 #include <set>
@@ -185,7 +184,7 @@ class Collector {
 public:
     Collector(Session& session, const Material& material) : session_(session), material_(material) {}
 
-    // Each property once: the graph's own, in its order; then the files at its ports, by name; then those of its
+    // Each property once: first the graph's own, in its order; then the files at its ports, by name; then those of its
     // sub-graphs.
     const AllBrought& brought_by(const CheckedGraph& checked) {
         const auto [found, is_new] = known_.try_emplace(&checked);

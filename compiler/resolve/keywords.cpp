@@ -1,5 +1,5 @@
-// Keywords: properties that are known before a shader runs, because it is compiled for their values (variants) or
-// because its pipeline is made for them (specialization constants).
+// Keywords: properties whose value is known before a shader runs. Variants are known when it is compiled, and
+// specialization constants when its pipeline is made.
 #include <algorithm>
 
 #include "compiler/base/text.h"

@@ -60,7 +60,7 @@ public:
     const engines::Engine& get() const;
     // The errors in engine.json.
     const Diagnostics& diagnostics() const { return read().diagnostics; }
-    // Its own passes for one of its paths, if a compilation has read them without an error; else null.
+    // The engine's own passes for one of its paths, if a compilation has read the file without an error; else null.
     std::shared_ptr<const PassFile> passes(const std::string& path) const;
     void keep_passes(const std::string& path, std::shared_ptr<const PassFile> file) const;
 
@@ -101,7 +101,7 @@ struct Library {
     const engines::Engine* engine(std::string_view name) const;
 };
 
-// Whether nodes and their helpers are parsed when they are asked for, or all of them at once, to find their mistakes.
+// Whether nodes and their helpers are parsed on demand, or all of them at once, to find their errors.
 enum class Declared { WhenAsked, Whole };
 // The texts of `files` must outlive the library. With an overlay, all is read at once.
 std::unique_ptr<Library> load_library(std::span<const nodelang::EmbeddedFile> files, engines::Printable printable,

@@ -128,8 +128,8 @@ bool set_default(Session& session, format::Property& property, const Expr& value
     return true;
 }
 
-// Binds a lighting graph's property that is known when the graph is compiled: to its default, to a constant of the
-// material, or to a keyword of the material, which must have the same values.
+// Binds a lighting graph's property whose value is known when the graph is compiled. The value is its default, a
+// constant of the material, or a keyword of the material with the same values.
 void bind_variant(Session& session, Material& material, const format::Property& property,
                   const format::PortValue* input) {
     const Expr* value = input ? input->value : nullptr;

@@ -1,5 +1,5 @@
-// Finds and checks a material with all that it uses: its workflow, its lighting model, and the properties of its
-// uniform block (its own, those of its lighting graph and sub-graphs, and files named at ports).
+// Finds and checks a material with everything that it uses: its workflow, its lighting model, and the properties of its
+// uniform block. These are its own, those of its lighting graph and sub-graphs, and files named at ports.
 #pragma once
 
 #include <set>
@@ -32,8 +32,8 @@ struct Material {
     // Of a preview of a value that lighting computes or reads: it takes the place of the lighting graph's outputs. Its
     // value is null in other previews.
     format::PortValue shown_value{};
-    bool shows_all_light = false;  // a preview of what a lighting graph without a value of its own for it shows
-    Shown shown_in_lighting{};     // the port of the lighting graph that this reads; else null
+    bool shows_all_light = false;             // a preview of a value that the lighting graph does not compute itself
+    Shown shown_in_lighting{};                // the port of the lighting graph that this reads; else null
     const format::ExtraPass* pass = nullptr;  // the extra pass that this is; null: the material itself
 
     // The inputs that the surface may set: the workflow's and those that the lighting model declares.
@@ -122,8 +122,8 @@ std::vector<std::string_view> keyword_words(const format::Property& property);
 // Names of all keywords.
 std::vector<std::string_view> keyword_names(const Material& material);
 
-// Warns of nodes that neither the material nor its passes read, and of inputs that its kind of surface does not use
-// (check_render.cpp). Called only if there are no errors, because an error may be the reason.
+// Warns of nodes that neither the material nor its passes read, and of inputs that have no effect for its kind of
+// surface (check_render.cpp). Called only if there are no errors, because an error may be the reason.
 void warn_unused(Session& session, const Material& material);
 void warn_unheeded(Session& session, const Material& material);
 

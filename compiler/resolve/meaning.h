@@ -33,7 +33,7 @@ struct Operand {
 Meaning sum_of(const Operand& a, const Operand& b, bool is_plus);
 // a * b, or a / b
 Meaning product_of(const Operand& a, const Operand& b, bool is_division);
-// One of them, or what is between them.
+// One of the two, or a value between them.
 Meaning mix_of(const Operand& a, const Operand& b);
 
 }  // namespace patina::resolve

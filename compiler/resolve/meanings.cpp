@@ -24,7 +24,7 @@ using Kind = Meaning::Kind;
 constexpr std::array<std::pair<std::string_view, std::string_view>, 4> kSpaceWords = {
     {{"Object", "OS"}, {"World", "WS"}, {"View", "VS"}, {"Tangent", "TS"}}};
 
-// A value: what it is, and the textures whose colours it depends on.
+// A value: its meaning, and the textures on whose colours it depends.
 struct Value {
     Meaning meaning{};
     const format::Property* texel_of = nullptr;  // Kind::Texel
@@ -45,7 +45,7 @@ const Attribute* attribute_of(std::span<const Attribute> attributes, std::string
 // thousands.
 constexpr std::size_t kMostWalks = 64;
 
-// A graph while it is walked: the material's, its lighting graph, or a sub-graph at one of its places.
+// A graph during the walk: the material's, its lighting graph, or one use of a sub-graph.
 struct Walk {
     const CheckedGraph& graph;
     Values inputs{};  // of a sub-graph
@@ -165,7 +165,8 @@ private:
                 data_.emplace(value.texture, value.texture->name_span);
             else if (value.texture && argument.param->type.name.starts_with("Texture") &&
                      made.meaning.kind != Kind::Texel)
-                colors_.insert(value.texture);  // what a node does with it that says nothing of it is not known
+                colors_.insert(
+                    value.texture);  // a node that does not declare a meaning may use the texture for anything
             else
                 compare(value, wanted, argument.param->name, argument.where);
         }
@@ -199,8 +200,8 @@ private:
         return meaning_of(member);
     }
 
-    // A node that takes several vectors wants them in one space. Which one does not matter, but what it does not get
-    // is its default.
+    // A node that takes several vectors wants them in one space. All spaces are equally good, but a vector without a
+    // value has its default's space.
     void same_space(const FunctionDecl& function, std::span<const Argument> arguments) {
         std::vector<std::pair<Meaning, const Argument*>> vectors;  // with their defaults
         std::set<std::string_view> spaces;
@@ -265,7 +266,7 @@ private:
             Values made;
             for (const format::PortValue& output : inside.graph->outputs) {
                 if (output.value) made[output.name] = value_of(*output.value);
-                // A name that says what it is counts where the value does not say it.
+                // If the value has no known meaning, the output has the meaning of its name.
                 const Meaning said = meaning_of(output.name);
                 if (output.value) compare(made[output.name], said, output.name, output.value_span);
                 if (made[output.name].meaning.kind == Kind::Unknown) made[output.name].meaning = said;
@@ -373,12 +374,13 @@ private:
         if (DiagnosticRecord* record = warn_of_other(parts[1], wanted, sum.text, sum.args[1]->span)) record->at(node_);
     }
 
-    // What an operation makes of its operands.
+    // The meaning of the result of an operation, from the meanings of its operands.
     static Meaning meaning_of_parts(const Expr& expr, std::span<const Value> parts) {
         const auto operand = [&](std::size_t i) {
             return Operand{.meaning = parts[i].meaning, .is_constant = parts[i].is_constant};
         };
-        // A vector keeps its meaning if a number scales it, and so if a property does that is a strength.
+        // A vector keeps its meaning if a number scales it. So it also keeps its meaning if a property, used as a
+        // strength, scales it.
         const auto factor = [&](std::size_t i) {
             const bool is_strength = parts[i].texture && parts[i].texture->type == PropertyType::Float;
             return Operand{.meaning = parts[i].meaning, .is_constant = parts[i].is_constant || is_strength};

@@ -44,7 +44,7 @@ void enter_pass(format::Graph& graph, Shown& shown) {
     shown = shown.inside(name);
 }
 
-// The value covers what is behind it, unblended and whatever the depth and stencil buffers hold.
+// The value covers what is behind it: it is not blended, and the depth and stencil buffers have no effect.
 void draw_solid(format::Graph& graph) {
     format::RenderState render;
     render.cull = graph.render.cull;
@@ -117,7 +117,7 @@ const Expr* output_of(const format::Graph& lighting, std::string_view name) {
     return found == lighting.outputs.end() || has_node(lighting, name) ? nullptr : found->value;
 }
 
-// A slot that passes call with the sums of the others, and that a lighting graph may leave to its default.
+// A slot that passes call with the sums of the others, and that a lighting graph need not set.
 bool is_sum(Session& session, std::string_view name) {
     const paths::SlotDecl* slot = session.paths->slot(name);
     return slot && !slot->is_derived() && slot->function->has_body && slot->function->params.size() > 1;

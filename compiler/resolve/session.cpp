@@ -21,7 +21,8 @@ const engines::Engine& engine_of(const Library& library, const CompileOptions& o
 // To look for a file takes as long as so many steps.
 constexpr std::size_t kStepsOfAFile = 16;
 
-// What a failed compilation has looked for, so that who watches its files also sees that one of these appears.
+// The files for which a failed compilation has searched. A program that watches files must notice when one of them
+// appears.
 void add_missing(Session& session, const std::vector<std::string>& paths) {
     session.dependencies.insert(session.dependencies.end(), paths.begin(), paths.end());
 }
@@ -76,8 +77,8 @@ bool has_own_ending(std::string_view path) {
                        [&](std::string_view ending) { return path.ends_with(ending); });
 }
 
-// Whether a text of the disk may stand in messages. One that a graph names may be any file of the machine. It is ours
-// if its name says so, which is not the name that somebody gave to a link, or if it is a JSON object with the key
+// Whether a text of the disk may stand in messages. One that a graph names may be any file of the machine. The file is
+// of Patina if its name says so, with all links resolved. It is also of Patina if it is a JSON object with the key
 // "patina" or has the attribute of a node or a pass.
 bool is_ours(const std::string& path, std::string_view text) {
     if (has_own_ending(without_links(path))) return true;
@@ -211,7 +212,8 @@ std::optional<std::uint32_t> load_source(Session& session, const std::string& pa
         report_too_large(session, path, answer.text->size(), answer.why, where);
         return {};
     }
-    // What a user names is read, whatever its name is. But who names a folder has not seen where its links lead.
+    // A file that a user names is read under any name. But a user who names a folder does not know where its links
+    // lead.
     if ((where || has_own_ending(path)) && !may_be_quoted(session, path, *answer.text, where)) return {};
     const std::uint32_t base = session.sources.add(path, *answer.text);
     if (is_over_bytes(session, where ? where : Span{base, base})) return {};
@@ -264,8 +266,8 @@ void check_along(Session& session, const paths::PassDecl& pass) {
     }
 }
 
-// What the file's pass draws along the requested path: materials, only what materials add, or nothing. An engine
-// selects its own passes, so those of the library draw nothing there.
+// Decides what the file's pass draws along the requested path: materials, only what materials add, or nothing. An
+// engine selects its own passes, so those of the library draw nothing there.
 void choose_what_is_drawn(const Session& session, std::string_view own_path, paths::PassDecl& pass) {
     if (pass.path != session.path) {
         if (session.engine.has_own_passes()) pass.draws_extra = false;

@@ -1,8 +1,8 @@
 // The room `resolve` finds what a material is made of (files, nodes, models, properties) and checks it. It reports
 // unknown names and circles. It checks no types, makes no IR, and does not know how a pass is drawn.
 //
-// A Session is the state of one compilation: its sources, diagnostics, the files that it read, and the graphs and node
-// files that it loaded. Files are searched in the folder of the file that names them, then in the include folders.
+// A Session is the state of one compilation: its sources, its diagnostics, the files that it read, and the graphs and
+// node files that it loaded. Files are searched in the folder of the file that names them, then in the include folders.
 #pragma once
 
 #include <deque>
@@ -87,8 +87,8 @@ std::string require_source(Session& session, const std::string& name, const std:
 // The same for a graph that is compiled later, by its path alone.
 std::string require_graph(Session& session, const std::string& name, const std::string& from, Span where);
 // Loads a file's text into the source map and adds the file to the dependencies. Reports at `where` if it cannot be
-// read. A file of the disk that a text names (`where` is set) can be any file of the machine: if it is not one of
-// ours, it is refused as a whole, so that no message quotes it.
+// read. A file of the disk that a text names (`where` is set) can be any file of the machine. If it is not a file of
+// Patina, it is refused completely, so that no message quotes it.
 std::optional<std::uint32_t> load_source(Session& session, const std::string& path, Span where);
 // Reports at `where` that the texts are more than the program allows. True if they are.
 bool is_over_bytes(Session& session, Span where);

@@ -1,4 +1,4 @@
-// Puts a lighting graph or a sub-graph into the smallest material that uses it, so that it can be checked on its own.
+// Puts a lighting graph or a sub-graph into the smallest material that uses it, to check it alone.
 #pragma once
 
 #include "compiler/resolve/session.h"

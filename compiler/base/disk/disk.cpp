@@ -109,8 +109,8 @@ private:
         if (root && !is_inside(*root, path, there)) refuse(outside(*root));
     }
 
-    // Somebody may have put a link into the place of a folder meanwhile: the system knows where the open file is. If it
-    // does not tell, the file must be the one at the path that was found.
+    // Somebody may have put a link into the place of a folder meanwhile: the system knows where the open file is. If
+    // the system does not say, root.find() must find the same file at the path again.
     bool is_inside(const Root& root, const std::string& path, const struct stat& there) const {
         std::error_code error;
         const fs::path real = fs::read_symlink("/proc/self/fd/" + std::to_string(descriptor_), error);

@@ -1,7 +1,7 @@
-// Files of the disk. All of the project reads them through these functions, and tests/layering.cmake checks that no
-// other file opens one. What is read is a regular file: a device, a FIFO or a folder is refused before it is opened,
-// and looked at again when it is open. No more is read than the caller allows, whatever the size that the system tells.
-// If reading is confined to a root, nothing outside of it is read, found or listed.
+// Files of the disk. The whole project reads files through these functions, and tests/layering.cmake checks that no
+// other file opens one. Only regular files are read. A device, a FIFO or a folder is refused before it is opened, and
+// the check is repeated when the file is open. At most as many bytes are read as the caller allows, whatever size the
+// system reports. If reading is confined to a root, nothing outside of it is read, found or listed.
 //
 //   DiskFile file = read_disk("rust.graph.json", 1 << 20);
 //   if (file.bytes) use(*file.bytes);
@@ -21,14 +21,14 @@ struct DiskFile {
     std::optional<std::string> bytes{};
     std::string why{};          // why there are none; empty: there is no such file
     std::uint64_t size = 0;     // of the file, as far as it is known
-    bool is_too_large = false;  // it has more bytes than were allowed: none of them are kept
+    bool is_too_large = false;  // the file has more bytes than allowed; `text` is empty
 };
 
 // The limit for texts, of this project and of others.
 inline constexpr std::uint64_t kMostTextBytes = std::uint64_t{64} << 20;
 
-// In these functions, `root` null stands for that of the process. Only what the program itself has written or keeps,
-// and no file that was made elsewhere names, is read with this one, which holds all of the disk.
+// In these functions, if `root` is null, the root of the process is used. This root holds all of the disk. It is only
+// for files that the program itself writes or owns, and that no file from elsewhere names.
 const Root* anywhere();
 
 // The whole file.
@@ -42,8 +42,8 @@ bool is_on_disk(const std::string& path, const Root* root = nullptr);
 // False for a folder that must not be listed.
 bool is_folder_on_disk(const std::string& path, const Root* root = nullptr);
 
-// The path of a file that is there, with all links followed: what it is called by those who did not choose the name of
-// a link. The path itself, if it is no link.
+// The path of an existing file with all links resolved, for messages to users who did not choose the name of a link.
+// The path itself, if it is no link.
 std::string without_links(const std::string& path);
 
 // Why the path must not be read; empty: it may be. "it is outside of the root folder 'art'"

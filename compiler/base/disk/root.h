@@ -1,6 +1,6 @@
 // A folder that reading is confined to: what a path means inside of it, through all symbolic links and "..". Nothing
-// outside of the folder is looked at, so an answer does not even tell what is there. Writing is not confined to it, but
-// its links, which a stranger may have made, do not choose where outside of it a file is written.
+// outside of the folder is looked at, so an answer does not even tell what is there. Writing is not confined to the
+// folder. But a link in the folder, which may be untrusted, cannot choose a file outside to be written.
 //
 //   const Root root("art");
 //   root.find("art/rust.png");               // "/home/me/art/textures/rust.png", if it is a link to that

@@ -1,4 +1,4 @@
-// Functions and constructors that the language itself has, and what they need of the place where they are called.
+// Functions and constructors of the language itself, and their requirements for the place of the call.
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -1,8 +1,8 @@
 // The room `emit/operations` emits what computes something of its operands. It emits no statement and no call of a
 // node.
 //
-// The kinds of expression that compute something of their operands: members (members.cpp), operators (operators.cpp),
-// and the functions and constructors that the language itself has (intrinsics.cpp).
+// Expressions that compute something from operands: members (members.cpp), operators (operators.cpp), and the functions
+// and constructors of the language itself (intrinsics.cpp).
 #pragma once
 
 #include "compiler/emit/emit.h"

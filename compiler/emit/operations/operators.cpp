@@ -58,7 +58,7 @@ Typed enum_operand(Emitter& emitter, const Expr& expr, const std::vector<std::st
 }
 
 // What HLSL converts before the kinds of the two sides are made the same.
-// These are not inlined: what they keep on the stack would be there for every level of an expression.
+// These are not inlined: otherwise each level of an expression would have their variables on the stack.
 [[gnu::noinline]] void hlsl_operands(std::string_view op, bool are_bools, std::array<Typed, 2>& sides, Scope& scope) {
     const bool divides = op == "/" || op == "%", both_whole = (sides[0].is_whole || sides[0].type.is_integer()) &&
                                                               (sides[1].is_whole || sides[1].type.is_integer());
@@ -76,7 +76,7 @@ Typed enum_operand(Emitter& emitter, const Expr& expr, const std::vector<std::st
             wanted = Scalar::Int;
         if (wanted != side.type.scalar) side = hlsl_cast(side, side.type.with_scalar(wanted), scope);
     }
-    // What is shifted keeps its kind.
+    // The left operand of a shift keeps its kind.
     if ((op == "<<" || op == ">>") && sides[0].type.is_integer() && sides[1].type.is_integer())
         sides[1] = hlsl_cast(sides[1], sides[1].type.with_scalar(sides[0].type.scalar), scope);
 }

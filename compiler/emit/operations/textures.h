@@ -1,5 +1,5 @@
-// Textures as values: a struct of the texture, its sampler and what is known of its size, and the methods that sample
-// it. make_texture() is public (emit.h).
+// Textures as values: a struct of the texture, its sampler and its size, if known, and the methods that sample it.
+// make_texture() is public (emit.h).
 #pragma once
 
 #include "compiler/emit/emit.h"

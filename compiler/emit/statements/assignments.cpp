@@ -17,7 +17,7 @@ using ir::Value;
 
 namespace {
 
-// Each name is looked for among them, and each branch compares all of them.
+// Each name is searched among them, and each branch compares all of them.
 constexpr std::size_t kMostVariables = 4096;
 
 // HLSL: assigns to an element whose index is known only when the shader runs. Each element is the new value or stays.

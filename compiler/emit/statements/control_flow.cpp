@@ -161,8 +161,8 @@ bool if_statement(Emitter& emitter, const Stmt& stmt, const Statements& list, st
     return false;
 }
 
-// Rounds of nested loops multiply, in called functions too, and so do calls in functions that are called: functions
-// that each call the next one twice. All of them must end in a reasonable time.
+// Rounds of nested loops multiply, also in called functions. So do calls, if functions call each other: each one calls
+// the next one twice. All of them must end in a reasonable time.
 void count_rounds(Emitter& emitter, double rounds, Scope& scope, Span span) {
     const bool was_fine = scope.rounds <= kMaxRounds;
     scope.rounds += scope.rounds_around * rounds;

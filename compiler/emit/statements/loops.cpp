@@ -1,5 +1,5 @@
-// The loops of HLSL. A loop whose rounds can be counted becomes a For over them. Any other one becomes a For over at
-// most kOpenRounds rounds that carries a bool, and ends when it is false.
+// The loops of HLSL. A loop whose rounds can be counted becomes a For over them. Any other loop becomes a For with at
+// most kOpenRounds rounds. It carries a bool, and ends when the bool is false.
 #include <algorithm>
 #include <cmath>
 #include <utility>

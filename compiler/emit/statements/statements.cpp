@@ -13,7 +13,7 @@ using ir::Value;
 
 namespace {
 
-// Something that stands alone: a call for its outputs.
+// An expression as a statement: a call for its outputs.
 void evaluate(Emitter& emitter, const Expr& expr, Scope& scope) {
     (void)expression(emitter, expr, scope);
 }

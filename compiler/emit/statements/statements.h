@@ -1,8 +1,8 @@
 // The room `emit/statements` emits statements. It parses nothing and knows no graph.
 //
-// Statements -> structured SSA. A variable is the value that it holds now, so an assignment emits no instruction; an If
-// yields what its branches assigned, and a For carries it. In four files: statements.cpp, control_flow.cpp (if, for),
-// loops.cpp (the loops of HLSL) and assignments.cpp (declarations, assignments).
+// Statements -> structured SSA. A variable is its present value, so an assignment emits no instruction. An If yields
+// the variables that its branches assigned, and a For carries them. In four files: statements.cpp, control_flow.cpp
+// (if, for), loops.cpp (the loops of HLSL) and assignments.cpp (declarations, assignments).
 #pragma once
 
 #include "compiler/emit/emit.h"

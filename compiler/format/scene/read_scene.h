@@ -1,5 +1,5 @@
-// Makes a SceneFile of a JSON tree: reads every key, checks its words and numbers, finds the files that it names
-// (without opening them), and resolves the material of each object.
+// Makes a SceneFile from a JSON tree. Reads every key, checks its words and numbers, finds the files that the scene
+// names without opening them, and resolves the material of each object.
 #pragma once
 
 #include <functional>
