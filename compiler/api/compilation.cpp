@@ -93,8 +93,7 @@ bool link_materials(Compilation& c) {
     return true;
 }
 
-// Targets for values that this material does not hand to its other passes are not written. All passes must be there to
-// know that.
+// Removes targets whose values no other pass of this material reads. All passes must be there to know that.
 void leave_out_targets(Compilation& c, std::size_t material, std::size_t first_pass) {
     const PassesRequest* request = c.session.options.passes();
     if (!request || !request->only.empty()) return;

@@ -1,4 +1,4 @@
-// The room `api` implements the public classes (patina/*.h): it turns a request into calls of the other rooms, and
+// The room `api` implements the public classes (patina/*.h). It turns a request into calls of the other rooms, and
 // their results into public values. It compiles nothing itself.
 //
 // A Compilation is the state that the steps of compile.cpp share. Each step is a function here, which does little more

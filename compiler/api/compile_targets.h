@@ -11,9 +11,8 @@ namespace patina {
 // Compiles with targets of one engine.
 using CompileForEngine = std::function<Result(const CompileOptions&)>;
 
-// Engines that draw the library's paths come first: their reflection becomes that of the whole, with its switches of
-// passes. An engine with passes of its own compiles all combinations of variants into its file, and ignores switches of
-// passes.
+// Engines that draw the library's paths come first. The result has their reflection, with its switches of passes. An
+// engine with passes of its own compiles all combinations of variants into its file, and ignores switches of passes.
 Result compile_targets(const resolve::Library& library, const CompileOptions& options, const CompileForEngine& compile);
 
 // True if the program has cancelled the compilation, which then says so.

@@ -22,8 +22,8 @@ using nodelang::Expr;
 
 namespace {
 
-// Outside a graph there is no mesh and no camera, so a port that would read them needs an argument, and an expression
-// a name with a value.
+// Outside a graph there is no mesh and no camera. So a port that would read them needs an argument, and an expression
+// needs a name with a value.
 class NoGraph : public emit::Environment {
 public:
     enum class Asked { Node, Expression };

@@ -7,8 +7,7 @@
 
 namespace patina {
 
-// What the evaluations of one call may take together: a test line can call functions that call others without end in
-// sight.
+// The most work for all evaluations of one call: a test line can call functions that call others almost without end.
 struct Effort {
     static constexpr std::uint64_t kMostSteps = 1u << 26;  // a second or two
 

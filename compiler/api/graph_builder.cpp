@@ -1,4 +1,4 @@
-// GraphBuilder: a graph in code becomes the text that its file would have, so that one reader checks both.
+// GraphBuilder: a graph in code becomes the text that its file would have. So the same reader checks both.
 #include "patina/graph_builder.h"
 
 #include <cmath>

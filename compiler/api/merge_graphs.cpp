@@ -77,7 +77,7 @@ std::vector<Diagnostic> errors_of(const Compiler& compiler, const MergeOptions& 
     return errors;
 }
 
-// A scene is not compiled, nor is a workflow by itself. What their own parts call each other is known without other
+// A scene is not compiled, nor is a workflow by itself. Errors in how its parts use each other are found without other
 // files.
 std::vector<Diagnostic> errors_of_form(const MergeOptions& options, const std::string& text) {
     const std::unique_ptr<edit::GraphText> read = edit::read_graph_text(options.path, text);

@@ -1,4 +1,4 @@
-// The functions of patina/patina_c.h that compile: each calls one of patina::Compiler and keeps what it returns.
+// The functions of patina/patina_c.h that compile. Each calls a function of patina::Compiler and stores its result.
 // variants.cpp, scene.cpp and lists.cpp have the others.
 #include <memory>
 #include <optional>
@@ -25,7 +25,8 @@ std::optional<std::string> answer(patina_reply reply) {
 }
 
 void use(const patina_callbacks& given, CompileOptions& options) {
-    // A program whose own function reads also says what is there, and not the disk: by the other one, or by reading.
+    // If the program's own function reads, then the program also decides which files exist, and not the disk: by its
+    // `exists`, or by reading.
     if (given.read) {
         options.files.exists = nullptr;
         options.files.read = [given](const std::string& path) {

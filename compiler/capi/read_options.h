@@ -13,7 +13,7 @@
 
 namespace patina::capi {
 
-// Sets what the text states. Returns what is wrong with it; its places are in a file called "options".
+// Sets what the text states. Returns the errors in the text; their locations are in a file called "options".
 std::vector<Diagnostic> read_options(const Compiler& compiler, std::string text, CompileOptions& options);
 
 }  // namespace patina::capi

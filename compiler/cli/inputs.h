@@ -29,7 +29,7 @@ struct Input {
 
 struct Inputs {
     std::vector<Input> files{};
-    std::vector<std::string> folders{};  // that were searched for them; what is put into one is a new input
+    std::vector<std::string> folders{};  // that were searched for them; a file that is added to one is a new input
     Exit exit = Exit::Ok;                // Wrong: some were not found
 };
 
@@ -49,22 +49,24 @@ void require_inputs(const InputArguments& arguments);
 Inputs find_inputs(const Console& console, const InputArguments& arguments,
                    std::initializer_list<std::string_view> endings);
 
-// The files of a folder and below it. None if it is no folder; not those of folders that cannot be read.
+// The files of a folder and below it. None if it is no folder. Folders that cannot be read are left out.
 std::vector<Input> inputs_below(const std::string& folder, std::initializer_list<std::string_view> endings);
 
 // Leaves one of those that are the same file. A symbolic link to a file is a file of its own.
 void take_out_repeated(std::vector<Input>& inputs);
 
-// Takes out those that would write one file, and reports them. Throws the usage error if the command line names both.
+// Removes inputs that would write the same file, and reports them. Throws the usage error if the command line names
+// both.
 Exit take_out_equal_outputs(const Console& console, std::vector<Input>& inputs, std::string_view ending,
                             std::string_view verb);
 
-// What has no place in a file, such as -D with a name that this graph does not have, is said of the graph.
+// Errors without a location in a file, such as -D with a name that this graph does not have, get the graph as their
+// file.
 void name_graph(std::vector<Diagnostic>& diagnostics, const std::string& graph);
 
 // `make` runs on several threads; `finish`, which prints and writes, on one at a time and in the inputs' order. The
-// exit code is the greatest one that `finish` returns. What is thrown for one input is reported for it, and the others
-// are worked on all the same.
+// exit code is the greatest one that `finish` returns. An exception for one input is reported for it, and the work on
+// the other inputs continues.
 template <class Make, class Finish>
 Exit work_on(const Console& console, const std::vector<Input>& inputs, int jobs, const Make& make,
              const Finish& finish) {

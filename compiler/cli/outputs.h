@@ -1,6 +1,6 @@
 // The files that one command writes. Each write is all or nothing (runtime/files), and no file of the user's is lost
-// without a word: two outputs of one name are refused, and so are outputs that would replace the reference picture of a
-// snapshot or a file that the output is made from.
+// silently. Two outputs of one name are refused. An output is also refused if it would replace the reference picture of
+// a snapshot or a file from which it is made.
 //
 //   Outputs outputs(console);
 //   for (const std::string& graph : graphs) {

@@ -1,8 +1,8 @@
 // The room `cli` is the command line. It reads options, calls the library and prints. It computes nothing itself.
 //
-// The command line as a whole: a list of subcommands, each with its options and the function that does its work.
-// CLI11 parses it. This adds one form for mistakes in it ("did you mean ...?", exit code 2) and the options that all
-// subcommands have.
+// The command line as a whole: a list of subcommands, each with its options and the function that does its work. CLI11
+// parses it. This class adds one form for errors in the command line ("did you mean ...?", exit code 2) and the options
+// that all subcommands have.
 //
 // This folder: the program `patina` (main.cpp) and what all commands share (this file, console.h, files.h, inputs.h,
 // outputs.h). failures/ says what was thrown, commands/ holds a file for each command, compile/ what `patina compile`
@@ -48,8 +48,8 @@ Exit turn_into(Home home, char** argv);
 // A row of commands.def, or null.
 const CommandInfo* find_command(std::string_view name);
 
-// How scenes are checked; false: something is wrong with one, and it has been reported. Each of its materials, as it is
-// compiled for the scene, is given to the other check, which answers in the same way.
+// How scenes are checked; false: something is wrong with one, and it has been reported. The other check gets each of
+// the scene's materials, compiled for the scene, and answers in the same way.
 using MaterialCheck = std::function<bool(const std::string& graph, const Result&)>;
 using SceneCheck = bool (*)(const Console&, const Compiler&, const std::string& scene, const CompileOptions&,
                             const MaterialCheck&);

@@ -1,4 +1,4 @@
-// Ops that work component by component, and conversions: tables from op to what it means, one line each.
+// Ops that work component by component, and conversions: tables from an op to its meaning, one line each.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -62,8 +62,8 @@ constexpr Meaning whole(Op op, F) {
     return {op, map_whole<Scalar::Int, F>, map_whole<Scalar::Uint, F>};
 }
 
-// Of a NaN and a number, min and max give the number, as IEEE 754's minNum does and GPUs commonly do; so clamp and
-// saturate of NaN give the lower limit. Not std::fmin: the call costs ten times the comparison.
+// Of a NaN and a number, min and max return the number, as IEEE 754's minNum and most GPUs do. So clamp and saturate of
+// NaN return the lower limit. Not std::fmin: the call costs ten times the comparison.
 constexpr auto minimum = [](auto x, auto y) { return y < x || x != x ? y : x; };
 constexpr auto maximum = [](auto x, auto y) { return x < y || x != x ? y : x; };
 constexpr auto saturate = [](auto x) { return minimum(maximum(x, decltype(x)(0)), decltype(x)(1)); };

@@ -1,6 +1,7 @@
 // The room `interpret` executes IR on four lanes (a 2x2 quad of pixels), to check what GPUs compute. It has arithmetic
-// of its own, shares no code with the compiler's folding, and knows no node by name: what an op does is a row of a
-// table. patina/interpret.h is its public face; that, the doc tests and `eval` call what is declared here.
+// of its own and shares no code with the compiler's folding. It knows no node by name: the meaning of an op is a row of
+// a table. Its public header is patina/interpret.h. The public class, the doc tests and `eval` call the functions
+// below.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// The memory of a machine seen from outside: how a value lies in it, and what is put in before it runs.
+// The memory of a machine for its callers: the layout of a value, and writing values before the machine runs.
 #include "compiler/interpret/machine.h"
 
 #include <algorithm>

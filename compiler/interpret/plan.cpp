@@ -1,5 +1,4 @@
-// Gives the values of a function, and of those that it calls, their places in memory, and turns instructions into
-// steps.
+// Assigns memory to the values of a function and of the functions that it calls, and turns instructions into steps.
 #include <algorithm>
 
 #include "compiler/interpret/interpret.h"
@@ -142,7 +141,7 @@ Slot Planner::total_size(std::span<const Value> values) const {
     return static_cast<Slot>(sum);
 }
 
-// A callee stands before its callers, so one walk back finds all.
+// A callee comes before its callers, so one walk backwards finds all.
 void Planner::find_called(ir::FunctionId entry) {
     functions_[entry.index].is_called = true;
     for (std::uint32_t i = entry.index + 1; i-- > 0;) {

@@ -36,7 +36,7 @@ void store(const Step& step, Machine& machine, unsigned lane, const Texel& texel
     }
 }
 
-// The state is that of the texture data that is bound to the sampler; if there is none, that of the texture.
+// The sampler state is that of the texture data bound to the sampler. If none is bound, it is the state of the texture.
 Reader make_reader(const Step& step, const Machine& machine, const TextureData& texture, unsigned lane) {
     const TextureData* state = bound(step, machine, 1, lane);
     const Sampler& sampler = state ? state->sampler : texture.sampler;
@@ -61,7 +61,7 @@ double level_of(const Reader& reader, const Direction& at, const Direction& dx, 
     return flat_level(reader, {dx[0], dx[1]}, {dy[0], dy[1]});
 }
 
-// The numbers of a place, or of its derivative; those that the kind lacks are 0.
+// The components of a coordinate, or of its derivative; components that the kind lacks are 0.
 template <Kind kind>
 Direction numbers(const Step& step, const Machine& machine, unsigned which, unsigned lane, bool is_derivative) {
     const bool has_two = kind == Kind::Texture2D || (kind == Kind::Texture2DArray && is_derivative);

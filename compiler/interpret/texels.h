@@ -1,5 +1,5 @@
-// Texture reads, as Vulkan describes them ("Texel Input Operations"), on RGBA texels in linear floats: the texels of
-// one place at a level, filtered, and the level that a footprint asks for.
+// Texture reads, as Vulkan describes them ("Texel Input Operations"), on RGBA texels in linear floats: the filtered
+// texels at one coordinate of a level, and the level for a footprint.
 //
 // Left out: anisotropy (a footprint that is longer than wide is sampled as a square, so such places are blurrier than
 // on a GPU).

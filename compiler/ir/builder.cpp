@@ -24,7 +24,8 @@ std::uint32_t hash_of(Type type) {
     return mix(mix(0x5bd1e995u, shape), type.ref);
 }
 
-// Operands are hashed in their order, but those of a commuting op by their index, so that a + b and b + a are equal.
+// Operands are hashed in order, except those of a commuting op, which are sorted by index. So a + b and b + a are
+// equal.
 std::uint32_t hash_of(Op op, Type type, std::span<const Value> args, std::uint32_t data) {
     std::uint32_t hash = mix(mix(hash_of(type), static_cast<std::uint32_t>(op)), data);
     if (has(op, Commutes)) {
@@ -134,7 +135,8 @@ void Builder::check_rule([[maybe_unused]] Op op, [[maybe_unused]] Type type,
 
 Value Builder::emit(Op op, Type type, std::span<const Value> args, std::uint32_t data) {
     check_rule(op, type, args);
-    // Operands that are those of another instruction would move while this one is appended, so they are copied.
+    // The operands may be stored with another instruction and would move while this one is appended, so they are
+    // copied.
     const Value* const operands = function_.operands.data();
     if (!args.empty() && args.data() >= operands && args.data() < operands + function_.operands.size()) {
         const std::vector<Value> copy(args.begin(), args.end());

@@ -1,7 +1,7 @@
-// Makes the instructions of one function. Emission and passes make all instructions here (ir.h names two exceptions),
-// so that folding, identities and value numbering happen once, when an instruction is made: emit() returns an existing
-// value when it can. If BuildOptions::fold is off, emit() makes exactly the instruction that was asked for; the
-// interpreter runs such functions.
+// Makes the instructions of one function. Emission and passes make all instructions here (ir.h names two exceptions).
+// So folding, identities and value numbering happen once, when an instruction is made: emit() returns an existing value
+// when it can. If BuildOptions::fold is off, emit() makes exactly the instruction that was asked for; the interpreter
+// runs such functions.
 //
 //   Builder b(module, function, {});
 //   Value two = b.constant(kFloat, {2.0});
@@ -33,7 +33,7 @@ public:
 
     // --- values. `type` is checked against the op's rule in debug builds.
     Value emit(Op op, Type type, std::span<const Value> args, std::uint32_t data = 0);
-    // As emit(), for an instruction that cannot be simplified any more: only an equal one is looked for.
+    // As emit(), for an instruction that cannot be simplified any more: it is only compared with existing ones.
     Value emit_settled(Op op, Type type, std::span<const Value> args, std::uint32_t data) {
         return emit_numbered(op, type, args, data, true);
     }
@@ -79,7 +79,7 @@ public:
     OriginId origin() const { return origin_; }
     // Gives the value a name hint, unless it has one or is a leaf.
     void name(Value value, NameId name);
-    // Gives the value a name hint instead of the one that it may have, unless it is a leaf.
+    // Replaces the value's name hint, if it has one, unless the value is a leaf.
     void rename(Value value, NameId name);
 
     // --- looking at what is there
@@ -130,8 +130,8 @@ private:
 // An existing or newly made value that equals op(args), or null (identities.cpp).
 Value simplify(Builder& b, Op op, Type type, std::span<const Value> args, std::uint32_t data);
 
-// The components of op applied to constant operands, or false if it must not be folded: it has an effect, or the result
-// is NaN, infinite or not defined (fold.cpp).
+// The components of op applied to constant operands. False if it must not be folded: the op has an effect, or the
+// result is NaN, infinite or not defined (fold.cpp).
 bool fold_constant(Op op, Type type, std::span<const Type> operand_types,
                    std::span<const std::span<const double>> operands, std::uint32_t data, std::vector<double>& out);
 

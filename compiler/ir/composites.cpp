@@ -88,7 +88,7 @@ Value swizzle_of(Builder& b, Value vector, std::span<const unsigned> components)
     return is_identity ? vector : b.swizzle(vector, components);
 }
 
-// If the components stand side by side in one vector: the swizzle of it.
+// If the components are parts of one vector: its swizzle.
 Value gather(Builder& b, std::span<const Component> components) {
     std::array<unsigned, 4> indices{};
     for (std::size_t i = 0; i < components.size(); i++) {

@@ -1,5 +1,5 @@
-// The part of simplify() for composites that are put together and taken apart again: what is extracted from a construct
-// is the part that was put in. No arithmetic is simplified here.
+// The part of simplify() for composites that are built and taken apart again: an extract from a construct is the part
+// from which the composite was built. No arithmetic is simplified here.
 //
 //   extract(construct(a, b), 1) = b        swizzle(swizzle(v, yzx), xy) = swizzle(v, yz)
 #pragma once

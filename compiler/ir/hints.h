@@ -1,6 +1,6 @@
-// What a value's name hint says. A hint of the author's is a plain word. A value that an inlined call brought in knows
-// the function, too: the printer names the result of a call that nobody named after the function, and tells two locals
-// of one name apart by it instead of by a number.
+// What a value's name hint says. A hint of the author's is a plain word. A value from an inlined call also knows the
+// function. If nobody named the result of the call, the printer names it after the function. It also uses the
+// function's name, instead of a number, to distinguish two locals of one name.
 //
 //   NameId m = inlined_local(module, "SchlickWeight", module.intern("m"));
 //   hint_of(module, m)       // name "m", callee "schlickWeight": on a clash it is schlickWeightM
@@ -19,7 +19,7 @@ struct Hint {
 };
 Hint hint_of(const Module& module, NameId id);
 
-// A named value in the body of a function that is inlined. What knows its function already keeps it.
+// A named value in the body of a function that is inlined. If a name has its function already, it does not change.
 NameId inlined_local(Module& module, std::string_view callee, NameId name);
 // The result of a call that nobody named; `name` is what the function calls it.
 NameId inlined_result(Module& module, std::string_view callee, NameId name);

@@ -2,11 +2,12 @@
 // language. It knows nothing of graphs, of the node language, of GLSL or HLSL, or of engines. It stores text for them
 // (names, registers, semantics, spellings) and never reads it.
 //
-// A Module holds functions. A Function is one structured block of instructions in SSA form: an instruction is a value,
-// computed once, used by those after it in its own block or in blocks nested in it. There are no jumps: `If` and `For`
-// own blocks, and their blocks end in a Yield whose operands become the Results of the If or For. Everything is pure
-// except Yield, Return and DiscardIf. Derivatives, and samples that need derivatives, may not be moved into control
-// flow. Types are values (types.h); what each op means and takes is ops.def. The textual dump (dump.h) reads like this:
+// A Module holds functions. A Function is one structured block of instructions in SSA form. An instruction is a value
+// that is computed once. Later instructions of its block, and of blocks nested in that, can use it. There are no jumps:
+// `If` and `For` own blocks, and their blocks end in a Yield whose operands become the Results of the If or For.
+// Everything is pure except Yield, Return and DiscardIf. Derivatives, and samples that need derivatives, may not be
+// moved into control flow. Types are values (types.h); what each op means and takes is ops.def. The textual dump
+// (dump.h) reads like this:
 //
 //   func tint(uv0: float2 pixel) -> float4 {
 //     %0 = param float2 uv0
@@ -18,10 +19,10 @@
 //
 // Lifetime is the Module's: everything is an index into one of its vectors.
 //
-// An IR pass does not edit the instructions of a function in place: it rebuilds the function through a Builder
-// (builder.h), which finds what can be folded now. There are two exceptions. If functions have moved,
-// renumber_calls() (rebuild.h) corrects the indices in calls. link() and make_instanced() replace reads of semantics
-// and globals in place, because a rebuilt function would lose its probes.
+// An IR pass does not edit the instructions of a function in place. It rebuilds the function through a Builder
+// (builder.h), which folds again. There are two exceptions. If functions have moved, renumber_calls() (rebuild.h)
+// corrects the indices in calls. link() and make_instanced() replace reads of semantics and globals in place, because a
+// rebuilt function would lose its probes.
 #pragma once
 
 #include <cstdint>
@@ -77,10 +78,10 @@ struct Param {
     bool is_unit = false;      // as Semantic::is_unit
 };
 
-// Who calls or defines a function outside of its module.
+// Which code outside of the module calls or defines a function.
 enum class Linkage : std::uint8_t {
     Internal,  // nobody: its signature may change
-    Exported,  // other texts call it: only parameters of semantics that it does not read may go
+    Exported,  // other texts call it: only unread parameters of semantics may be removed
     External,  // another text defines it: its body here means nothing, and its signature must stay
     Foreign,   // an included file defines it: as External, and the text does not declare it
     Verbatim,  // its definition is text (ForeignCode), which only some languages can take: as External otherwise
@@ -102,14 +103,14 @@ struct Probe {
     Span span{};
 };
 
-// A line that a pass adds at a named place of the stage's text, where an engine compiles the file and needs lines of
+// A line that a pass adds at a named position of the stage's text, if an engine compiles the file and needs lines of
 // its own: {"include", "AutoLight.cginc"}. The writer of the engine's files knows the places.
 struct StageText {
     std::string place{}, line{};
 };
 
 // Functions as text that nothing here reads. The last of them has the name, the parameters and the result of the
-// Function; if its result is a struct, it has an `out` parameter for each member instead, behind the others.
+// Function. If the result is a struct, the text has an `out` parameter for each member instead, after the others.
 struct ForeignCode {
     static constexpr std::uint32_t kEnd = 0xffffffffu, kOwn = 0;
     struct Part {
@@ -135,8 +136,8 @@ struct Function {
     bool always_inline = false;      // recipes and pass bodies: their instructions are copied to where they are called
     bool inline_if_shorter = false;  // a sub-graph: it is a function only where that makes the text shorter
     Linkage linkage = Linkage::Internal;
-    // Foreign: how a call is written, "MACRO({0}, {1})". If it contains {result}, it is one or more statements that
-    // declare the result. Empty: a call is written as usual.
+    // Foreign: how a call is written, "MACRO({0}, {1})". If it contains {result}, it consists of one or more statements
+    // that declare the result. Empty: a call is written as usual.
     std::string spelling{};
     std::vector<StageText> texts{};  // Foreign: lines that a stage needs if it calls the function
     bool is_of_object = false;       // Foreign: its result depends on the object that is drawn
@@ -177,8 +178,8 @@ struct Constant {
     std::uint32_t first = 0;  // into Module::numbers; type.components() of them
 };
 
-// A bool, or an enum as an int, that is known before a shader runs: a specialization constant, or a keyword of an
-// engine that compiles the text once for each value.
+// A bool, or an enum as an int, whose value is known before a shader runs: a specialization constant, or a keyword of
+// an engine that compiles the text once for each value.
 struct Keyword {
     std::string property{};
     std::optional<std::uint32_t> constant_id{};  // of a specialization constant
@@ -186,7 +187,7 @@ struct Keyword {
     std::vector<std::string> values{};           // of an enum: its words
 };
 
-// Who gives a global its value.
+// The source of a global's value.
 enum class Group : std::uint8_t {
     Engine,    // values of camera, frame, object and lights: numbers are finite
     Material,  // properties
@@ -259,8 +260,8 @@ struct Origin {
     std::string label{};   // "SampleTexture2D"; empty: no comment is printed
     bool is_note = false;  // the label is the author's note
     std::string id{};      // "albedo"; in a sub-graph, a path: "rust/edge"
-    // How much of the path leads to the function that the node is in, if a sub-graph is one: then the path is that of
-    // the first use. inline_calls() gives what it copies to another use the path of that.
+    // If the node is in the function of a sub-graph: the length of the part of `path` that leads to this function; then
+    // the path is that of the first use. inline_calls() gives what it copies to another use the path of that.
     std::uint32_t function_path = 0;
     Span span{};  // where it stands in the graph's JSON
 
@@ -287,13 +288,13 @@ struct StageInterface {
     std::vector<StageVariable> inputs{};   // one per param of entry
     std::vector<StageVariable> outputs{};  // one per member of entry's result struct
     std::vector<StageText> texts{};
-    // The stages of other passes have the same functions, and all are printed into one file: a function should not
-    // become another one for the sake of this stage's calls.
+    // The stages of other passes have the same functions, and all are printed into one file. So this stage's calls
+    // should not change a function.
     bool shares_functions = false;
 };
 
 struct Module {
-    std::vector<Function> functions;  // a callee stands before its callers; verify() holds it
+    std::vector<Function> functions;  // a callee comes before its callers; verify() checks that
     std::vector<Struct> structs;
     std::vector<Array> arrays;
     std::vector<Constant> constants;
@@ -332,7 +333,7 @@ std::uint32_t part_count(const Module& module, Type composite);
 // By struct: true if the signature of an External function contains it.
 std::vector<bool> shared_structs(const Module& module);
 
-// The result type that the op's rule gives for these operand types, or Error if they do not fit it. An op of
+// The result type that the op's rule computes from these operand types, or Error if they do not fit the rule. An op of
 // TypeRule::Declared has no such rule and gives Error: declared_types.h checks it.
 Type result_type(Op op, std::span<const Type> operands);
 

@@ -1,6 +1,6 @@
-// Which values of a function its result needs. A copy with Copy::live leaves out the others. This looks at one
-// function, and assumes that a call needs all of its arguments; prune() looks at the whole module and knows which it
-// needs.
+// Which values of a function its result needs. A copy with Copy::live leaves out the others. This examines one
+// function, and assumes that a call needs all of its arguments. prune() examines the whole module and knows which
+// arguments are needed.
 //
 //   const Liveness live = live_in(function);
 //   Copy copy{.from = function, .to = builder, .live = &live};

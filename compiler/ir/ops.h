@@ -16,7 +16,7 @@ enum class Op : std::uint8_t {
 
 // How an op's result type follows from its operands.
 enum class TypeRule : std::uint8_t {
-    Declared,    // whoever emits it says the type; declared_types.cpp has a rule for each op
+    Declared,    // the caller of emit sets the type; declared_types.cpp has a rule for each op
     Void,        // no value
     First,       // type of operand 0
     Second,      // type of operand 1

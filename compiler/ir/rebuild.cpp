@@ -89,8 +89,8 @@ std::uint32_t kept_index(const Copy& copy, const Inst& structure, std::uint32_t 
     return kept;
 }
 
-// These are not inlined into copy_plain(): what they keep on the stack is guarded, and the guard costs as much as
-// copying an instruction does.
+// These are not inlined into copy_plain(): their arrays on the stack are guarded, and the guard costs as much as
+// copying an instruction.
 
 [[gnu::noinline]] void copy_if(Copy& copy, Value value) {
     const Inst& inst = copy.from[value];
@@ -132,8 +132,8 @@ std::uint32_t kept_index(const Copy& copy, const Inst& structure, std::uint32_t 
     copy.map[value.index] = structure;
 }
 
-// Apart from copy_plain(), as the next one is from copy_inst(): what they keep on the stack is guarded, which costs as
-// much as copying an instruction does.
+// Not inlined into copy_plain(), as the next function is not inlined into copy_inst(): their arrays on the stack are
+// guarded, and the guard costs as much as copying an instruction.
 [[gnu::noinline]] Value copy_result(Copy& copy, const Inst& inst) {
     const Value old = copy.from.args(inst)[0];
     const Inst& structure = copy.from[old];

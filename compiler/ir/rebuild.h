@@ -1,6 +1,6 @@
-// Copies a function through a Builder, which is how passes change functions. The copy is simpler where it can be: the
-// builder folds and finds equal values, an If with a known condition becomes one of its branches, an If that computes
-// nothing becomes Selects, a For that never runs is dropped, and a loop no longer carries what it does not change. A
+// Copies a function through a Builder, which is how passes change functions. The copy is simplified. The builder folds
+// and finds equal values. An If with a known condition becomes one of its branches, and an If that computes nothing
+// becomes Selects. A For that never runs is dropped, and a loop no longer carries values that it does not change. A
 // pass says by `rewrite` and `live` what it does differently.
 //
 //   Function made = shell(old);
@@ -15,8 +15,8 @@
 
 namespace patina::ir {
 
-// Which values a function needs for its own result. A value that an If or For yields is kept if its operand of the
-// Yield is needed.
+// Which values a function needs for its own result. A value that an If or For yields is in the copy if its operand of
+// the Yield is needed.
 struct Liveness {
     std::vector<std::uint8_t> values;    // by Value
     std::vector<std::uint8_t> operands;  // by index into Function::operands; only those of Yields count

@@ -1,4 +1,4 @@
-// The kinds of textures: what the node language calls them, and how many numbers a place in them has.
+// The kinds of textures: their names in the node language, and the number of components of their coordinates.
 //
 //   texture_kind("Texture3D")->kind;                  // Kind::Texture3D
 //   texture_kind(Kind::Texture2DArray)->coordinates;  // 3: u, v and the number of the layer

@@ -1,6 +1,6 @@
-// A hash table of values for value numbering. It keeps the order in which values came, so that the builder leaves a
-// scope by shrinking the table to an earlier size. It does not look at instructions: the caller gives the hash and the
-// comparison. It allocates when it doubles, and not for each value.
+// A hash table of values for value numbering. It remembers the order in which values came, so that the builder can
+// leave a scope by shrinking the table to an earlier size. It does not look at instructions: the caller gives the hash
+// and the comparison. It allocates when it doubles, and not for each value.
 //
 //   std::size_t outer = table.size();
 //   table.insert(hash, value);
@@ -38,8 +38,8 @@ public:
         place(hash, value);
     }
 
-    // Values leave in the opposite order of their coming, so whatever was placed because of a later one is gone
-    // already, and freeing a slot breaks no probe sequence.
+    // Values leave in the opposite order of their coming. So all values that were placed because of a later one have
+    // left before, and freeing a slot breaks no probe sequence.
     void shrink(std::size_t size) {
         while (size_ > size) {
             Slot& last = slots_[last_];

@@ -234,7 +234,7 @@ std::string stage_error(const Module& module) {
 
 std::string verify(const Module& module) {
     for (std::uint32_t i = 0; i < module.functions.size(); i++) {
-        // A pass's body is inlined into the entry; until then its discards stand in it.
+        // A pass's body is inlined into the entry; before that, the body contains its discards.
         const bool may_discard =
             !module.stage.entry || module.stage.entry.index == i || module.functions[i].always_inline;
         std::string error = Verifier(module, module.functions[i], may_discard).run();

@@ -1,5 +1,5 @@
-// Checks the rules that ir.h and ops.def state: each operand is computed before it is used, types fit, blocks have the
-// right shape, each function returns once, and callees stand before their callers.
+// Checks the rules of ir.h and ops.def: each operand is computed before it is used, types fit, blocks have the right
+// shape, each function returns once, and callees come before their callers.
 #pragma once
 
 #include <string>

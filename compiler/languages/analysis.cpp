@@ -45,7 +45,7 @@ void lay_out(Analysis& a, BlockId block) {
     }
 }
 
-// A struct made of all members of one other struct, in order, is that struct.
+// A struct that is made of all members of another struct, in order, is that struct.
 Value source_of_copy(const Analysis& a, Value v) {
     const Inst& inst = a[v];
     if (inst.op != Op::Construct || inst.type.kind != Kind::Struct || a.args(v) == 0) return {};

@@ -1,5 +1,5 @@
-// What plan.cpp finds out about a function before it makes variables: the order of the values, their readers, the last
-// read of each, and which values cannot fold into an expression. Private to the plan's own files.
+// Facts about a function that plan.cpp needs before it makes variables: the order of the values, their readers, the
+// last read of each, and which values cannot fold into an expression. Private to the plan's own files.
 #pragma once
 
 #include "compiler/languages/plan.h"
@@ -35,11 +35,12 @@ struct Analysis {
     bool is_read(ir::Value v) const { return reads[v.index] > 0; }
     bool is_live(ir::Value v) const;
     bool is_test(ir::Value v) const { return !tests.empty() && tests[v.index] != 0; }
-    // The position of the statement that computes the value; without a variable, that is the statement that reads it.
+    // The position of the statement that computes the value. If it has no variable, this is the statement that reads
+    // it.
     std::uint32_t computed_at(ir::Value v) const;
     // True if something reads the value at this position of a Yield.
     bool is_slot_read(ir::Value structure, std::uint32_t slot) const;
-    // True for a value that never gets a variable, because reading it costs nothing: all its readers repeat it.
+    // True for a value that never gets a variable: reading it costs nothing, so all its readers repeat it.
     bool is_free(ir::Value v) const;
 
     std::vector<std::vector<ir::Value>> results =

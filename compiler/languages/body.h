@@ -116,7 +116,8 @@ private:
     const Plan& plan_;
     std::vector<std::string> params_;  // names
     std::vector<std::string> names_;   // of variables; empty: not declared yet
-    // The id paths under which a name stands in the graph and its sub-graphs: "coarse/edge" and "fine/edge" by "edge".
+    // The id paths of the nodes with this name in the graph and its sub-graphs: "coarse/edge" and "fine/edge" by
+    // "edge".
     std::unordered_map<std::string, std::vector<std::string>> paths_;
     bool has_paths_ = false;
     std::vector<std::string_view> member_of_;  // by Value: the struct member that it is stored in; empty: none

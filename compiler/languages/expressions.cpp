@@ -184,7 +184,7 @@ Text Body::shared(Value v) const {
     return {fmt::format("{}[{}]", at_least(Precedence::Postfix, expression(from)), index), Precedence::Postfix};
 }
 
-// The call of a foreign function, with its arguments and (if it has one) the name of its result inserted.
+// The call of a foreign function, with its arguments and the name of its result, if it has one.
 std::string Body::spelled(Value v, std::string_view spelling, std::string_view result) const {
     std::string text;
     while (!spelling.empty()) {

@@ -115,10 +115,10 @@ struct Language {
     // The initial value of an array with these elements.
     std::string (*array_value)(const std::string& element_type, std::size_t count,
                                const std::string& elements) = nullptr;
-    std::string_view set_word;  // the text before the number of a descriptor set
-    bool pads_blocks = true;  // a block's members stand where they must only if the text declares what is between them
+    std::string_view set_word;   // the text before the number of a descriptor set
+    bool pads_blocks = true;     // the text must declare the space between members of a block
     std::string_view row_major;  // the text before a matrix that a block stores in rows; empty: the block says so
-    // The name that stands for a number, for constants that an included file defines; null: there are none.
+    // The name of a number that an included file defines as a constant; null: no such names.
     std::string_view (*name_of_number)(float number) = nullptr;
     std::string_view constant_array;  // the text before the type of a constant array
     // The expression that reads a value of a uniform block; null: its name.

@@ -1,6 +1,6 @@
 // Rewrites operations that a language lacks into operations that it has. A rule looks at one instruction. Instructions
 // to which no rule applies stay as they are, and a function without any is not changed. Rules that all languages share
-// are in legalize.cpp; those of one language are in its folder.
+// are in legalize.cpp; rules of one language are in its folder.
 //
 //   constexpr Rule kRules[] = {{{ir::Op::Saturate}, is_of_vectors, clamp_to_one}};
 //   std::optional<ir::Module> rewritten = legalize(module, kRules);

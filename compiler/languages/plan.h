@@ -1,9 +1,10 @@
-// Decides, before a function is printed, which of its values become variables, which fold into the expressions that
-// read them, and which values share a variable because a reader sees them as one: a loop's `sum`, a struct that is
-// filled member by member, `x = x * 2.0`.
+// Decides, before a function is printed, which of its values become variables, and which fold into the expressions that
+// read them. Some values share a variable because a reader sees them as one: a loop's `sum`, a struct that is filled
+// member by member, `x = x * 2.0`.
 //
-// A value stands in a variable of its own if it is read twice, samples, is differentiated, has a name hint, is read in
-// another block (a loop would compute it again), or would make an expression too wide or too deep.
+// A value has a variable of its own in these cases: it is read twice, it samples, it is differentiated, or it has a
+// name hint; it is read in another block, where a loop would compute it again; or it would make an expression too wide
+// or too deep.
 //
 //   Plans plans(module);
 //   const Plan& plan = plans.of(function);
@@ -25,7 +26,7 @@ struct Variable {
     ir::Value like;       // a value of the variable, which names it if there is no hint
     ir::Value result;     // for an If: the Result that it was made for; else none
     ir::BlockId block;    // where it is declared
-    unsigned writes = 0;  // number of values that it holds, one after the other
+    unsigned writes = 0;  // number of values that it has, one after the other
 };
 
 struct Plan {

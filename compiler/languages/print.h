@@ -1,7 +1,7 @@
 // The room `languages` prints stages: a linked and tidied stage -> text in one language, with a map from its lines to
 // the graph. A language is a row in languages.cpp: its name, legalize() and print(). Its print() passes a Language
-// (language.h: the spelling table and the hooks) to the shared printer. This room sees the IR and nothing else: it
-// knows no graph and no engine, and it changes no values except to rewrite what a language lacks.
+// (language.h: the spelling table and the hooks) to the shared printer. This room sees only the IR: it knows no graph
+// and no engine. It changes no values except to rewrite operations that a language lacks.
 #pragma once
 
 #include <optional>

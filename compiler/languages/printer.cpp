@@ -76,7 +76,8 @@ void name_globals(Writer& w) {
     for (std::size_t i = 0; i < m.functions.size(); ++i) {
         if (!w.reachable.functions[i]) continue;
         if (m.stage.entry.index != i && w.functions[i].empty()) w.functions[i] = w.names.declare(m.functions[i].name);
-        // Named after their function, so that the texts of several passes agree on them if they agree on it.
+        // Named after their function: if the texts of several passes have the same function, the helpers have the same
+        // names.
         for (const std::string& helper : m.functions[i].code.helpers)
             w.helpers[i].push_back(w.names.declare(w.functions[i] + "_" + helper));
     }
@@ -105,8 +106,8 @@ void print_members(Writer& w, std::size_t index, bool is_shared) {
     if (is_shared) w.line(0, syntax.end_guard);
 }
 
-// Prints a struct after those that its members are made of. A struct of the engine is declared once, even if several
-// texts are pasted into a shader.
+// Prints a struct after the structs of its members. A struct of the engine is declared once, even if several texts are
+// pasted into a shader.
 void print_struct(Writer& w, std::size_t index, const std::vector<bool>& shared, std::vector<bool>& printed) {
     if (printed[index]) return;
     printed[index] = true;

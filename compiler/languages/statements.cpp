@@ -175,7 +175,7 @@ void Body::print_assignment(Value v) {
     assign(plan_.variable[v.index], v, text, v);
 }
 
-// Prints the call of a foreign function that consists of statements, one on each line, which declare its result.
+// Prints the call of a foreign function that consists of statements, one on each line; they declare its result.
 bool Body::print_spelled(Value v) {
     if (function_[v].op != Op::Call) return false;
     const std::string& spelling = module().functions[function_[v].data].spelling;

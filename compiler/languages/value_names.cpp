@@ -130,8 +130,8 @@ void Body::find_paths() {
     }
 }
 
-// If several values or nodes have the name, in different sub-graphs or in different uses of one: the use that this one
-// belongs to, in as few words as tell it from the others. Otherwise empty.
+// If several values or nodes have the name, in different sub-graphs or in different uses of one: the use to which this
+// one belongs, in as few words as distinguish it from the others. Otherwise empty.
 std::string Body::instance_of(std::string_view name, bool is_authors, OriginId origin) {
     const std::string_view node_path = path_of(origin);
     if (node_path.empty()) return {};

@@ -1,4 +1,4 @@
-// The growing text of one shader, and what applies to all of it: the functions, types and globals that it needs, and
+// The growing text of one shader, and the parts that all its functions share: needed functions, types and globals, and
 // their names. Function bodies are printed by body.h.
 #pragma once
 

@@ -15,11 +15,10 @@ namespace patina::lower {
 // A slot that is derived from others (derived_slots.cpp): made when a pass first asks for it.
 struct DerivedSlot {
     emit::Slot slot{};
-    std::string why_not{};  // not empty: why it cannot be made
-    ir::Origin where{};     // the node that prevents it
-    bool is_zero = false;   // always zero: the slot does not read what the part is linear in
-    bool is_of_missing =
-        false;  // it depends on another derived slot that cannot be made, and `why_not` is the reason of that slot
+    std::string why_not{};       // not empty: why it cannot be made
+    ir::Origin where{};          // the node that prevents it
+    bool is_zero = false;        // always zero: the slot does not read what the part is linear in
+    bool is_of_missing = false;  // another derived slot cannot be made, and `why_not` is the reason of that slot
 };
 
 // What tells the functions of sub-graphs apart. Inputs that a function cannot take (textures and samplers), or that

@@ -11,7 +11,7 @@ namespace patina::output {
 Reflection reflect(const resolve::Material& material, const lower::Lowered& lowered,
                    std::span<const link::LinkedPass> passes, const resolve::Session& session);
 
-// The material's queue: the one that it states, or that of its kind of surface.
+// The material's queue: the one that the material sets, or that of its kind of surface.
 int queue_of(const format::RenderState& render);
 
 }  // namespace patina::output

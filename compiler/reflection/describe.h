@@ -1,5 +1,5 @@
 // The room `reflection` writes and reads the JSON of a Reflection and makes its JSON Schema. All three come from one
-// description: which key holds which member, and what it means. It compiles nothing.
+// description: the key of each member, and its meaning. It compiles nothing.
 //
 // `Fields` is WriteFields, ReadFields or SchemaFields. It gets
 //   key(name, member, doc)                  a key that is always there

@@ -1,4 +1,4 @@
-// file_hash(): FNV-1a (Fowler, Noll and Vo, "The FNV Non-Cryptographic Hash Algorithm"), which is three lines in any
+// file_hash(): FNV-1a (Fowler, Noll and Vo, "The FNV Non-Cryptographic Hash Algorithm"), which needs three lines in any
 // language, so that every reader can have it.
 #include <fmt/format.h>
 

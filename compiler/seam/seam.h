@@ -1,7 +1,7 @@
 // The room `seam` is where exceptions end. Inside of the library, functions throw as the standard library does: no
 // memory, a thread that cannot be started, a mistake of ours. A public function whose result has diagnostics runs its
-// work in guarded(): what is thrown becomes an error of the result, `out-of-memory` or `internal`, at the file, the
-// node and the pass that were worked on.
+// work in guarded(). An exception becomes an error of the result, `out-of-memory` or `internal`, at the file, the node
+// and the pass in work.
 //
 // There may be no memory for the message then: its room is taken before the work begins. If not even that can be had,
 // the result is not ok and has no diagnostics.
@@ -25,7 +25,7 @@
 
 namespace patina {
 
-// A name, cut to a fixed length, so that it is kept without memory.
+// A name, cut to a fixed length, so that storing it allocates nothing.
 class ShortName {
 public:
     void operator=(std::string_view name);

@@ -136,7 +136,7 @@ private:
         return blocks;
     }
 
-    // A loop is what is reached from its header before its end.
+    // A loop consists of the blocks that are reached from its header before its end.
     void find_light_loops(Function& function) {
         std::map<Id, Block> blocks = blocks_of(function);
         for (const auto& [label, header] : blocks) {

@@ -25,7 +25,8 @@ struct SpirvCounts {
 // it. All zero if the words are not a module. `owners`: how many there are, at least 1.
 SpirvCounts count(const std::vector<std::uint32_t>& spirv, Stage stage, std::size_t owners = 1);
 
-// The most scalars that are alive at one place of the entry point and what it calls. Variables in memory always are.
+// The most scalars that are live at one point of the entry point and of the functions that it calls. Variables in
+// memory always are.
 std::uint32_t live_registers(const SpirvModule& module);
 
 }  // namespace patina

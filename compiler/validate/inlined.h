@@ -1,5 +1,5 @@
-// How many instructions a stage has when all calls are replaced by what they call, as spirv-opt and drivers do:
-// functions that each call the next one twice are few lines, and an exponential number of instructions. Nothing is
+// How many instructions a stage has when all calls are replaced by the called functions, as spirv-opt and drivers do.
+// Functions that each call the next one twice are short, but have an exponential number of instructions. Nothing is
 // inlined here.
 #pragma once
 
@@ -11,8 +11,8 @@ namespace patina {
 struct CodeSize {
     double instructions = 0, blocks = 0;
 };
-// Materials have some hundreds or thousands of instructions, and some tens of blocks. What drivers and spirv-opt do
-// with them takes some seconds for so many; with the number of blocks it grows faster than that.
+// Materials have some hundreds or thousands of instructions, and some tens of blocks. Drivers and spirv-opt need some
+// seconds for code of this size; their time grows faster than the number of blocks.
 inline constexpr CodeSize kMostCode{.instructions = 200'000, .blocks = 4'096};
 bool exceeds(const CodeSize& size, const CodeSize& most);
 
@@ -26,7 +26,7 @@ Inlined inlined(const SpirvModule& module, const CodeSize& most = kMostCode);
 // The function that has most blocks, as it is written.
 struct Branching {
     std::size_t blocks = 0;
-    std::vector<int> lines{};  // of the text: its last branch, a call of it, a call of what calls it; 0: not known
+    std::vector<int> lines{};  // of the text: its last branch, a call of it, a call of that caller; 0: not known
 };
 Branching most_branching(const std::vector<std::uint32_t>& spirv);
 

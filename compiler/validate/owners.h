@@ -1,6 +1,6 @@
 // Says of each instruction which owner it works for, a node of the graph for example, before the module is optimised.
-// The optimiser keeps the numbers of lines with the instructions that it moves and inlines, so the owner is written
-// there: as 2 x owner, and 1 more where a loop over lights begins.
+// The optimiser keeps line numbers with the instructions that it moves and inlines. So the owner is written as a line
+// number: 2 x owner, and 1 more where a loop over lights begins.
 //
 // A function of the library has no owner of its own: it works for its callers. Each owner gets a copy of it.
 #pragma once

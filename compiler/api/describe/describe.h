@@ -12,7 +12,7 @@ struct Doc {
     std::string text;
     std::string formula, source, use;
     std::string unit, space;  // of a value of the engine
-    std::string block;        // what is said of its block, at one of the block's values
+    std::string block;        // the description of its block, from a value of the block
     struct TestLine {
         std::string_view text;     // the text after "test:"; points into the comment
         std::uint32_t offset = 0;  // of its first byte in the comment

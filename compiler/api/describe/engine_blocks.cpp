@@ -14,7 +14,7 @@ std::string type_of(const nodelang::TypeName& type, const SourceMap& sources) {
     return text;
 }
 
-// Adds it if it is the first time that one asks for it.
+// Adds the block if no value has requested it before.
 EngineBlockInfo& block_named(std::vector<EngineBlockInfo>& blocks, std::string_view name) {
     for (EngineBlockInfo& block : blocks) {
         if (block.name == name) return block;

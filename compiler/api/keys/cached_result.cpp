@@ -31,7 +31,7 @@ bool is_same(const resolve::Files::Answer& now, const resolve::Files::Answer& th
     return now.text == then.text && now.why == then.why;
 }
 
-// Asks the same questions. Whatever the answers are, a compilation after it does not ask them again.
+// Asks the same questions. A compilation after it does not ask them again, also if an answer has changed.
 bool is_as_before(const CachedResult& cached, resolve::Files& files) {
     for (const auto& [from, name, path] : cached.resolved) {
         const resolve::Files::Path now = files.resolve(from, name);

@@ -1,4 +1,4 @@
-// A request that comes again, while the files say what they said, gets the result that it had.
+// If a request comes again, and the files are unchanged, it gets the cached result.
 #pragma once
 
 #include <map>

@@ -9,7 +9,7 @@
 
 namespace patina {
 
-// 0, 1 or 2. Control characters are not asked for: whoever shows a line replaces them.
+// 0, 1 or 2. Control characters do not matter here: callers that show a line replace them.
 std::size_t cells_of(char32_t character);
 
 }  // namespace patina

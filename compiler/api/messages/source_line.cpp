@@ -28,12 +28,12 @@ char32_t decoded(std::string_view character) {
     return made;
 }
 
-// ASCII's and those of ISO 6429 that have codes of their own: terminals obey them.
+// The control characters of ASCII, and those of ISO 6429 with codes of their own: terminals execute them.
 bool is_control(char32_t character) {
     return character < 0x20 || (character >= 0x7f && character < 0xa0);
 }
 
-// A character with the ones that combine with it: what stands in a cell, or in two.
+// A character with its combining characters: the content of one or two cells.
 struct Glyph {
     std::string text{};
     std::size_t begin = 0, end = 0;  // cells
@@ -116,7 +116,7 @@ void show_source(std::string& text, const Diagnostic& d, bool colors) {
     std::size_t first = from > kShown * 3 / 4 ? from - kShown / 2 : 0;
     first = std::min(first, extent - std::min(extent, kShown));
     std::string shown;
-    std::size_t begin = from, last = from;  // cells of what is shown
+    std::size_t begin = from, last = from;  // number of cells that are shown
     for (const Glyph& glyph : line.glyphs()) {
         if (glyph.begin < first || glyph.end > first + kShown) continue;
         begin = std::min(begin, glyph.begin);

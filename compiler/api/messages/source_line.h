@@ -15,8 +15,8 @@ namespace patina {
 // is its end, and an end before the begin is one cell.
 void show_source(std::string& text, const Diagnostic& diagnostic, bool colors);
 
-// The text with U+FFFD for each byte that is not UTF-8 and each control character but tabs and ends of lines: names
-// come from files, and a terminal would obey what is in them.
+// The text with U+FFFD for each byte that is not UTF-8 and each control character except tabs and ends of lines. Names
+// come from files, and a terminal would execute control characters in them.
 std::string printable(std::string_view text);
 
 }  // namespace patina

@@ -1,4 +1,4 @@
-// Plans the combinations of a material's variants: all, those that the graph lists, or those that make a difference. If
+// Plans the combinations of a material's variants: all, those that the graph lists, or those with different shaders. If
 // there are too many, reports how much each variant contributes.
 #include <fmt/format.h>
 

@@ -94,8 +94,8 @@ Checked part_without_budget(Result result) {
     return {.diagnostics = std::move(result.diagnostics), .ok = false};
 }
 
-// Compiles a graph and validates its shaders. A part in a folder or a list has no budget: what it costs depends on the
-// material that uses it.
+// Compiles a graph and validates its shaders. A part of a material in a folder or a list has no budget, because its
+// cost depends on the material that uses it.
 Checked check_graph(const Compiler& compiler, const Arguments& arguments, const Input& input) {
     CompileOptions options = options_of(arguments);
     Result result = compile_if_foreign(compiler, input.path, options);

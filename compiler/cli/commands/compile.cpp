@@ -107,8 +107,8 @@ Exit finish(Run& run, const Input& input, Compiled& made) {
     return write(run, input, made.reflection, read, std::move(made.files));
 }
 
-// What the list of all outputs depends on: the files that were read, a list of graphs, and the folders in which a graph
-// or another file may appear. If a build asks for it, also the outputs: the list is younger than they are.
+// The dependencies of the list of all outputs: the files that were read, a list of graphs, and the folders in which a
+// graph or another file may appear. If a build asks for it, also the outputs: the list is younger than they are.
 std::vector<std::string> dependencies_of_list(Run& run, const Inputs& inputs) {
     const InputArguments& arguments = run.arguments.inputs;
     std::set<std::string> all = run.dependencies;

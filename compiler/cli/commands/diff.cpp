@@ -22,8 +22,8 @@ struct Arguments {
 constexpr Exit kDifferent = Exit::Wrong;
 constexpr Exit kTrouble = Exit::Usage;
 
-// What git gives: path old-file old-hex old-mode new-file new-hex new-mode, and of a file that has another name, that
-// name and a line about it. Of a file with conflicts: the path alone.
+// Git's arguments: path old-file old-hex old-mode new-file new-hex new-mode, and for a renamed file the other name and
+// a line about it. Of a file with conflicts: the path alone.
 constexpr std::size_t kGitWords = 7, kGitWordsOfRename = 9;
 
 struct Both {

@@ -1,4 +1,4 @@
-// The room `cli/compile` is what `patina compile` needs beside its command: its words, and its variants.
+// The room `cli/compile` has the parts of `patina compile` besides the command itself: its words, and its variants.
 //
 // The words of `patina compile`, and what they mean for the library's engines.
 #pragma once
@@ -34,8 +34,8 @@ struct CompileArguments {
     bool wants_spirv() const;
     // Whose files are written. SPIR-V is made from GLSL, which may not be among them. settle() finds them.
     std::vector<Target> written;
-    // What the names of the reflection, its dependency file and its manifest hold besides the graph: nothing for the
-    // default engine and path, else ".deferred", ".functions". settle() finds it.
+    // The part after the graph's name in the names of the reflection, its dependency file and its manifest. Empty for
+    // the default engine and path, else ".deferred", ".functions". settle() finds it.
     std::string kind;
     // --dump alone is for looking, not for writing.
     bool writes() const { return dump.empty() || !folder.empty(); }

@@ -1,4 +1,4 @@
-// What `patina compile` makes of one graph before anything is printed or written. `patina watch` makes the same.
+// The result of `patina compile` for one graph, before anything is printed or written. `patina watch` makes the same.
 //
 //   Compiled made = compile_graph(arguments, compiler, input);
 //   report(console, made.result.diagnostics);
@@ -38,8 +38,8 @@ bool add_shader(const CompileArguments& arguments, const std::string& folder, co
 // As reflections list files: without their folders, with their hashes if these are wanted.
 std::vector<WrittenFile> written_files(const OutputFiles& files, bool has_hashes);
 
-// Lists in the reflection what was written for a shader, in the place of the file that was compiled, and files that
-// have hashes.
+// Lists in the reflection the files that were written for a shader, instead of the compiled file, and other files with
+// hashes.
 void list_files(Reflection& reflection, const Shader& shader, std::string_view compiled,
                 std::span<const WrittenFile> written);
 

@@ -1,10 +1,10 @@
-// Dependency files for make and Ninja (--depfile): what outputs were made from, and the folders in which a file may
-// appear that they would be made from instead.
+// Dependency files for make and Ninja (--depfile). They list the files from which outputs were made, and the folders in
+// which other files may appear that would be used instead.
 //
 // make and Ninja take a dependency that is not there for one that has changed, in every build. So a file that was
-// looked for and is not there is named by its folder, whose time changes when a file is added; if the folder is
-// missing, too, by the nearest one that is there. Folders that a build changes itself would never be older than what is
-// made: those that the command writes to, and the one in which Ninja keeps its log. They are left out.
+// searched for and does not exist is represented by its folder, whose time changes when a file is added; if the folder
+// is missing, too, by the nearest existing folder. Some folders change in each build, and so would never be older than
+// the outputs: the command's output folders, and the folder of Ninja's log. They are left out.
 #pragma once
 
 #include <set>
@@ -22,7 +22,7 @@ struct FilesRead {
 };
 
 // A rule in Makefile syntax, as make's `include` and ninja's `depfile` want it: "target: a.json b.json". Each
-// dependency has an empty rule of its own, so that make goes on when one of them has been removed. A failure: a rule
+// dependency has an empty rule of its own, so that make continues if one of them has been removed. A failure: a rule
 // cannot hold one of the names.
 runtime::Outcome<std::string> make_rule(std::string_view target, std::span<const std::string> dependencies);
 

@@ -1,5 +1,5 @@
-// Graphs with [foreign] code, which only one language can take: what is found out about shaders is then found out of
-// those in that language.
+// Graphs with [foreign] code, which only one language can contain: their shaders are measured and checked in that
+// language.
 #pragma once
 
 #include <string>

@@ -17,7 +17,7 @@ void add(Row& row, const CostCounts& counts) {
     for (const CostFigure& figure : kCostFigures) row.push_back(number(counts.*figure.count));
 }
 
-// The titles of what add() adds stand between the others.
+// The titles of the columns from add() come between the other titles.
 Row titles(Row before, const Row& after) {
     for (const CostFigure& figure : kCostFigures) before.emplace_back(figure.name);
     before.insert(before.end(), after.begin(), after.end());

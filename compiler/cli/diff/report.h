@@ -1,5 +1,5 @@
-// The room `cli/diff` is what `patina diff` finds between two versions of a graph, and how it is shown: what changed in
-// the graph, then in its shaders and their size, then in its picture.
+// The room `cli/diff` compares two versions of a graph for `patina diff`, and shows the differences: in the graph, then
+// in its shaders and their size, then in its picture.
 //
 //   DiffReport report{.graph = diff_graphs(before, after)};
 //   add_shader_changes(compiler, before, after, options, report);
@@ -47,7 +47,7 @@ std::string report_text(const DiffReport& report, bool colors);
 // One object, with a line for each change.
 std::string report_json(const DiffReport& report);
 
-// A version of a graph, and where it lies: files that it names are searched from there.
+// A version of a graph, and its path: files that the graph names are searched in the path's folder.
 struct Version {
     std::string path;
     std::string text;

@@ -26,8 +26,8 @@ Unexpected describe_exception(std::string_view file);
 // one.
 Exit report_exception(const Console& console, std::string_view file = {}) noexcept;
 
-// Works on one of several files. What is thrown is reported for it; the exit code is Wrong then, so that the work on
-// the others goes on.
+// Works on one of several files. An exception is reported for the file, and the exit code is Wrong. So the work on the
+// other files continues.
 template <class Work>
 Exit guarded(const Console& console, std::string_view file, const Work& work) {
     work_on_file(file);

@@ -99,7 +99,7 @@ void print_table(const Console& console, const std::string& file, std::vector<co
     }
 }
 
-// A table for the file, and one for each other file that it uses.
+// One table for the file, and one for each other file that it uses.
 void print_tables(const Console& console, const std::string& file, std::span<const Remark> remarks) {
     std::vector<std::string> files = {""};  // in the order in which the remarks name them
     std::unordered_map<std::string, std::vector<const Remark*>> rows;

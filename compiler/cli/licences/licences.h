@@ -1,6 +1,5 @@
 // `patina --licences`: whose code is in Patina's programs and libraries, and under which terms. The build writes the
-// list from package/components.cmake and puts the texts into the program, so that a copy of the program alone has them,
-// too.
+// list from package/components.cmake and embeds the texts in the program. So a copy of the program alone has them, too.
 #pragma once
 
 #include <span>

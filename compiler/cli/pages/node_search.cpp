@@ -102,7 +102,7 @@ bool has(const std::vector<std::string>& words, const std::string& wanted) {
     return std::find(words.begin(), words.end(), wanted) != words.end();
 }
 
-// 2: it has the word, 1: one begins with it, 0: none does.
+// 2: a name has the whole word, 1: a word of it begins with `wanted`, 0: neither.
 int match(const Words& words, const std::string& wanted) {
     if (has(words.single, wanted) || has(words.joined, wanted)) return 2;
     const auto begins = [&](const std::string& word) { return wanted.size() > 2 && word.starts_with(wanted); };

@@ -1,7 +1,7 @@
 // The room `cli/pages` makes the pages of the reference. It prints nothing.
 //
-// The pages of the reference: one for each node, one for each lighting model. This folder makes what `patina node`,
-// `patina model` and their lists show, as text (page.h) or as JSON (library_json.h), and measures what a model costs
+// The pages of the reference: one for each node, one for each lighting model. This folder makes the output of `patina
+// node`, `patina model` and their lists, as text (page.h) or as JSON (library_json.h), and measures the cost of a model
 // (model_cost.h). It reads the library through public headers and prints nothing itself.
 //
 //   print(to_terminal(console, node_page(*compiler.node("Lerp"), "Lerp")));
@@ -13,7 +13,7 @@ namespace patina::cli {
 
 // `name`: the node's name, or the path of its file.
 Page node_page(const NodeInfo& node, const std::string& name);
-// The same of a node of the library, with the name of the node that computes it as an engine does, if there is one.
+// The same for a node of the library, with the name of the node that computes it as an engine does, if there is one.
 Page node_page(const NodeInfo& node, const Compiler& compiler);
 // The node with every input at its default, ready to paste into "nodes".
 std::string example_of(const NodeInfo& node, const std::string& name);

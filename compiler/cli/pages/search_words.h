@@ -16,7 +16,7 @@ std::string stem(std::string word);
 // Stems. A hump of a name begins a word, and so does a number.
 struct Words {
     std::vector<std::string> single;  // "OkLab": ok, lab
-    std::vector<std::string> joined;  // two or three of them that stand together: oklab
+    std::vector<std::string> joined;  // two or three consecutive words of them: oklab
 };
 Words words_of(std::string_view text);
 

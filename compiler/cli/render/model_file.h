@@ -1,4 +1,4 @@
-// Models of other programs as `patina render` draws them: imported in memory, into files that lie "inside" the model:
+// Models of other programs for `patina render`: they are imported in memory, into files with paths "inside" the model:
 // chair.glb/chair.scene.json. The picture is that of the scene that `patina import` writes.
 //
 //   runtime::Outcome<ModelFile> model = import_model("chair.glb", {.camera = "Front"});

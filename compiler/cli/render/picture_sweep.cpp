@@ -226,7 +226,7 @@ private:
             std::string reason = each.message;
             if (const std::size_t at = reason.find(name); at != reason.npos)
                 reason.replace(at, name.size(), "the lighting model");
-            // Those that differ in their last word alone are one: "have no surface input 'a', 'b'".
+            // Reasons that differ in their last word alone are joined: "have no surface input 'a', 'b'".
             const std::string start = reason.substr(0, reason.rfind(" '"));
             if (start != reason && start == last)
                 reasons += "," + reason.substr(start.size());
@@ -330,7 +330,8 @@ void read_sweep(Sweep& sweep, runtime::RenderRequest& request) {
 }
 
 std::vector<std::string> lines_of(const std::vector<LeftOut>& left_out, const std::vector<Partial>& partial) {
-    std::vector<std::pair<std::string, std::vector<std::string>>> groups;  // models by what is said of them
+    std::vector<std::pair<std::string, std::vector<std::string>>>
+        groups;  // models by the reason that is reported for them
     const auto add = [&](std::string said, const std::string& model) {
         auto group = std::ranges::find_if(groups, [&](const auto& g) { return g.first == said; });
         if (group == groups.end()) group = groups.insert(groups.end(), {std::move(said), {}});

@@ -48,7 +48,7 @@ struct SheetOutcome {
     std::vector<LeftOut> left_out{};  // of all lighting models
     std::vector<Partial> partial{};   // of the models on the sheet, where they have a star
 };
-// What is to be said of the models: a line for each reason, folded so that a terminal shows it.
+// The report about the models: a line for each reason, folded to the width of a terminal.
 std::vector<std::string> lines_of(const std::vector<LeftOut>& left_out, const std::vector<Partial>& partial);
 
 SheetOutcome render_sheet(const Compiler& compiler, const runtime::RenderRequest& request, const Sweep& sweep,

@@ -57,8 +57,7 @@ bool is_picture(std::string_view path) {
     return path.ends_with(".png") || path.ends_with(".exr");
 }
 
-// A picture, also one that goes through standard output, a device or a FIFO, which holds a PNG if its name does not say
-// otherwise.
+// True if the output is one picture. Standard output, a device and a FIFO get a PNG, unless their name ends otherwise.
 bool is_one_picture(const std::string& output) {
     return is_picture(output) || is_standard_output(output) || is_stream(output);
 }

@@ -36,7 +36,7 @@ std::vector<std::string_view> texts_of(const ModelNodeInfo& node) {
     return texts;
 }
 
-// The inputs that a text of a workflow depends on, through its nodes. Nodes stand before those that read them.
+// The inputs that a text of a workflow depends on, through its nodes. Nodes come before the nodes that read them.
 Names inputs_behind(const ModelInfo& workflow, std::string_view text) {
     Names inputs = words_after(text, "$"), words = words_after(text, "");
     for (auto node = workflow.nodes.rbegin(); node != workflow.nodes.rend(); ++node) {

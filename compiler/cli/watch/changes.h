@@ -1,5 +1,5 @@
-// What a change of a graph did to its shaders, as lines to read: which files differ and where, and what the passes
-// cost.
+// The effect of a change of a graph on its shaders, as lines of text: which files differ and where, and the cost of the
+// passes.
 //
 //   for (const std::string& line : changes_of(before, after)) say(console, line);
 //

@@ -1,5 +1,5 @@
-// A page that shows a picture and what is said of it, and shows both anew when they change. It needs no server: it
-// looks again and again at a small script beside it, which a browser reads from a folder, too.
+// A page that shows a picture and the messages about it, and shows both again when they change. It needs no server: it
+// reads a small script next to it again and again, which also works if the browser opened the page from a folder.
 //
 //   files.add(page_path("out/rust.png"), page_text("out/rust.png"));   // once
 //   files.add(state_path("out/rust.png"), state_text({.version = 7, .subject = "rust.graph.json", .ok = true}));

@@ -1,6 +1,6 @@
-// Whether files have changed since they were read: by their time, size and inode, so that an editor that saves by
-// renaming is noticed, too, and a file that appears or goes. Files are looked at again and again, which works on every
-// file system.
+// Whether files have changed since they were read: by time, size and inode. So it also notices an editor that saves by
+// renaming, and a file that appears or disappears. Files are looked at again and again, which works on every file
+// system.
 //
 //   Stamps stamps = stamps_of(result.dependencies, before_it_was_read);
 //   if (has_changed(stamps)) compile_again();

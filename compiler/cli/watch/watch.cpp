@@ -14,7 +14,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr auto kRetry = 1s;            // of what is wrong
+constexpr auto kRetry = 1s;            // of errors
 constexpr auto kQuiet = 40ms;          // a file that does not change for so long is complete
 constexpr int kMostWaits = 25;         // for files that never are
 constexpr std::size_t kMostShown = 8;  // graphs whose changes are shown one by one
@@ -131,7 +131,7 @@ Watch::Made Watch::make(const Input& input, bool counts_costs) const {
     return made;
 }
 
-// Says why files could not be written, unless it has said that before. They are tried again.
+// Reports why files could not be written, unless that has been reported before. They are tried again.
 bool Watch::write(Task& task, const std::string& source, const OutputFiles& files,
                   const std::vector<std::string>& inputs) {
     const std::optional<Diagnostic> obstacle = Outputs(console_).try_write(source, files, inputs);

@@ -1,8 +1,8 @@
-// The room `cli/watch` is `patina watch`: it compiles graphs again when they change, and says what is different.
+// The room `cli/watch` is `patina watch`: it compiles graphs again when they change, and shows the differences.
 //
-// Each look at the files compiles the graphs of which one has changed, writes and prints what is different, and draws a
-// picture if one is wanted. What is wrong is printed once. It is tried again every second, because it may be a missing
-// file, and nobody knows where that will appear, or a full disk.
+// Each round compiles the graphs with changed files, writes and prints the differences, and draws a picture if the user
+// wants one. What is wrong is printed once. Failed work is tried again every second, because the reason may be a full
+// disk, or a missing file that may appear anywhere.
 //
 //   Watch watch(console, compiler, arguments, inputs);
 //   while (watch.look() != Exit::Machine) std::this_thread::sleep_for(200ms);
@@ -39,7 +39,7 @@ public:
 private:
     using Clock = std::chrono::steady_clock;
 
-    // Something that is made of files, and again when one of them changes.
+    // Something that is made from files, and made again when one of them changes.
     struct Task {
         Stamps stamps{};
         Clock::time_point tried{};

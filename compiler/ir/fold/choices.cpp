@@ -9,13 +9,13 @@ namespace {
 // How far back the same condition is looked for, so that the time to build a function stays linear.
 constexpr int kMaxDepth = 4;
 
-// What is worth to be computed once more for the sake of a choice less: not a sample, and nothing with blocks.
+// Ops that may be computed a second time to save a choice: no samples, and no ops with blocks.
 bool may_repeat(Op op) {
     return !has(op, Structure) && !has(op, Effect) && !has(op, Derivative) && info(op).rule != TypeRule::Texel &&
            op != Op::Call;
 }
 
-// A condition of keywords is left: a pass makes branches of the text of them, and decides what is in which one
+// A condition of keywords stays: another pass makes branches of the text from it, and decides what each branch contains
 // (branch_on_keywords).
 bool is_of_keywords(Builder& b, Value condition, int depth) {
     const Inst& inst = b[condition];

@@ -1,5 +1,5 @@
-// What is known of a value without computing it: between which numbers it lies, and whether it is a unit vector. Facts
-// are found by looking a few operands back, each time that they are asked for.
+// Facts about a value that are known without computing it: its range, and whether it is a unit vector. Facts are found
+// by looking a few operands back, each time that they are asked for.
 //
 //   range_of({module, function}, saturated)            // 0 to 1, and never NaN
 //   is_unit({module, function}, normalized)            // true
@@ -33,7 +33,7 @@ Range range_of(const FactsOf& facts, Value value);
 // True if the value has length 1 but for rounding, or is NaN.
 bool is_unit(const FactsOf& facts, Value value);
 
-// The same of what a function returns, whatever the functions return that it calls.
+// The same for the result of a function, without facts about the functions that it calls.
 bool returns_unit(const Module& module, const Function& function);
 
 }  // namespace patina::ir

@@ -18,7 +18,8 @@ namespace {
 using Numbers = std::span<const double>;
 
 // --- what component-wise ops mean, in double. The result is rounded to its type afterwards. Integers are exact in a
-// double, and so are their sums, quotients and comparisons; those that are not stand in the table of whole numbers.
+// double, and so are their sums, quotients and comparisons. Other operations on integers are in the table of whole
+// numbers.
 
 struct Unary {
     Op op;
@@ -169,8 +170,8 @@ double rounded(Scalar scalar, double value) {
     return value;
 }
 
-// The number that the author of a float constant wrote: the decimal number of at most six digits that the float is next
-// to, if there is one. 1 - 0.8 is 0.2, but 1 minus the float next to 0.8 rounds to 0.19999999.
+// The number that the author of a float constant wrote: the decimal number of at most six digits whose nearest float it
+// is, if there is one. 1 - 0.8 is 0.2, but 1 minus the float next to 0.8 rounds to 0.19999999.
 double as_written(double number) {
     const bool is_exact = number == std::trunc(number) || std::fabs(number) >= 0x1p24;
     if (is_exact) return number;

@@ -1,8 +1,8 @@
 // The room `ir/fold` computes ops of constants. It makes no instructions of its own.
 //
-// What an op gives for constant operands, as numbers: no instruction is made here. evaluate() computes what the op
-// means, NaN and infinity included, also for the tests of the identities; fold_constant() (builder.h) refuses what the
-// builder must not fold. The interpreter has arithmetic of its own, so that the two can be compared.
+// What an op gives for constant operands, as numbers: no instruction is made here. evaluate() computes the meaning of
+// an op, NaN and infinity included, also for the tests of the identities. fold_constant() (builder.h) refuses results
+// that the builder must not fold. The interpreter has arithmetic of its own, so that the two can be compared.
 //
 //   round_to(Scalar::Half, 0.1) == 0.0999755859375
 #pragma once

@@ -1,9 +1,9 @@
 // simplify(): what the builder makes of op(args) instead of a new instruction. Constants fold (fold.cpp), composites
 // are taken apart (composites.cpp), and the algebra is the table below.
 //
-// What may change: the sign of a zero, and nothing else. A GPU need not keep NaN, but users debug with it and no target
-// promises to lose it, so x - x stays as it is for floats: it is NaN where x is NaN or infinite. Rounded identities are
-// the exception; each has a comment with its reason.
+// What may change: the sign of a zero, and nothing else. A GPU need not preserve NaN, but users debug with it and no
+// target promises to lose it. So x - x stays unchanged for floats: it is NaN where x is NaN or infinite. Rounded
+// identities are the exception; each has a comment with its reason.
 #include <algorithm>
 #include <array>
 
@@ -215,8 +215,8 @@ static_assert(is_grouped_by_op());
 using Node = Pattern::Node;
 using Bindings = std::array<Value, kVariables>;
 
-// What is checked before an identity is matched, because it rules out most of them: which ops the operands are, and
-// whether two operands are the same value.
+// Facts that are checked before an identity is matched, because they rule out most identities: the ops of the operands,
+// and whether two operands are the same value.
 struct Glance {
     std::array<std::uint64_t, 2> ops{};
     bool has_twins = false;
@@ -342,7 +342,7 @@ Value build(Builder& b, Type type, const Node*& node, const Bindings& bound) {
     return b.emit(head.op, result_type(head.op, {types.data(), count}), std::span<const Value>(args.data(), count));
 }
 
-// A number that somebody adds to a value, rather than one that makes it round.
+// True for a usual summand; false for a number so large that adding it rounds the value.
 bool is_usual(const Builder& b, Value constant) {
     constexpr double kMost = 1024;
     const std::span<const double> numbers = b.constant_of(constant);
@@ -403,7 +403,8 @@ Value simplify(Builder& b, Op op, Type type, std::span<const Value> args, std::u
     if (const Value whole = simplify_composite(b, op, type, args, data)) return whole;
     if (const Value splat = simplify_splat(b, op, type, args)) return splat;
     if (const Value equal = rewrite(b, op, type, args)) return equal;
-    // The op is asked for here: a function that guards its stack prepares that before it looks at its arguments.
+    // The op is tested here, outside of the function: a function that guards its stack sets that up before it looks at
+    // its arguments.
     if (op == Op::Mul || op == Op::Div) {
         if (const Value scaled = simplify_product(b, op, type, args)) return scaled;
     }

@@ -5,8 +5,8 @@
 namespace patina::ir {
 namespace {
 
-// A limit may go if the value keeps it by itself. A value that may be NaN keeps at least one of its limits, because
-// that makes a number of it.
+// A limit may go if the value keeps it by itself. A value that may be NaN keeps at least one of its limits, because the
+// limit turns NaN into a number.
 Value least_of(std::span<const Value> args, const Range& a, const Range& b) {
     if (!a.may_be_nan && a.high <= b.low) return args[0];
     return !b.may_be_nan && b.high <= a.low ? args[1] : Value();

@@ -1,4 +1,4 @@
-// The part of simplify() for what is known of the operands (facts.h): limits that hold anyway, vectors that are
+// The part of simplify() that uses facts about operands (facts.h): limits that have no effect, vectors that are
 // normalised already, and finite numbers minus themselves.
 //
 //   clamp(abs(x), 0, 5) = min(abs(x), 5)        normalize(-normalize(x)) = -normalize(x)
@@ -11,7 +11,7 @@ namespace patina::ir {
 
 Value simplify_known(Builder& b, Op op, Type type, std::span<const Value> args);
 
-// The operand that a limit or a Normalize leaves as it is; none if it may change it.
+// The operand that a limit or a Normalize does not change; none if it may change the operand.
 Value unchanged_operand(const FactsOf& facts, Op op, std::span<const Value> args);
 
 }  // namespace patina::ir

@@ -51,8 +51,9 @@ private:
 
 struct Identity {
     // Exact: both sides are equal for every operand, NaN and infinity included; only the sign of a zero may differ.
-    // Rounded: equal within rounding, for finite operands. Regrouped: the same, but used only for constants of a usual
-    // size, because (x + 1e8) - 1e8 is meant to round, and not through a value that has a name, which is to be read.
+    // Rounded: equal within rounding, for finite operands. Regrouped: the same, but only for constants of a usual size,
+    // because (x + 1e8) - 1e8 is meant to round. A value with a name is not regrouped, because readers must find it in
+    // the text.
     enum class Holds : std::uint8_t { Exact, Rounded, Regrouped };
     Pattern left, right;
     Holds holds = Holds::Exact;

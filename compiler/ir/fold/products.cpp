@@ -74,9 +74,9 @@ public:
         return {};
     }
 
-    // Nothing if the value has no constant factor. Where that is a value with a name, or behind the first product, the
-    // constants must cancel: a named value is to be read, and what lies between is computed once more if something else
-    // reads it, too.
+    // Nothing if the value has no constant factor. If the factor is in a value with a name, or behind the first
+    // product, the constants must cancel. A named value must stay readable, and the values between are computed twice
+    // if something else reads them, too.
     Value scaled(Value value, const Factor& by, int depth = 0) {
         const Inst inst = b_[value];
         if (depth >= kDeepestProduct || inst.operand_count > 2 || inst.operand_count == 0) return {};

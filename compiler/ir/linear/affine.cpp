@@ -11,7 +11,7 @@
 namespace patina::ir {
 namespace {
 
-// How many activations there may be: each call has one, and functions that call others twice double them at each level.
+// The most activations: each call has one, and functions that call others twice double their number at each level.
 constexpr std::size_t kBudget = 1u << 18;
 constexpr int kMaxDepth = 32;
 constexpr std::uint32_t kSeedBits = 6;

@@ -1,9 +1,9 @@
 // The room `ir/linear` finds and makes linear parts of functions. It changes no function that is there.
 //
 // Is a function f(x, ...) affine in one of its inputs: f = A x + B, where neither A nor B depends on x? If so, this
-// makes functions of its linear part A x and of B, with the same signature. A rendering path needs them if it computes
-// with one x in one pass and multiplies by another x in a later pass. x is a member of a parameter, or the result of
-// all calls of some function.
+// makes functions of its linear part A x and of B, with the same signature. A rendering path needs them if one pass
+// computes with one x, and a later pass multiplies by another x. x is a member of a parameter, or the result of all
+// calls of some function.
 //
 // The linear part is found like a derivative in forward mode: each value that depends on x has a tangent. An op that is
 // not linear in such a value has none, and the reason is kept. What does not reach the function's result may be
@@ -50,9 +50,9 @@ struct LinearPart {
 // kept.
 LinearPart linear_part(Module& module, FunctionId function, const Seed& seed, const LinearOptions& options = {});
 
-// B: the function with zero in the place of x. A product such as k x becomes zero as a whole, and k is not computed for
-// it; what is not affine is computed for x = 0. Functions that call the seed's callee are inlined, however many they
-// are, so call linear_part() first.
+// B: the function with zero in the place of x. A product such as k x becomes zero completely, and k is not computed for
+// it. Parts that are not affine are computed for x = 0. Functions that call the seed's callee are inlined, however many
+// they are, so call linear_part() first.
 Function without(Module& module, FunctionId function, const Seed& seed, BuildOptions build = {});
 
 // A member that is read, and by which graph node first.

@@ -19,7 +19,8 @@ std::vector<std::uint8_t> settled(const Function& function, std::uint64_t params
 // True for ops that cost something: false for leaves, for ops that only rearrange values, and for structure.
 bool is_work(Op op);
 
-// True if a writer looks for calls of the function, as the follower of a global (ir.h): they must stay as they are.
+// True if a writer searches for calls of the function, because it follows a global (ir.h). Then the calls must stay
+// unchanged.
 bool is_follower(const Module& module, const Function& function);
 
 }  // namespace patina::ir

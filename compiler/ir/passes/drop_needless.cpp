@@ -13,7 +13,7 @@ bool may_be_needless(const Inst& inst) {
            inst.op == Op::Saturate;
 }
 
-// What stands for an instruction: one of its operands, or the number 1.
+// The replacement of an instruction: one of its operands, or the number 1.
 struct Instead {
     Value operand{};
     bool is_one = false;  // the squared length of a unit vector

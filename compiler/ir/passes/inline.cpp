@@ -15,8 +15,8 @@ namespace {
 
 // The text of a function of so few operations is as easy to read where it is called.
 constexpr std::uint32_t kSmall = 3;
-// A function of the library that one place alone calls may have more: its comment, signature and braces are longer than
-// that. What a graph's author wrote has no comment, and stays. So does what other stages may call as well.
+// A function of the library with a single call may have more: its comment, signature and braces are longer than that.
+// What a graph's author wrote has no comment, and stays. So does what other stages may call as well.
 constexpr std::uint32_t kSmallOnce = 6;
 // A struct of so few numbers, such as the coverage that a shadow reads of a surface, says no more than the numbers.
 constexpr std::size_t kFewNumbers = 2;
@@ -69,7 +69,7 @@ bool is_few_numbers(const Module& module, Type type) {
            std::all_of(members.begin(), members.end(), [](const Member& m) { return m.type.is_scalar(); });
 }
 
-// What is the same at each call of a function: what it computes from globals and semantics alone.
+// The values of a function that are the same in each call: those that it computes from globals and semantics alone.
 std::vector<std::uint8_t> same_at_all_calls(const Function& function) {
     std::uint64_t semantics = 0;
     for (std::size_t i = 0; i < function.params.size() && i < kMaxSettledParams; i++) {
@@ -78,8 +78,8 @@ std::vector<std::uint8_t> same_at_all_calls(const Function& function) {
     return settled(function, semantics, Globals::Settled);
 }
 
-// True if calls make the text of such a function longer than copies of its body would, which share what is the same in
-// all of them. Compilers find equal arithmetic in several calls, but they repeat samples and loops.
+// True if the calls of such a function make the text longer than copies of its body, which share all values that are
+// the same in each call. Compilers find equal arithmetic in several calls, but they repeat samples and loops.
 bool is_shorter_inlined(const Module& module, const Function& function, std::size_t calls) {
     if (calls <= 1) return true;
     const std::vector<std::uint8_t> same = same_at_all_calls(function);
@@ -258,7 +258,7 @@ private:
         return result;
     }
 
-    // The nodes of a sub-graph get the path of the node that uses it here; it tells their names apart.
+    // The nodes of a sub-graph get the path of the node that uses it here. The path distinguishes their names.
     void move_nodes(Builder& to, OriginId user, std::size_t before) {
         for (std::size_t i = before; i < to.function().insts.size(); i++) {
             OriginId& origin = to.function().insts[i].origin;
@@ -291,9 +291,9 @@ private:
         }
     }
 
-    // The call's name replaces the name that the callee gives its result: it says what the value is to the reader. If
-    // the call has none, the callee's name says it. A struct is called after its type, and a texel is a texel, unless
-    // the callee names them.
+    // The call's name replaces the callee's name of the result, because it tells the reader what the value is. If the
+    // call has none, the callee's name says it. A struct is called after its type, and a texel is a texel, unless the
+    // callee names them.
     void name_result(Builder& to, Value result, const Inst& call, std::size_t before) {
         if (!result) return;
         const bool is_made_here = result.index >= before;

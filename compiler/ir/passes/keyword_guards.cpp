@@ -112,8 +112,8 @@ private:
                            [&](Value arg) { return heavy_[arg.index] && sides_.is_only_for(arg, v); });
     }
 
-    // The narrowest condition, of those around the uses of a value or several of them, that holds wherever one needs
-    // it.
+    // The narrowest condition around the uses of a value, or several conditions, that is true wherever a use needs the
+    // value.
     std::vector<Guard> guards_of(Value v) const {
         std::vector<Guard> known;
         std::vector<bool> needed;
@@ -157,7 +157,7 @@ private:
         return a;
     }
 
-    // Emits a condition of keywords again, because it may stand behind the place where it is needed now.
+    // Emits a condition of keywords again, because the existing one may come after the position where it is needed.
     Value repeated(Copy& copy, Value condition) const {
         const Inst& inst = from_[condition];
         std::vector<Value> operands;

@@ -162,8 +162,8 @@ private:
     bool has_any_ = false;
 };
 
-// Puts costly values that only several sides need under the narrowest of the sides' conditions, or of a few of these
-// together; elsewhere the value is zero. `from` is a function of `module`.
+// Moves costly values that only several sides need under the narrowest of the sides' conditions, or of a few of these
+// together. Elsewhere the value is zero. `from` is a function of `module`.
 Function guarded(Module& module, const Function& from, const Sides& sides);
 
 // A copy through `rewrite` (rebuild.h).

@@ -32,8 +32,8 @@ bool returns_struct(const Function& function) {
     return function.result.kind == Kind::Struct;
 }
 
-// Where one member of a struct value comes from, through constructs and inserts: the member's own value, or the struct
-// that it must be extracted from.
+// The origin of one member of a struct value, through constructs and inserts: the member's own value, or the struct
+// from which it must be extracted.
 struct MemberSource {
     Value value;
     bool is_member = false;
@@ -47,7 +47,7 @@ MemberSource member_source(const Function& function, Value whole, std::uint32_t 
     return {whole, false};
 }
 
-// Finds what is needed, over all functions at once: a parameter that a callee reads makes arguments needed, a member
+// Finds the needed values, over all functions at once. A parameter that a callee reads makes arguments needed; a member
 // that a caller takes makes a part of the callee's result needed. Each instruction is looked at once.
 class Analysis {
 public:
@@ -335,8 +335,8 @@ private:
         if (made.comment.find(fmt::format("`{}`", param)) != std::string::npos) made.comment.clear();
     }
 
-    // A comment that describes a member which is gone would mislead: the members that stay have texts of their own. A
-    // comment that describes no member, but all of them together, stays while there are several.
+    // A comment about a removed member would mislead: the members that stay have texts of their own. A comment that
+    // describes no member, but all of them together, stays while there are several.
     void describe_rest(Function& made, const Signature& signature) const {
         if (made.result_docs.empty()) return;
         const auto is_own = [&](const std::string& doc) { return doc == made.comment; };
@@ -427,7 +427,7 @@ private:
         copy.to.set_origin(inst.origin ? inst.origin : copy.origin);
         const Value made = member(copy, whole, inst.data);
         copy.to.name(made, inst.name);
-        // What is left of the call is this member, and not what its result was called after.
+        // Only this member is left of the call, so the name of the whole result does not fit.
         if (inst.name && signatures_[copy.from[whole].data].is_bare()) copy.to.rename(made, inst.name);
         copy.map[value.index] = made;
         return true;

@@ -11,7 +11,7 @@ Rate leaf_rate(const Module& module, const Function& function, const Inst& inst)
     return inst.op == Op::Global ? Rate::Uniform : Rate::Constant;
 }
 
-// By function: the rate of what it reads besides its parameters.
+// By function: the rate of the values that it reads, without its parameters.
 std::vector<Rate> own_rates(const Module& module) {
     std::vector<Rate> own;
     for (const Function& function : module.functions) {

@@ -7,8 +7,8 @@
 namespace patina::ir {
 namespace {
 
-// For each instruction of a function, the deepest loop that it depends on, as the number of loops around that loop's
-// body; 0: none. The loops around one place are nested, so the number says which loop it is.
+// For each instruction of a function, the deepest loop on which it depends, as the number of loops around that loop's
+// body; 0: none. The loops around one position are nested, so the number identifies the loop.
 class Levels {
 public:
     explicit Levels(const Function& function) : function_(function), levels_(function.insts.size()), loops_(levels_) {

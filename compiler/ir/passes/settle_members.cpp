@@ -37,7 +37,7 @@ public:
 
 private:
     void look_at(const Function& function) {
-        // Other texts, too, make what exported functions take, and read what they return.
+        // Other texts, too, make the arguments of exported functions, and read their results.
         if (is_elsewhere(function) || function.linkage == Linkage::Exported) {
             come_from_elsewhere(function.result);
             for (const Param& param : function.params) come_from_elsewhere(param.type);
@@ -120,7 +120,7 @@ bool settle(Module& module) {
 }  // namespace
 
 Module settle_members(Module module) {
-    // A member of one struct may be what is put into a member of another one.
+    // The value of a member of one struct may come from a member of another one.
     for (std::size_t round = 0; round <= module.structs.size() && settle(module); ++round) {
     }
     return module;

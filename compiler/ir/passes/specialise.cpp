@@ -245,7 +245,7 @@ private:
         return found->second;
     }
 
-    // Versions of one function that are still called get different names: the first keeps its own.
+    // Versions of one function that are still called get different names: the first version keeps the function's name.
     void name_versions() {
         if (versions_.empty()) return;
         module_ = prune(std::move(module_));

@@ -207,8 +207,8 @@ private:
     std::vector<Value> raw_;  // by old value: what it is in the engine; null: it is no such value
 };
 
-// Finds parameters that functions may take as the engine has them: textures are read at them, and all callers have
-// them from the engine. The turns of caller and function would cancel, but neither sees the other.
+// Finds parameters that functions may take in the engine's form: textures are read with them, and all callers have them
+// from the engine. The turns of caller and function would cancel, but neither sees the other.
 class Takers {
 public:
     explicit Takers(Module& module) : module_(module), is_place_(module.functions.size()) {}

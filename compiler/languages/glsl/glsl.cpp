@@ -74,8 +74,7 @@ std::string transpose_of(const Body& body, Value construct) {
     return fmt::format("{}({})", type_name(Type::matrix(type.scalar, type.cols, type.rows)), body.arguments(construct));
 }
 
-// A matrix made of rows, times v, equals v times the matrix that has these vectors as columns, so it needs no
-// transpose().
+// A matrix of rows, times v, equals v times the matrix with these vectors as columns. So no transpose() is needed.
 Text product(const Body& body, Value v) {
     const Value a = body.arg(v, 0), b = body.arg(v, 1);
     std::string left, right;

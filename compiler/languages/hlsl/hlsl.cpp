@@ -101,8 +101,8 @@ void resource(Writer& w, GlobalId id) {
 }
 
 // A pipeline of Vulkan sets a specialization constant: dxc defines __spirv__ there, and glslang VULKAN. Direct3D has no
-// such constants, and a constant that is not static would be a uniform there: so whoever compiles the text may define a
-// macro of that name instead, and the default is static.
+// such constants, and a constant that is not static would be a uniform there. So the default is static, and a program
+// that compiles the text may define a macro of that name instead.
 void keyword(Writer& w, GlobalId id) {
     const Global& global = w.module.globals[id.index];
     const std::string& name = w.globals[id.index];
