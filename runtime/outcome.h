@@ -1,5 +1,5 @@
-// A value, or one sentence that explains the failure. It is used where a user reads failures as text (files, devices);
-// problems in a graph are patina::Diagnostics instead, because they have a place.
+// A value, or one sentence that explains the failure. It is used if a user reads failures as text (files, devices).
+// Problems in a graph are patina::Diagnostics instead, because they have a location.
 //
 //   Outcome<Image> image = load_image("rust.png");
 //   if (!image) return Failure{image.error};

@@ -164,8 +164,8 @@ private:
         return true;
     }
 
-    // The inputs of the lighting model that the graph sets: a preview of any other is an error. Those that glTF has a
-    // place for are kept.
+    // The inputs of the lighting model that the graph sets: a preview of any other is an error. Inputs that glTF can
+    // have are stored.
     void find_layers(const WorldMaterial& material) {
         for (const ModelInfo& model : compiler_.lighting_models()) {
             if (model.name != out_.lighting) continue;
@@ -192,7 +192,7 @@ private:
         return material;
     }
 
-    // What the request gives one value: the switch of the pass, and what the model loses by it.
+    // A value that the request sets: the switch of the pass, and what the model loses by it.
     struct Fixed {
         std::string_view name;
         bool is_on;
@@ -209,7 +209,7 @@ private:
                       "it is as in the light of --light, --env and --ambient"}};
     }
 
-    // The node that reads such a value is the one at which the pass is refused without it.
+    // The pass is refused without such a value, at the node that reads it. So that node is the reader.
     void say_fixed(const WorldMaterial& material) {
         for (const Fixed& each : fixed()) {
             if (!each.is_on) continue;

@@ -49,7 +49,7 @@ private:
 
     Range range(const Image& image, int channel) const { return range_of(image, covered_, channel); }
 
-    // The range of values that glTF keeps between 0 and 1; warnings name what is outside.
+    // The range of values, which glTF limits to 0 to 1; warnings name the values outside.
     Range share(Image& image, int channel, std::string_view what) {
         const Range found = range(image, channel);
         if (found.low >= 0 && found.high <= 1) return found;
@@ -63,7 +63,7 @@ private:
         return {.low = std::clamp(found.low, 0.0f, 1.0f), .high = std::clamp(found.high, 0.0f, 1.0f)};
     }
 
-    // Three channels of one colour say once what is wrong with them.
+    // One message for the three channels of a colour.
     std::array<Range, 3> color_share(Image& image, std::string_view what) {
         return {share(image, 0, what), share(image, 1, what), share(image, 2, what)};
     }

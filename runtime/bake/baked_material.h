@@ -1,5 +1,5 @@
-// What the pass `bake` or `bake-specular` has drawn (nodes/passes/bake.pass.hlsl) as a glTF material: what is the same
-// everywhere becomes a factor, the rest a texture.
+// Turns the pictures of the pass `bake` or `bake-specular` (nodes/passes/bake.pass.hlsl) into a glTF material: a value
+// that is the same everywhere becomes a factor, any other a texture.
 //
 //   BakedMaterial made = baked_material("rust", drawn, {}, state);
 //   Outcome<std::string> png = encode_map(made.maps[0]);
@@ -20,8 +20,8 @@ struct BakedTargets {
     Image color, reflection, normal, emission, cutoff;
 };
 
-// An input of the lighting model that the graph sets, as the pass `bake-value` has drawn it; one texel if it is the
-// same everywhere. Its numbers are finite.
+// An input of the lighting model that the graph sets, from the pass `bake-value`. If it is the same everywhere, it has
+// one texel. Its numbers are finite.
 struct LayerValue {
     std::string input{};
     Image image{};

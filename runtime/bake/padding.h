@@ -12,8 +12,9 @@
 
 namespace patina::runtime {
 
-// For each texel the index of a covered one that is nearest to it, or nearly so; its own if it is covered. `covered`:
-// row by row, not 0 where the mesh is; at least one is. The distance is exact but for rare texels (Danielsson's 8SED).
+// For each texel, the index of the nearest covered texel, or nearly the nearest; a covered texel has its own index.
+// `covered`: row by row, not 0 where the mesh is; at least one is. The distance is exact but for rare texels
+// (Danielsson's 8SED).
 std::vector<std::uint32_t> nearest_covered(const std::vector<std::uint8_t>& covered, int width, int height);
 
 // Copies to each texel what `from` says.

@@ -1,4 +1,5 @@
-// The values of drawn textures where the mesh is: whether they are finite, their range, and whether they are one value.
+// The values of drawn textures where the mesh is: whether they are finite, their range, and whether all of them are
+// equal.
 //
 //   const Range red = range_of(image, covered, 0);
 //   if (red.is_constant()) factor = red.middle();
@@ -25,7 +26,7 @@ struct Range {
 // Texel by texel, 1 where alpha says that the mesh is there.
 std::vector<std::uint8_t> covered_texels(const Image& image);
 
-// Replaces numbers that are not finite by 0, and marks their texels in `broken`, which has a place for each texel.
+// Replaces numbers that are not finite by 0, and marks their texels in `broken`, which has an element for each texel.
 void make_finite(Image& image, std::vector<std::uint8_t>& broken);
 
 // The covered ones among broken texels: how many, and where the first is.
@@ -35,7 +36,7 @@ struct NotFinite {
 };
 NotFinite not_finite(const std::vector<std::uint8_t>& broken, const std::vector<std::uint8_t>& covered, int width);
 
-// Of one channel of the covered texels. An image of one texel stands for a value that is the same everywhere.
+// Of one channel of the covered texels. An image of one texel means that the value is the same everywhere.
 Range range_of(const Image& image, const std::vector<std::uint8_t>& covered, int channel);
 
 // A texture of four channels, each from a channel of `image`; 1 where there is none.

@@ -22,8 +22,8 @@ std::int64_t area(const Point& a, const Point& b, const Point& c) {
     return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
 }
 
-// Where an edge goes exactly through a texel, one of the two triangles along it has the texel: that of which the edge
-// is a left or an upper one.
+// If an edge goes exactly through a texel, one of the two triangles at the edge has the texel: the triangle of which
+// this is a left or an upper edge.
 bool is_top_left(const Point& from, const Point& to) {
     return (from[1] == to[1] && to[0] > from[0]) || to[1] < from[1];
 }

@@ -1,4 +1,4 @@
-// The texture coordinates of a mesh as a map to draw into: what is wrong with them, and which texels they cover.
+// The texture coordinates of a mesh as a map to draw into: their errors, and the texels that they cover.
 //
 //   Outcome<UvLayout> layout = uv_layout(mesh, 1024);
 //   if (layout && layout.value.overlap > 0) warn(...);
@@ -13,7 +13,7 @@
 namespace patina::runtime {
 
 struct UvLayout {
-    // The mesh with triangles that all turn the same way in the texture, as front faces: a chart that is mirrored there
+    // The mesh with triangles that all turn the same way in the texture, like front faces. Otherwise a mirrored chart
     // would count as seen from behind. Triangles without area in the texture are left out.
     Mesh mesh;
     double overlap = 0;  // share of the covered texels that more than one triangle covers

@@ -1,7 +1,7 @@
 // The room `cpu`: draws a frame as it stands. It includes nothing of Vulkan, and decides nothing about what is drawn.
 //
 // Draws the same Frame as the GPU, on the CPU: a small rasteriser around patina::Interpreter. It works in 2 x 2 quads
-// with helper lanes, so derivatives and mip levels exist, by Vulkan's rules: eight bits of sub-pixel precision,
+// with helper lanes, so derivatives and mip levels exist. It follows Vulkan's rules: eight bits of sub-pixel precision,
 // top-left rule, perspective-correct varyings, clipping at the near plane, tests of depth and stencil, blending in the
 // target's format. Slow: a witness, and a fallback without a GPU.
 //

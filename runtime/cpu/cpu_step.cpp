@@ -26,9 +26,9 @@ Interpreter& bound_stage(const CpuStep& step, std::optional<Interpreter>& place,
 
 // --- before the pixels
 
-// What Vulkan adds to the depth of each of the triangle's pixels: `depthBias` times the least difference of depths
-// near the largest of the corners', which for 32-bit floats is 2^(exponent - 23), and `depth_slope_bias` times how
-// much depth changes from pixel to pixel.
+// What Vulkan adds to the depth of each of the triangle's pixels: `depthBias` times the smallest difference of depths
+// near the largest depth of the corners, plus `depth_slope_bias` times the change of depth from pixel to pixel. For
+// 32-bit floats the smallest difference is 2^(exponent - 23).
 double depth_offset(const Pass& pass, const ScreenTriangle& triangle) {
     if (pass.depth_bias == 0 && pass.depth_slope_bias == 0) return 0;
     std::array<double, 3> z{};

@@ -142,7 +142,7 @@ private:
                 .bottom = std::min(bounds.bottom, window_.bottom)};
     }
 
-    // Threads have rows of their own, so that those of one sample come in order.
+    // Each thread has rows of its own, so the hits of one sample come in order.
     void add(const Hit& hit) {
         const int x = hit.fragment.quad.x + hit.fragment.lane % 2, y = hit.fragment.quad.y + hit.fragment.lane / 2;
         if (!window_.holds(x, y)) return;
@@ -166,7 +166,7 @@ private:
 
     // --- which fragment
 
-    // What a later step draws over is hidden, as is what fails the test of depth.
+    // A fragment is hidden if a later step draws over it, or if it fails the depth test.
     void hide(Hits& hits) const {
         bool is_replaced = false;
         for (auto hit = hits.rbegin(); hit != hits.rend(); ++hit) {
@@ -182,7 +182,7 @@ private:
         return is_reversed ? a.depth() > b.depth() : a.depth() < b.depth();
     }
 
-    // The last one that is seen; if none is, the nearest of those that are hidden, or discarded.
+    // The last visible hit; if none is visible, the nearest of the hits that are hidden or discarded.
     const Hit* front_of(const Hits& hits) const {
         const Hit *drawn = nullptr, *hidden = nullptr, *discarded = nullptr;
         for (const Hit& hit : hits) {
@@ -195,7 +195,7 @@ private:
                 hidden = &hit;
             }
         }
-        // Without a wish, what is hidden is not looked for: something is drawn before it.
+        // If the request names no object, hidden hits are not searched: something is drawn before them.
         return drawn ? drawn : hidden && wish_.object ? hidden : discarded;
     }
 
@@ -241,7 +241,7 @@ private:
         return &first_of_path(hits, *fronts[std::size_t(chosen)]);
     }
 
-    // Of several passes that a path draws one object with, the first: the others add to it.
+    // If a path draws one object with several passes, the first of them: the others only add to it.
     const Hit& first_of_path(const Hits& hits, const Hit& front) const {
         if (frame_.steps[front.step].pass->is_extra || !front.is_drawn()) return front;
         for (const Hit& hit : hits) {

@@ -1,5 +1,6 @@
-// The values behind one pixel of a frame: draws what the pixel depends on, remembers the fragments that cover it, and
-// runs the stages of one of them again with every node watched. It does not name objects; they are the world's indices.
+// The values behind one pixel of a frame. Draws everything on which the pixel depends, remembers the fragments that
+// cover it, and runs the stages of one of them again with a record of every node. It does not name objects; they are
+// the world's indices.
 //
 //   Outcome<PixelTrace> traced = cpu_trace(frame, {.x = 120, .y = 80});
 //   if (traced && traced.value.object) print(world.objects[*traced.value.object].name, traced.value.values);

@@ -20,8 +20,8 @@ struct ClipVertex {
     std::vector<double> varyings{};
 };
 
-// Corners are clockwise on the screen (y down) whatever the triangle's facing was. Which pixels it covers is decided in
-// snapped coordinates, so that neighbours share an edge without gaps; varyings follow the exact ones, as on most
+// Corners are clockwise on the screen (y down) whatever the triangle's facing was. Snapped coordinates decide which
+// pixels it covers, so that neighbours share an edge without gaps. Varyings use the exact coordinates, as on most
 // devices.
 struct ScreenTriangle {
     std::array<ClipVertex, 3> corners{};

@@ -48,7 +48,7 @@ std::string cannot_make(const std::string& path, const std::string& why) {
            "': " + (is_file ? "'" + there.string() + "' is a file" : why);
 }
 
-// "/proc/self/fd/1" is 1, which is -1 for what is not a descriptor of this process.
+// "/proc/self/fd/1" is 1; -1 if the path is no descriptor of this process.
 int own_descriptor(const fs::path& path) {
     std::error_code failure;
     const fs::path own = fs::canonical("/proc/self/fd", failure);
@@ -176,7 +176,7 @@ private:
     int open_temporary(const std::string& destination, const std::string& shown) {
         const fs::path folder = fs::path(destination).parent_path();
         for (;; ++count_) {
-            // It is in the list before it is there: nothing that fails can leave it behind.
+            // It is in the list before the file exists, so no failure can leave the file behind.
             temporaries_.push_back({(folder / temporary_name(count_)).string(), destination, shown});
             const char* path = temporaries_.back().path.c_str();
             const int descriptor = ::open(path, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
@@ -237,7 +237,7 @@ Destination follow(const std::string& path) {
 }  // namespace
 
 Destination destination_of(const std::string& path, const Root* root) {
-    // Asked first: what is outside is not looked at, so no message tells what is there.
+    // This check comes first: a file outside is not examined, so no message shows whether it exists.
     if (std::string why = why_unwritable(path, root); !why.empty()) return {.path = path, .error = std::move(why)};
     Destination to = follow(path);
     // Opening a FIFO waits for its reader, and the author of the root's files may have put it there.
@@ -300,7 +300,7 @@ std::string write_files(std::span<const OutputFile> files, const Root* root) {
         if (!folders.insert(folder.string()).second) continue;
         if (std::string error = replacement.make_folder(*file, folder); !error.empty()) return error;
     }
-    // Also which files keep their bytes is decided when nobody else can change them.
+    // It is also decided under the lock which files keep their bytes, because nobody else can change them then.
     if (std::string error = locks.take(folders); !error.empty()) return cannot_write(files.front().path, error);
     for (const std::string& folder : folders) remove_leftovers(folder, locks.has(folder));
     for (const auto& [file, to] : whole) {

@@ -1,14 +1,14 @@
-// The room `files`: how output files are written. It does not know what is in them.
+// The room `files`: how output files are written. It knows nothing about their contents.
 //
-// Files are whole or not there: they are written under temporary names in their folders, and renamed in their order
-// when all of them are there. Nobody else can have such a name, because opening the file fails if there is one already.
+// A file is written completely or not at all. All files are written under temporary names in their folders, and then
+// renamed in their order. Nobody else can have such a name, because opening the file fails if there is one already.
 // Their folders are locked meanwhile (folder_lock.h), so files of two processes do not mix. Of a symbolic link the
-// target is replaced, not the link. A file that is replaced keeps its permissions. What is not a regular file (a
-// device, a FIFO, /dev/stdout) is written to and stays what it is. A file that holds the bytes already is left alone
-// with its time, so that a build does not do again what depends on it.
+// target is replaced, not the link. A file that is replaced keeps its permissions. A file that is not regular (a
+// device, a FIFO, /dev/stdout) is written to, and is not replaced. A file that has the same bytes already is not
+// touched and keeps its time, so that a build does not repeat work that depends on it.
 //
-// If reading is confined to a root (compiler/base/disk/disk.h), no link in the root makes a file outside of it, and
-// what is not a regular file in the root is not written to. In these functions, `root` is as in those that read.
+// If reading is confined to a root (compiler/base/disk/disk.h), then no link in the root leads to a new file outside of
+// it. Files in the root that are not regular are not written to. In these functions, `root` is as in those that read.
 //
 //   std::string error = write_files(std::vector<OutputFile>{{.path = "out/rust.png", .bytes = png}});
 //   // empty: written
@@ -29,10 +29,10 @@ namespace patina::runtime {
 struct OutputFile {
     std::string path{};
     std::string bytes{};
-    bool is_stamp = false;  // its time says when the work was done: it is written even if it holds these bytes already
+    bool is_stamp = false;  // its time says when the work was done: it is also written if it has these bytes already
 };
 
-// What a path stands for when its symbolic links are followed.
+// The file that a path means when its symbolic links are followed.
 struct Destination {
     enum class Kind {
         File,       // a regular file, or nothing so far
@@ -50,8 +50,8 @@ Destination destination_of(const std::string& path, const Root* root = nullptr);
 // What would be in the way of writing a file there, as write_files() would say it; empty: nothing that can be seen now.
 std::string obstacle_to(const std::string& path);
 
-// The bytes of a file, at most so many (compiler/base/disk/disk.h). "there is no file 'sizi.glb': did you mean
-// 'suzi.glb'?", "cannot read 'out': it is a folder", "cannot read 'a.exr': it has more than 1000 bytes".
+// The bytes of a file, at most so many (compiler/base/disk/disk.h). Its errors are "there is no file 'sizi.glb': did
+// you mean 'suzi.glb'?", "cannot read 'out': it is a folder", "cannot read 'a.exr': it has more than 1000 bytes".
 Outcome<std::string> read_file(const std::string& path, std::uint64_t most);
 // The first bytes of a file.
 Outcome<std::string> read_start(const std::string& path, std::size_t count);

@@ -20,10 +20,11 @@ void look_into(const fs::path& folder, bool is_outermost, FolderContents& below)
     for (const fs::directory_iterator end; !error && at != end; at.increment(error)) {
         if (at->path().filename().string().starts_with('.')) continue;
         std::error_code ignored;
-        // A link that leads out of what may be read is as one that leads nowhere.
+        // A link that leads outside of the root is treated like a link that leads nowhere.
         const bool is_outside = at->is_symlink(ignored) && !why_outside(at->path().string()).empty();
         const fs::file_status status = is_outside ? fs::file_status() : at->status(ignored);
-        if (fs::is_regular_file(status) || !fs::exists(status))  // a link that leads nowhere is said when it is read
+        if (fs::is_regular_file(status) ||
+            !fs::exists(status))  // a link that leads nowhere is reported when it is read
             below.files.push_back(at->path().lexically_normal().string());
         else if (fs::is_directory(status) && !at->is_symlink(ignored))
             look_into(at->path(), false, below);

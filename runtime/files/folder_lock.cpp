@@ -56,7 +56,7 @@ FolderLocks::~FolderLocks() {
 std::string FolderLocks::take(const std::set<std::string>& folders, std::chrono::milliseconds patience) {
     for (const std::string& path : folders) {
         const int descriptor = ::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-        if (descriptor < 0) continue;  // it cannot be read: whoever writes to it does so without a lock
+        if (descriptor < 0) continue;  // it cannot be read: other programs write to it without a lock
         struct stat there {};
         ::fstat(descriptor, &there);
         open_.push_back({.path = path, .descriptor = descriptor, .device = there.st_dev, .inode = there.st_ino});

@@ -1,9 +1,9 @@
 // Folders that one process at a time writes files to.
 //
-// The lock is one of the kernel (flock) on the folder itself. It leaves no file behind, does not change the folder's
-// time, and ends with the process that holds it, however that ends. A reader that wants files of one run alone takes a
-// shared lock on the folder: `flock --shared out cat out/*`. Two processes that lock several folders do so in the same
-// order. A folder that cannot be locked, as on NFS, is written to all the same.
+// The lock is one of the kernel (flock) on the folder itself. It leaves no file behind and does not change the folder's
+// time. It ends with the process that holds it, also if the process is killed. A reader that wants files of one run
+// alone takes a shared lock on the folder: `flock --shared out cat out/*`. Two processes that lock several folders do
+// so in the same order. A folder that cannot be locked, as on NFS, is written to all the same.
 //
 //   FolderLocks locks;
 //   if (std::string error = locks.take({"out"}); !error.empty()) return error;
@@ -20,8 +20,8 @@ namespace patina::runtime {
 
 class FolderLocks {
 public:
-    // How long to wait for others. A process that writes holds its lock for some milliseconds; one that was stopped
-    // holds it until it goes on.
+    // How long to wait for others. A process that writes holds its lock for some milliseconds. A stopped process holds
+    // it until it continues.
     static constexpr std::chrono::milliseconds kPatience = std::chrono::seconds(60);
 
     FolderLocks() = default;

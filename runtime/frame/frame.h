@@ -30,7 +30,7 @@
 
 namespace patina::runtime {
 
-// The depth of what is nowhere: that of the far plane.
+// The depth of pixels without geometry: that of the far plane.
 constexpr float farthest(ClipDepth depth) {
     return depth == ClipDepth::Reversed ? 0.0f : 1.0f;
 }
@@ -50,7 +50,7 @@ struct FrameRead {
     std::size_t target = 0;
 };
 
-// The two stages of one pass of one material, in the form that whoever draws can run.
+// The two stages of one pass of one material, in the form that a renderer can run.
 struct StagePair {
     std::span<const std::uint32_t> vertex_spirv{}, fragment_spirv{};  // GPU; entry point "main"
     const Program* program = nullptr;                                 // CPU
@@ -80,7 +80,7 @@ struct FrameStep {
         const auto found = samplers.find(sampler.name);
         return found == samplers.end() ? sampler.sampler : found->second;
     }
-    // For whoever asks what a pixel shows. Indices into the world whose frame it is.
+    // For finding what a pixel shows. Indices into the world whose frame it is.
     std::optional<std::size_t> object{};  // nothing: no object is drawn
     std::size_t first_instance = 0;       // the first of `instances`, among those of the object
     std::vector<std::size_t> lights{};    // in the order in which the shaders number them

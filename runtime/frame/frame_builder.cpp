@@ -27,7 +27,7 @@ glm::vec4 lightmap_decode(LightmapEncoding encoding) {
     return {1, 1, 0, 0};
 }
 
-// Whose map the texture of the engine is; null: it is what is around, or something else.
+// The probe whose map the engine's texture is; null: it is the surroundings, or something else.
 const Probe* probe_of(std::string_view texture, const ProbeChoice& probes) {
     if (texture == "probeMap") return probes.first;
     return texture == "environmentMap" ? probes.second : nullptr;
@@ -74,7 +74,7 @@ std::optional<std::size_t> FrameBuilder::find_target(const std::string& name) co
     return std::nullopt;
 }
 
-// The depth of what is nowhere. Shadow maps are near to far, whatever the camera's view is.
+// The depth of pixels without geometry. Shadow maps are near to far, whatever the camera's view is.
 float FrameBuilder::farthest_of(const Pass& pass) const {
     return pass.lights == PassLights::Shadowed ? 1.0f : farthest(world_.view.camera.clip_depth);
 }

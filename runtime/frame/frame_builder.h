@@ -38,8 +38,8 @@ public:
     FrameBuilder(const World& world, std::span<const DrawnMaterial> materials, const FrameOptions& options);
 
     // All targets that passes of these materials draw into or read. The picture's targets have its size, samples
-    // included; those of shadow passes are an atlas, or a single texel where nothing casts; so is one that is read
-    // while no pass draws into it. Returns what is wrong, or nothing.
+    // included. Those of shadow passes are an atlas. A target is a single texel if nothing casts a shadow, or if a pass
+    // reads it and no pass draws into it. Returns what is wrong, or nothing.
     std::string make_targets(std::span<const std::size_t> used, bool has_shadows);
 
     void add(PlannedStep step);

@@ -297,7 +297,7 @@ std::vector<std::size_t> Planner::materials_of(const Objects& objects) const {
     return {materials.begin(), materials.end()};
 }
 
-// Names of all passes, each behind those that stand before it in its material.
+// Names of all passes, each after the passes that come before it in its material.
 std::vector<std::string> Planner::pass_order(Objects objects) const {
     std::stable_sort(objects.begin(), objects.end(),
                      [&](const auto* a, const auto* b) { return material_of(*a) < material_of(*b); });

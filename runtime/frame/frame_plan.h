@@ -1,6 +1,7 @@
-// Converts a world and its compiled materials to a frame: which pass of which material draws which object, in which
-// order, with which lights and into which targets. It knows rendering paths only from the passes of the reflection, and
-// contains no names of passes or paths. It reads no files: materials are compiled and textures loaded before.
+// Converts a world and its compiled materials to a frame. It decides which pass of which material draws which object,
+// in which order, with which lights and into which targets. It knows rendering paths only from the passes of the
+// reflection, and contains no names of passes or paths. It reads no files: materials are compiled and textures loaded
+// before.
 //
 // The order:
 //   0. the background, if it is a picture
@@ -62,8 +63,8 @@ struct FrameOptions {
 Outcome<Frame> plan_frame(const World& world, std::span<const DrawnMaterial> materials,
                           const FrameOptions& options = {});
 
-// The path to compile a material for, so that this camera can draw it: its own path, or the fallback of a pass that
-// needs another camera. Empty: there is none.
+// The path for which a material must be compiled, so that this camera can draw it: its own path, or the fallback of a
+// pass that needs another camera. Empty: there is none.
 std::string path_for(const Camera& camera, const Reflection& reflection);
 
 }  // namespace patina::runtime

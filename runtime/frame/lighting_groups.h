@@ -1,5 +1,5 @@
-// Materials that share a lighting pass. A full-screen pass or light volume that tests the stencil reference "lighting"
-// is drawn once for each group, on the pixels that the group's materials have marked with its number.
+// Materials that share a lighting pass. A full-screen pass or light volume with the stencil reference "lighting" is
+// drawn once for each group, on the pixels that the group's materials have marked with its number.
 //
 //   LightingGroups groups(materials);
 //   std::optional<int> number = groups.number(0, 3);   // of material 3, among the objects that are drawn first

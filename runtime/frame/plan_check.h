@@ -11,7 +11,7 @@
 
 namespace patina::runtime {
 
-// Empty, or what is wrong; it names the material and its pass.
+// Empty, or a message that names the material and its pass.
 std::string plan_error(const World& world, std::span<const DrawnMaterial> materials, const FrameOptions& options);
 
 }  // namespace patina::runtime

@@ -1,7 +1,7 @@
-// Tiles of a frame. Where the targets of a whole picture would take too much memory, only a part of them exists at a
-// time: the frame is drawn again for each tile, and each tile's result is averaged into the picture at once. Targets
-// that do not have the picture's size, such as shadow maps, are drawn once, with the first tile. The materials must be
-// compiled with the switch `tiles` (nodes/stage/tiles.node.hlsl).
+// Tiles of a frame. If the targets of a whole picture would take too much memory, only a part of them exists at a time.
+// The frame is drawn again for each tile, and each tile's result is averaged into the picture at once. Targets that do
+// not have the picture's size, such as shadow maps, are drawn once, with the first tile. The materials must be compiled
+// with the switch `tiles` (nodes/stage/tiles.node.hlsl).
 //
 //   frame.tile = tile_side(frame, kMostTargetBytes);
 //   for (const PixelArea& tile : tiles_of(frame)) draw(step, blocks_at(step, {.x = tile.x, .y = tile.y, ...}));
@@ -25,7 +25,7 @@ inline constexpr std::size_t kMostWholeBytes = std::size_t(8) << 30;
 // Samples along a side of a picture that is drawn in tiles.
 inline constexpr int kLargestInTiles = 8 * kLargestImage;
 
-// What a tile of this size takes: its targets, copies of those that are read, and its result as it is averaged.
+// The memory for a tile of this size: its targets, copies of the targets that are read, and its averaged result.
 std::size_t target_bytes(const Frame& frame, int width, int height);
 // Of all of the picture at once.
 std::size_t target_bytes(const Frame& frame);
@@ -33,8 +33,8 @@ std::size_t target_bytes(const Frame& frame);
 bool wants_tiles(const Frame& frame, std::size_t most);
 // The largest Frame::tile that takes no more than `most` bytes, or the smallest that there is.
 int tile_side(const Frame& frame, std::size_t most);
-// A multiple of this: tiles begin at a whole pixel, and no group of 2 x 2 samples, of which derivatives are made, lies
-// in two of them.
+// The size of tiles is a multiple of this. So tiles begin at a whole pixel, and no 2 x 2 group of samples, from which
+// derivatives are made, is in two tiles.
 int tile_step(const Frame& frame);
 
 // The tiles from the top left, row by row; the last ones may be smaller. All of the picture, if Frame::tile is 0.

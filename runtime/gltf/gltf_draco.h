@@ -11,12 +11,12 @@
 
 namespace patina::runtime {
 
-// tinygltf refuses indices without bytes of their own, which is what compressed ones are: moves them into the
-// extension. Text that is no JSON stays as it is. Throws nothing.
+// tinygltf refuses indices without bytes of their own, and compressed indices have none: moves them into the extension.
+// Text that is no JSON stays as it is. Throws nothing.
 std::string without_draco_indices(std::string_view json);
 
-// Decodes all compressed primitives into a buffer of their own, and restores their indices. Returns the first mistake
-// with its place in the file; empty if there is none.
+// Decodes all compressed primitives into a buffer of their own, and restores their indices. Returns the first error
+// with its location in the file; empty if there is none.
 std::string expand_draco(tinygltf::Model& model);
 
 }  // namespace patina::runtime

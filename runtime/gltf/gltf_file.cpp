@@ -65,8 +65,8 @@ std::vector<unsigned char> readable(std::vector<unsigned char> bytes) {
     return bytes;
 }
 
-// Keeps pictures as they are in the file: whoever wants one decodes it. One that lies in a buffer stays there: its view
-// has not been checked yet.
+// Keeps pictures as in the file, not decoded: the code that needs one decodes it. A picture in a buffer stays there:
+// its view has not been checked yet.
 bool keep_picture(tinygltf::Image* image, int, std::string*, std::string*, int, int, const unsigned char* bytes,
                   int size, void*) {
     if (image->bufferView < 0) image->image.assign(bytes, bytes + size);
@@ -133,7 +133,8 @@ std::string located(const std::string& why) {
                        reason == why.npos ? "" : ": " + why.substr(reason + 3));
 }
 
-// Its message for a buffer that claims more than the second chunk of a .glb holds, with the place; empty: another one.
+// The message, with the location, for a buffer that claims more bytes than the second chunk of a .glb has; empty for
+// another message.
 std::string short_chunk(const std::string& why) {
     double claimed = 0, held = 0;
     const std::size_t at = why.find("`byteLength' = ");
@@ -143,8 +144,8 @@ std::string short_chunk(const std::string& why) {
                        claimed, held);
 }
 
-// Its message for a buffer whose file it cannot take, with the place; empty: another one. The message has the size of
-// the file, which may be any file of the machine, and a path instead of the URI.
+// The message, with the location, for a buffer whose file tinygltf refuses; empty for another message. The message has
+// the size of the file, which may be any file of the machine, and a path instead of the URI.
 std::string buffer_mistake(std::string_view why, std::string_view folder, std::size_t index) {
     struct Form {
         std::string_view begin, behind_file, what;

@@ -22,7 +22,7 @@ Outcome<tinygltf::Model> open_gltf(const std::string& path);
 // The bytes of a picture's own file, not decoded. Empty: it is a file that could not be read.
 std::string_view picture_bytes(const tinygltf::Model& model, std::size_t index);
 
-// gltf_check.cpp: the first mistake, with its place; empty if there is none. `is_used`: an extension that a file
+// gltf_check.cpp: the first error, with its location; empty if there is none. `is_used`: an extension that a file
 // requires is refused if this room does not read it.
 std::string mistake_in(const tinygltf::Model& model);
 

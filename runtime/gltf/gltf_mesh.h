@@ -1,5 +1,5 @@
-// A primitive of a glTF mesh as triangles: strips and fans are resolved, normals and tangents are made where the file
-// has none (flat ones, and those of mesh/tangents.h), morph targets and skins are applied.
+// A primitive of a glTF mesh as triangles. Strips and fans are resolved, missing normals and tangents are made (flat
+// normals, and tangents as in mesh/tangents.h), and morph targets and skins are applied.
 //
 //   Outcome<Mesh> mesh = primitive_mesh(file, "meshes[0].primitives[1]", primitive, weights, joints);
 #pragma once

@@ -244,7 +244,7 @@ std::optional<std::size_t> index_of_digits(std::string_view digits) {
     return digits == std::to_string(number) ? std::optional(number) : std::nullopt;
 }
 
-// The nodes of that name: if there are none, the one with that number, "node 3".
+// The nodes with that name; if there are none, the node with that number, "node 3".
 std::vector<std::size_t> nodes_named(const GltfModel& model, std::string_view name) {
     const auto found = model.nodes_by_name.find(std::string(name));
     if (found != model.nodes_by_name.end()) return found->second;
@@ -254,7 +254,7 @@ std::vector<std::size_t> nodes_named(const GltfModel& model, std::string_view na
     return {*number};
 }
 
-// For each node, whether it is one of them or below one.
+// For each node, whether it is a node of `tops` or below one.
 std::vector<bool> below(const GltfModel& model, const std::vector<std::size_t>& tops) {
     enum class State : std::uint8_t { Unknown, Not, Below };
     std::vector<State> states(model.nodes.size(), State::Unknown);

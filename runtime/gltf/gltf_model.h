@@ -1,4 +1,4 @@
-// A glTF file as what it shows: meshes at their places in the default scene, cameras and lights. Skins and morph
+// The content of a glTF file: meshes with their positions in the default scene, cameras and lights. Skins and morph
 // targets are in their rest pose: the joints where the nodes are, the weights that the file states.
 //
 //   Outcome<GltfModel> model = read_model("chair.glb");
@@ -75,9 +75,9 @@ Outcome<GltfModel> read_model(const std::string& path);
 // Of a file that has been opened (gltf_file.h); errors name the place in it.
 Outcome<GltfModel> model_of(const tinygltf::Model& file, MeshDetail detail = MeshDetail::Whole);
 
-// One mesh of all that the file shows, or of one node and what is below it, in the space of the file's scene. Materials
-// are not told apart. "Seat/1" is primitive 1 of the node alone, and "node 3/0" that of a node by its number. Without
-// triangles or without the node it is a failure that names the nodes. `path`: for messages.
+// One mesh of everything that the file shows, or of one node with all nodes below it, in the space of the file's scene.
+// Materials are not told apart. "Seat/1" is primitive 1 of the node alone, and "node 3/0" that of a node by its number.
+// Without triangles or without the node it is a failure that names the nodes. `path`: for messages.
 Outcome<Mesh> mesh_of(const GltfModel& model, const std::string& path, const std::string& node = {});
 Outcome<Mesh> read_mesh(const std::string& path, const std::string& node = {});
 // The primitive of one node, "Seat/1", in the mesh's own space; null: the name means something else, or nothing.

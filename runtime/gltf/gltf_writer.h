@@ -1,5 +1,5 @@
-// Writes a glTF file in its binary form (.glb): one mesh with one material, its pictures inside. The file has all that
-// a viewer needs.
+// Writes a glTF file in its binary form (.glb): one mesh with one material, with its pictures inside. The file has all
+// that a viewer needs.
 //
 //   const std::vector<WrittenPicture> pictures = {{.name = "rust.baseColor", .png = bytes}};
 //   WrittenMaterial material{.name = "rust", .base_color_texture = 0};

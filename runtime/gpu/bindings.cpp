@@ -12,7 +12,7 @@ auto* find_named(Range&& range, const std::string& name) {
 }
 
 // lavapipe (Mesa 22.3) numbers the uniform buffers of a stage from 1, in the order of sets and bindings. In a shader of
-// more than 100 values it notes which uniforms decide a branch; what it notes of number 4 falls on its own counters,
+// more than 100 values it records which uniforms decide a branch. Its record for number 4 overwrites its own counters,
 // and the draw crashes. So the third buffer takes two numbers, and nobody is number 4. The others up to 8 are safe.
 constexpr std::uint32_t kDoubledBuffer = 3;
 

@@ -1,6 +1,6 @@
 // Vulkan objects as plain structs that free themselves, and the few free functions that make them: buffers, images,
-// samplers, one-off command buffers. For renderer.cpp and the files beside it that make its parts (gpu_*.cpp,
-// bindings.cpp, pipeline.cpp); nothing else includes it.
+// samplers, one-off command buffers. Only renderer.cpp and the files with its parts (gpu_*.cpp, bindings.cpp,
+// pipeline.cpp) include this header.
 //
 // Creation can fail only for want of memory or on a lost device; then the result is null and Gpu::error says why: make
 // several things, then ask once.
@@ -98,8 +98,8 @@ bool supports(const Device& device, VkFormat format, VkFormatFeatureFlags featur
 
 SamplerHandle make_sampler(Gpu& gpu, const Sampler& sampler);
 
-// All of an image from the layout that it has to another, or the same, with everything before it done and everything
-// after it waiting: there is one queue and little on it, so finer barriers would gain nothing.
+// Changes the layout of a whole image, or only waits if the layout is the same. Everything before it must be done, and
+// everything after it waits. There is one queue with little on it, so finer barriers would gain nothing.
 void transition(VkCommandBuffer commands, GpuImage& image, VkImageLayout to);
 
 // Records, submits and waits.

@@ -101,8 +101,8 @@ VkRenderingAttachmentInfo attachment(const GpuImage& image) {
     return info;
 }
 
-// Records step after step. One rendering goes on as long as the steps draw into the same images and everything that
-// they read is ready: nothing but draws can be recorded inside it.
+// Records step after step. One rendering continues while the steps draw into the same images and everything that they
+// read is ready: only draws can be recorded inside it.
 class Recorder {
 public:
     Recorder(VkCommandBuffer commands, const Frame& frame, const ReadyFrame& ready, std::vector<GpuTarget>& targets)

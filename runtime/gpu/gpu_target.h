@@ -1,5 +1,5 @@
 // The render targets of a frame on the device. Later frames reuse them while they need the same ones. If a step reads a
-// target that it also draws into, it reads a copy, which is valid until something draws into the target again.
+// target that it also draws into, it reads a copy. The copy is valid until something draws into the target again.
 //
 //   std::vector<GpuTarget> targets;
 //   Outcome<bool> fitted = fit_targets(gpu, targets, frame.targets);

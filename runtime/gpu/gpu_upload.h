@@ -1,5 +1,5 @@
-// Uploads data to the device before a frame is drawn: textures, which stay there for later frames, and the frame's
-// meshes and uniform blocks, which do not.
+// Uploads data to the device before a frame is drawn: textures, which stay for later frames, and the frame's meshes and
+// uniform blocks, which do not stay.
 //
 //   TextureCache textures;
 //   Outcome<BoundTexture> bound = textures.bind(gpu, loaded_texture);

@@ -13,8 +13,8 @@
 
 namespace patina::runtime {
 
-// Empty, or what the frame needs and what the device has, with Vulkan's name of the limit. `most_allocation`: bytes
-// that one image can have.
+// Empty, or the number that the frame needs and the number that the device has, with Vulkan's name of the limit.
+// `most_allocation`: bytes that one image can have.
 std::string beyond_limits(const VkPhysicalDeviceLimits& limits, const std::string& device, const Frame& frame,
                           std::uint64_t most_allocation = UINT64_MAX);
 // The same for the frame of a draw.

@@ -1,8 +1,8 @@
-// The room `gpu`: the only one that includes Vulkan; only `render`, which opens the device, includes its headers.
+// The room `gpu`: no other room includes Vulkan. Only `render`, which opens the device, includes its headers.
 //
-// Draws a frame on a Vulkan device and reads the picture back as linear floats. A frame is a list (frame.h): which
-// images there are, and which mesh is drawn into which of them with which shaders. Everything about a material comes
-// from its reflection: bindings, vertex inputs, state, block layouts. It knows neither scenes nor rendering paths.
+// Draws a frame on a Vulkan device and reads the picture back as linear floats. A frame is a list (frame.h): the
+// images, and which mesh is drawn into which image with which shaders. Everything about a material comes from its
+// reflection: bindings, vertex inputs, state, block layouts. It knows neither scenes nor rendering paths.
 //
 // The life of a frame:
 //   1. the caller decides what is drawn and resolves values, textures and blocks (material_values.h, textures.h)
@@ -47,7 +47,7 @@ public:
 
     const std::string& device_name() const;
     const std::string& driver() const;  // with its version
-    // What the validation layer has said so far: tests want it empty.
+    // The messages of the validation layer until now: tests require that there are none.
     const std::vector<std::string>& messages() const;
 
 private:

@@ -59,7 +59,7 @@ private:
         }
     }
 
-    // The thread that tells goes on until nothing is left; the others go on with their work.
+    // The thread that reports continues until nothing is left; the others continue with their work.
     void tell(std::unique_lock<std::mutex>& lock) {
         if (is_telling_) return;
         is_telling_ = true;

@@ -1,5 +1,5 @@
-// Tables that are computed when Patina is built (bake.cpp), because they take half a second: the blurred levels of the
-// studio's map, and the table of the split sum. Both are 32-bit floats.
+// Tables that are computed when Patina is built (bake.cpp), because computing them takes half a second: the blurred
+// levels of the studio's map, and the table of the split sum. Both are 32-bit floats.
 #include <span>
 
 #include "runtime/lighting/environment.h"

@@ -1,5 +1,5 @@
 // The texels of a cube map as directions of the world (Vulkan, "Cube Map Face Selection"): faces in the order +X, -X,
-// +Y, -Y, +Z, -Z, rows from the top as the face is stored.
+// +Y, -Y, +Z, -Z, rows from the top of the stored face.
 #pragma once
 
 #include <cmath>

@@ -2,8 +2,8 @@
 // MERL files is a library of its own, which reads no pictures either.
 //
 // The environment of a scene, in the three forms that shaders read: nine coefficients for diffuse light, a cube map
-// blurred level by level for specular light, and the table of the split sum, which is the same for all environments.
-// It is computed on the CPU from a function of the direction.
+// blurred level by level for specular light, and the table of the split sum. It is computed on the CPU from a function
+// of the direction.
 //
 //   Environment sunset([](glm::vec3 d) { return glm::vec3(d.y > 0 ? 1 : 0.2f); }, 64);
 //   scene.ambient = sunset.ambient();   texture = sunset.map();
@@ -34,7 +34,7 @@ public:
 
     const SphericalHarmonics& ambient() const { return ambient_; }
     std::shared_ptr<const TextureData> map() const;
-    // The light itself, for what is seen of it: as fine as it is known, but with at most `size` texels along a face.
+    // The light itself, for a visible background: as fine as it is known, but with at most `size` texels along a face.
     // The map if there is nothing finer.
     std::shared_ptr<const TextureData> picture(int size) const;
 

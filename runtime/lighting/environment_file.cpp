@@ -87,7 +87,7 @@ Made make_environment(const EnvironmentChoice& choice, const std::string& name, 
 
 }  // namespace
 
-// The last one is kept for the other pictures of a sequence.
+// The last environment is cached for the other pictures of a sequence.
 Made load_environment(const EnvironmentChoice& choice, EnvironmentProgress progress) {
     static std::mutex mutex;
     static std::string last_name;

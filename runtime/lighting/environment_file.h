@@ -1,8 +1,8 @@
 // Environments from pictures, for `--env`, scenes and `patina env`.
 //
-// Prefiltering a picture takes some seconds, so its result is kept below $XDG_CACHE_HOME/patina (or ~/.cache/patina),
-// under a name that the picture's bytes and the rotation make. A file there may be removed at any time. Without a
-// folder that can be written, nothing is kept.
+// Prefiltering a picture takes some seconds. So its result is cached below $XDG_CACHE_HOME/patina (or ~/.cache/patina),
+// under a name that is made from the picture's bytes and the rotation. A file there may be removed at any time. Without
+// a folder that can be written, nothing is kept.
 //
 //   Outcome<std::shared_ptr<const Environment>> sunset = load_environment({.path = "sunset.hdr", .rotation = 90});
 //   if (sunset) scene.environment = sunset.value;

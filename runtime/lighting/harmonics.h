@@ -22,8 +22,8 @@ SphericalHarmonics constant_ambient(glm::vec3 radiance);
 // The radiance horizon + (sky - ground) / 2 * y + ((sky + ground) / 2 - horizon) * y^2: exactly the three colours at
 // up, horizontal and down, with no ringing.
 SphericalHarmonics gradient_ambient(glm::vec3 sky, glm::vec3 horizon, glm::vec3 ground);
-// Adds a directional light. `color`: its E/pi, which is what the irradiance of the sum gains, over pi, on a surface
-// that faces the light: nine coefficients would make it 17/16 of that, so they are scaled (Sloan, "Stupid Spherical
+// Adds a directional light. `color`: its E/pi. The irradiance of the sum, over pi, grows by this on a surface that
+// faces the light. Nine coefficients would make it 17/16 of that, so they are scaled (Sloan, "Stupid Spherical
 // Harmonics Tricks", GDC 2008, "normalization"). `direction`: to the light, unit.
 void add_light(SphericalHarmonics& sum, glm::vec3 direction, glm::vec3 color);
 // The basis at a unit direction.

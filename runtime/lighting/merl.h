@@ -1,6 +1,6 @@
-// Tables of measured isotropic BRDFs in the form of the MERL database (Matusik et al., SIGGRAPH 2003): angles of the
-// half vector and of the difference vector (Rusinkiewicz, EGWR 1998), the first with the spacing of a square. Reading,
-// writing, sampling a known BRDF, and the texture that the node MeasuredBRDF reads.
+// Tables of measured isotropic BRDFs in the form of the MERL database (Matusik et al., SIGGRAPH 2003). The coordinates
+// are the angles of the half vector and of the difference vector (Rusinkiewicz, EGWR 1998), the first with the spacing
+// of a square. Reading, writing, sampling a known BRDF, and the texture that the node MeasuredBRDF reads.
 //
 //   Outcome<MerlTable> table = read_merl("gold-paint.binary");
 //   if (table) save_exr("gold-paint.exr", as_texture(table.value));

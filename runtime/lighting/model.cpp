@@ -46,7 +46,7 @@ std::string as_members(const Words& words) {
 
 constexpr std::string_view kMaterial = "--model";
 
-// Who asks knows nothing of the material that is made for the question: what is wrong in it is wrong in a value.
+// The caller does not know the material that is made here. So each error is reported as an error of a value.
 void place_in_value(Diagnostic& diagnostic, const Words& values) {
     for (Diagnostic& note : diagnostic.notes) place_in_value(note, values);
     if (diagnostic.file != kMaterial) return;

@@ -1,5 +1,5 @@
-// Evaluates a lighting model at one point of a surface, in double precision on the CPU: the light to the viewer for one
-// light and for a uniform environment. `patina eval --model` and the proofs of the models use it.
+// Evaluates a lighting model at one point of a surface, in double precision on the CPU: the light that reaches the
+// viewer from one light or from a uniform environment. `patina eval --model` and the proofs of the models use it.
 //
 //   Model model(compiler, {.model = "unity-brdf1", .values = {{"baseColor", "1,0.5,0.2"}, {"metallic", "1"}}});
 //   if (model.ok()) model.direct({.l = {0, 0.6, 0.8}, .v = {0, 0, 1}});   // {r, g, b}
@@ -27,8 +27,8 @@ struct ModelChoice {
     std::vector<std::pair<std::string, std::string>> values{};
 };
 
-// Directions of the world, of any length but 0: shaded normal, to the light, to the viewer, along the tangent (at right
-// angles to the normal; the bitangent is cross(n, t)).
+// Directions of the world, of any length but 0: shaded normal, to the light, to the viewer, along the tangent. The
+// tangent is at right angles to the normal; the bitangent is cross(n, t).
 struct ModelPoint {
     Triple n{0, 0, 1}, l{0, 0, 1}, v{0, 0, 1}, t{1, 0, 0};
 };

@@ -30,13 +30,13 @@ glm::vec3 mean_in_texel(const Radiance& radiance, int face, int x, int y, int si
     return sum / float(samples * samples);
 }
 
-// A square is small if its radius is at most this share of the scale of the lobe there: the distance over which the
-// lobe changes. That is the lobe's own width in its middle, and the distance from the middle further away. The scale's
+// A square is small if its radius is at most this share of the lobe's scale there: the distance over which the lobe
+// changes. That is the lobe's own width in its middle, and the distance from the middle further away. The scale's
 // square is at most kLargestScale2, because n.l changes everywhere.
 constexpr float kSmall = 0.15f, kLargestScale2 = 0.5f;
 
-// Squares that wait while a sum is made. One that is not small leaves four, of which the next is one: three for each
-// level, and the six faces. That is enough for 2^19 texels along a face.
+// Squares that wait while a sum is made. A square that is not small adds four squares, and the next one to visit is one
+// of them: so three wait for each level, and the six faces. That is enough for 2^19 texels along a face.
 constexpr std::size_t kMostOpen = 64;
 
 }  // namespace

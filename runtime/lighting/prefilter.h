@@ -14,16 +14,16 @@
 
 namespace patina::runtime {
 
-// Levels of an environment's map, and how rough the surface is that level `level` is blurred for: 0 at the first, 1 at
-// the last, as MipFromRoughness reads them.
+// Levels of an environment's map, and the roughness of the surface for which level `level` is blurred: 0 at the first,
+// 1 at the last, as MipFromRoughness reads them.
 inline constexpr int kEnvironmentLevels = 6;
 float roughness_of_level(int level);
 
 // The radiance on the faces of a cube, as levels of squares: texels, four of them together, and so on up to whole
-// faces. Each square knows how much light comes from it, and from where. What a rough surface reflects is a sum over
-// squares: large ones where its lobe changes little, small ones elsewhere (after Barnes and Hut, "A Hierarchical O(N
-// log N) Force-Calculation Algorithm", Nature 324, 1986). All light is in that sum, so a lamp of a few pixels leaves no
-// grain.
+// faces. Each square knows how much light comes from it, and from where. The reflection of a rough surface is a sum
+// over squares: large ones where its lobe changes little, small ones elsewhere (after Barnes and Hut, "A Hierarchical
+// O(N log N) Force-Calculation Algorithm", Nature 324, 1986). All light is in that sum, so a lamp of a few pixels
+// leaves no grain.
 class Pyramid {
 public:
     // `size`: texels along a face, a power of two. Each texel is the mean of `samples` x `samples` directions.
@@ -59,7 +59,7 @@ TextureData sampled(const Radiance& radiance, int size, int samples);
 // Given the share that is done, 0 to 1, on the calling thread.
 using PrefilterProgress = std::function<void(double)>;
 
-// What surfaces of this perceptual roughness reflect that are looked at along their normals. `size`: texels along a
+// The reflection of surfaces of this perceptual roughness that are seen along their normals. `size`: texels along a
 // face.
 TextureLevel blurred(const Pyramid& pyramid, float roughness, int size, const PrefilterProgress& progress = {});
 

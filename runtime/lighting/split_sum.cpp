@@ -10,7 +10,7 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 
 // Moves a point of [0, 1] towards both ends, and gives the factor by which steps shrink there. An integrand with a root
-// or a slope at an end becomes flat there up to its second derivative, so that the midpoint rule has fourth order.
+// or a slope at an end becomes flat there up to its second derivative. So the midpoint rule has fourth order.
 struct Crowded {
     double at, step;
 };

@@ -1,6 +1,6 @@
-// The studio that pictures are lit by unless they say otherwise: a dim room with a sky above and three soft boxes, a
-// large one at the upper left front, a tall cool one on the right and a strip behind. With the default lights, a white
-// Lambert surface stays below 1 wherever it faces, so that it keeps its form.
+// The studio that lights pictures by default: a dim room with a sky above and three soft boxes, a large one at the
+// upper left front, a tall cool one on the right and a strip behind. With the default lights, a white Lambert surface
+// stays below 1 in every direction, so that its form is visible.
 #pragma once
 
 #include <glm/glm.hpp>

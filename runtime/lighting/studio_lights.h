@@ -1,5 +1,5 @@
-// The lights of the studio in which `patina render` shows what has no lights of its own: a key light from the upper
-// left front, a weak cool fill, and a rim.
+// The lights of the studio in which `patina render` shows graphs and meshes without lights of their own: a key light
+// from the upper left front, a weak cool fill, and a rim.
 #pragma once
 
 #include <array>

@@ -12,10 +12,10 @@
 //   4. of the remaining lights, the first four point lights are per vertex; the others, and all spots and directional
 //      lights, are spherical harmonics
 //
-// One rule differs: in Unity, the last light of a group is also the first of the next, and its share moves between them
-// with the object (A-D, D-G, G-H of eight lights). Here each light is in one group (A-D, E-H), so that the groups add
-// up to the result of one loop over all lights. Spots are never per vertex, because Unity's vertex lights of the
-// forward path are only point lights (Shade4PointLights).
+// One rule differs. In Unity, the last light of a group is also the first of the next group, and its share moves
+// between them with the object (A-D, D-G, G-H of eight lights). Here each light is in one group (A-D, E-H). So the
+// groups add up to the result of one loop over all lights. Spots are never per vertex, because Unity's vertex lights of
+// the forward path are only point lights (Shade4PointLights).
 //
 //   LightSplit split = split_lights(scene.lights, world_bounds(mesh, matrix), world.pixel_light_count);
 #pragma once
@@ -43,7 +43,7 @@ LightSplit split_lights(std::span<const Light> lights, const Sphere& object, int
 // The brightest directional light; the first of several that are as bright.
 std::optional<std::size_t> main_light(std::span<const Light> lights);
 
-// All lights as shaders want them: the main one, the other directional ones, then the rest in the scene's order.
+// All lights in the order for shaders: the main one, the other directional ones, then the rest in the scene's order.
 std::vector<std::size_t> light_order(std::span<const Light> lights);
 
 // The most of a light that arrives anywhere in a sphere, as distance and cone leave it: `lightAt` of

@@ -16,8 +16,8 @@ struct LightVolume {
     glm::mat4 object_to_world{1};
 };
 
-// Of a point light: a round body that holds the sphere of its range. Of a spot: a pyramid that holds its outer cone as
-// far as its range, or the round body where the cone is wide. A directional light has none: null.
+// Of a point light: a round body that holds the sphere of its range. Of a spot: a pyramid around its outer cone as far
+// as its range, or the round body if the cone is wide. A directional light has none: null.
 LightVolume light_volume(const Light& light);
 
 // The volume reaches before the near plane or behind the far one: some of it would be clipped.

@@ -1,9 +1,9 @@
 // The reflection probes that an object reads: at most two, and the share of each.
 //
-// A probe counts fully inside its box, and less and less over `blend` metres outside of it. Of those that count at the
-// object's centre, the first two are read, by importance, then by how much they count, then the one with the smaller
-// box. A more important probe hides the other one as far as it counts; two that are equally important share by how much
-// they count. If there is only one, what is around has the rest.
+// A probe counts fully inside its box, and less and less over `blend` metres outside of it. Of the probes that count at
+// the object's centre, two are read. They are sorted by importance, then by how much they count, then by the size of
+// their box, the smaller one first. A more important probe hides the other one as far as it counts. Two probes of equal
+// importance share by how much they count. If there is only one, what is around has the rest.
 //
 //   const ProbeChoice choice = choose_probes(scene.probes, bounds.center);
 #pragma once

@@ -1,4 +1,4 @@
-// The part of a scene that the shadow map of a directional light must hold: the visible places where one object can
+// The part of a scene that the shadow map of a directional light must contain: the visible points where one object can
 // shadow another, or itself.
 //
 //   std::vector<ShadowObject> objects = {{.mesh = &ball, .object_to_world = turn}};
@@ -26,11 +26,11 @@ struct Extent {
     glm::vec3 lowest{0}, highest{0};  // view space of the light, whose z grows towards it; metres
 };
 
-// x and y: the casters as the light sees them, cut by the part of the camera's view that holds objects and ends at
-// `farthest` metres along its axis (nothing: at its far plane). Nothing that is shadowed and seen lies outside, because
-// a shadow falls along the light, within its caster's outline. A flat caster, such as a floor, counts only where there
-// are objects behind it: on itself it throws no shadow. If no shadow is seen at all, it is that of all casters.
-// z: all objects, so that those outside of the camera's view still cast into it.
+// x and y: the casters as the light sees them, cut by the part of the camera's view that contains objects. This part
+// ends at `farthest` metres along its axis (nothing: at its far plane). Nothing that is shadowed and seen lies outside,
+// because a shadow falls along the light, within its caster's outline. A flat caster, such as a floor, counts only
+// where there are objects behind it: on itself it throws no shadow. If no shadow is seen at all, it is that of all
+// casters. z: all objects, so that those outside of the camera's view still cast into it.
 Extent shadowed_extent(const glm::mat4& world_to_light, std::span<const ShadowObject> objects, const View& camera,
                        std::optional<float> farthest);
 

@@ -42,7 +42,8 @@ Mesh make_torus(float radius = 0.75f, float tube = 0.32f, int segments = 192, in
 Mesh make_fullscreen();
 
 std::span<const std::string_view> mesh_names();
-// `segments`, 3 or more: around what is round, along the sides of what is flat; the others follow. 0: as above.
+// `segments`, 3 or more: around round meshes, and along the sides of flat ones; other numbers follow from it. 0: as
+// above.
 std::optional<Mesh> make_mesh(std::string_view name, int segments = 0);
 
 // Radius about the origin of the sphere that holds every vertex.

@@ -16,7 +16,7 @@ struct Triangle {
     std::array<std::uint32_t, 3> neighbours{kNone, kNone, kNone};  // across the edge from corner i to corner i + 1
     glm::vec3 along_u{0};                                          // the direction of growing u, of any length
     bool is_mirrored = false;
-    bool fits_any = false;  // it has no area in uv0, and takes the handedness of what is around
+    bool fits_any = false;  // it has no area in uv0, and takes the handedness of its neighbours
     bool is_point = false;  // it has no area at all
 };
 

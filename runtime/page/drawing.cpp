@@ -17,8 +17,8 @@ namespace {
 constexpr std::size_t kLongest = 48;  // characters of a value
 constexpr int kPictureSize = 72;      // points
 
-// Graphviz wants the pictures of boxes as files. So their places are drawn in colours that nothing else has, and the
-// pictures replace them.
+// Graphviz wants the pictures of boxes as files. So it gets rectangles in colours that nothing else has, and the
+// pictures replace these.
 constexpr std::size_t kFirstColor = 0x010000;
 std::string color_of(std::size_t box) {
     return fmt::format("#{:06x}", kFirstColor + box);

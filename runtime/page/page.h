@@ -1,6 +1,6 @@
 // The room `page` makes pages of HTML that need no other file, and drawings of graphs. It renders nothing.
 //
-// A page: page.html is its frame, with the style and the scripts of all pages; what is in it is given as HTML, and its
+// A page: page.html is its frame, with the style and the scripts of all pages. Its content is passed as HTML, and its
 // pictures are inside of it.
 //
 //   std::string cards = "<section class=\"card\"><h2>" + escaped(name) + "</h2>" + picture_tag(png, name) +
@@ -28,7 +28,8 @@ std::string base64(std::string_view bytes);
 // An image whose bytes are in the page. `what` is read where it cannot be seen; `css` are classes.
 std::string picture_tag(std::string_view png, std::string_view what, std::string_view css = {});
 
-// A button that shows one kind of what has the attribute data-case: "3 failed", "2 scenes" with the ending "s".
+// A button that shows one kind of the elements with the attribute data-case: "3 failed", "2 scenes" with the ending
+// "s".
 std::string kind_button(std::string_view kind, std::size_t count, std::string_view ending = {});
 
 }  // namespace patina::runtime

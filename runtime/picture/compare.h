@@ -1,6 +1,6 @@
-// Compares two pictures: the share of pixels that differ by more than a threshold, which finds a wrong edge or a
-// missing highlight; the average error, which finds a faint change of everything; the worst tile, which finds a faint
-// change of one place. flip.h says how much of it a person sees.
+// Compares two pictures by three figures. The share of pixels that differ by more than a threshold finds a wrong edge
+// or a missing highlight. The average error finds a faint change of everything. The worst tile finds a faint change in
+// one part. flip.h says how much of it a person sees.
 //
 //   Comparison c = compare(reference, received, 3.01 / 255);
 //   bool same = c.same_size && c.share <= 0.001 && c.average <= 0.002;

@@ -1,6 +1,6 @@
 // The room `picture`: pixels in memory, their files and their comparison. It knows no scene, material or device.
 //
-// Pictures in memory as float RGBA (image.cpp, which needs no other library), and the files they come from and go to
+// Pictures in memory as float RGBA (image.cpp, which needs no other library), and reading and writing their files
 // (read_image.cpp and write_image.cpp: OpenImageIO). Colour encoding is explicit: load_image and save_exr keep the
 // numbers as they are, save_png encodes linear light to sRGB. Not a texture: see
 // mip_chain.h for mip levels, and values/textures.h for GPU formats.
@@ -64,9 +64,8 @@ using MemoryFiles = std::map<std::string, std::string>;
 // from linear values. EXR: 32-bit float, the values as they are.
 Outcome<std::string> encode_png(const Image& linear);
 Outcome<std::string> encode_exr(const Image& linear);
-// One EXR file with several pictures: the channels R, G, B and A are the picture, and each layer has channels of its
-// own
-// ("normalWS.R"), as compositing programs and OpenImageIO name them. 32-bit floats, the numbers as they are.
+// One EXR file with several pictures. The channels R, G, B and A are the picture. Each layer has channels of its own
+// ("normalWS.R"), with names as in compositing programs and OpenImageIO. 32-bit floats, the numbers as they are.
 struct Layer {
     std::string name{};
     Image image{};  // as large as the picture
@@ -79,8 +78,8 @@ Outcome<std::string> encode_image(const std::string& path, const Image& linear);
 std::string save_png(const std::string& path, const Image& linear);
 std::string save_exr(const std::string& path, const Image& linear);
 std::string save_image(const std::string& path, const Image& linear);
-// For pictures whose numbers are meant as they stand, such as normals and differences: they are not encoded, and the
-// file says nothing of a colour space.
+// For pictures whose numbers must not change, such as normals and differences: they are not encoded, and the file
+// declares no colour space.
 Outcome<std::string> encode_png_data(const Image& numbers);
 std::string save_png_as_is(const std::string& path, const Image& encoded);
 

@@ -56,7 +56,7 @@ Outcome<Lettering> lettering_within(std::string text, int size, int width) {
         text += "...";
         made = lettering(text, smaller);
     }
-    // The same line height as its neighbours', so that labels stand in a row.
+    // The same line height as its neighbours, so that labels are aligned.
     if (made) {
         made.value.height = height;
         made.value.coverage.resize(std::size_t(made.value.width) * std::size_t(height), 0.0f);

@@ -24,7 +24,7 @@ Outcome<Lettering> lettering(const std::string& text, int size);
 // The same, made smaller and then cut ("_Rough...") until it is at most `width` pixels wide.
 Outcome<Lettering> lettering_within(std::string text, int size, int width);
 
-// Draws it with its upper left corner at `x`, `y`; what is outside the image is left out.
+// Draws it with its upper left corner at `x`, `y`; parts outside the image are left out.
 void put(Image& image, const Lettering& text, int x, int y, const std::array<float, 3>& linear_color);
 
 }  // namespace patina::runtime

@@ -11,8 +11,8 @@
 
 namespace patina::runtime {
 
-// Linear image -> all levels down to 1 x 1. A level is half the one before, rounded down; each texel averages the area
-// that it covers, so odd sizes keep the mean too.
+// Linear image -> all levels down to 1 x 1. A level is half the size of the one before, rounded down. Each texel
+// averages the area that it covers, so odd sizes keep the mean, too.
 std::vector<TextureLevel> mip_chain(Image linear);
 // The same of each layer of an array or each face of a cube; all have one size.
 std::vector<TextureLevel> mip_chain(std::span<const Image> layers);

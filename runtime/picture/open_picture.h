@@ -1,6 +1,6 @@
-// Opens the bytes of a picture with the one reader of OpenImageIO that its bytes or its name ask for, after its header
-// has been looked at. OpenImageIO's own way, ImageInput::open(), tries all of its readers when that one fails, also
-// those of raw photographs and films, and some of them read the file on the disk instead of the bytes.
+// Opens the bytes of a picture with one reader of OpenImageIO, chosen by its bytes or its name, after its header has
+// been checked. OpenImageIO's own way, ImageInput::open(), tries all of its readers if that one fails, also those of
+// raw photographs and films. Some of them read the file on the disk instead of the bytes.
 //
 //   MemoryReader memory(bytes);
 //   std::string why;

@@ -1,6 +1,6 @@
-// What reading and writing pictures adds to OpenImageIO: its messages as a part of ours, and bytes in memory that it
-// reads within their bounds. Its own reader (2.4) lets a damaged header move the place before the first byte, and reads
-// there.
+// Additions to OpenImageIO for reading and writing pictures: its messages as a part of ours, and bytes in memory that
+// it reads within their bounds. Its own reader (2.4) lets a damaged header move the place before the first byte, and
+// reads there.
 //
 //   MemoryReader reader(bytes);
 //   OIIO::Filesystem::IOProxy* proxy = &reader;

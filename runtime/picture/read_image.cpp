@@ -100,7 +100,8 @@ Outcome<Image> checked_image(const std::string& path, std::string_view bytes, co
     }
 }
 
-// The bytes of a picture's file. Of one that is named as another kind, only the first: that is its mistake.
+// The bytes of a picture's file. Of a file that is named as another kind, only the first bytes: the wrong name is its
+// error.
 Outcome<std::string> bytes_of(const std::string& path) {
     constexpr std::size_t kFirst = 64;
     Outcome<std::string> start = read_start(path, kFirst);

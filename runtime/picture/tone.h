@@ -39,8 +39,9 @@ Image toned(Image linear, const Tone& tone);
 // Pixels brighter than white, of those that are not transparent.
 struct Clipping {
     double share = 0;  // of all pixels
-    // Stops to add, a negative number of two decimals. They leave less than kUnseen, so that this is nothing any more;
-    // or kHighlights, if the brightest pixels are more than a stop brighter than all others.
+    // Stops to add, a negative number of two decimals. After them, the share that still clips is less than kUnseen,
+    // which nobody sees. It is less than kHighlights if the brightest pixels are more than a stop brighter than all
+    // others.
     double exposure = 0;
     double left = 0;  // the share that clips then
 };

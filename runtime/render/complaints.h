@@ -1,4 +1,4 @@
-// Warnings about compiled materials that can be drawn, but not as their author may expect: textures that the CPU
+// Warnings about compiled materials that can be drawn, but perhaps not as their author expects: textures that the CPU
 // samples differently, too many cookies for a draw, values that the engine does not provide. It only reads reflections.
 //
 //   if (auto warning = anisotropy_warning(material.graph, reflection)) diagnostics.push_back(*warning);

@@ -18,7 +18,7 @@ struct Cause {
     bool is_front = false;  // the object is what `patina trace` shows of the pixel
 };
 
-// Of what is seen at the pixel, the front-most object that computes such a number. Nothing if the CPU finds none.
+// The front-most visible object at the pixel that computes such a number. Nothing if the CPU finds none.
 std::optional<Cause> cause_at(const Compiler& compiler, const World& world, const RenderOptions& options,
                               TraceWish wish);
 // ": 'share.out' is inf there"

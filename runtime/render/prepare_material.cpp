@@ -26,7 +26,7 @@ FilePlace place_of(const WorldMaterial& material, const PreparedMaterial& made, 
     return found;
 }
 
-// A file that neither the graph nor a scene names comes from who asks for the picture.
+// If neither the graph nor a scene names the file, the user's request for the picture names it.
 void note_where_it_is_set(const WorldMaterial& material, const PreparedMaterial& made, const std::string& texture,
                           Diagnostic& said) {
     const auto set = made.values.textures.find(texture);
@@ -119,7 +119,7 @@ PreparedMaterial prepare_material(const WorldMaterial& material, Result compiled
     }
     made.values = std::move(values.value);
     for (const std::string& warning : made.values.warnings) {
-        // What a scene file gives has been said at its place.
+        // Values of a scene file have been reported at their location.
         if (material.set.empty())
             made.diagnostics.push_back(complaint(material.graph, Severity::Warning, Complaint::SoftRange, {warning}));
     }

@@ -17,7 +17,8 @@
 
 namespace patina::runtime {
 
-// What the compiler must know of how a picture is drawn. Who wants other texts, or programs, says so in what it gets.
+// What the compiler must know of how a picture is drawn. A caller that needs other texts, or programs, changes the
+// result.
 CompileOptions compile_options(const RenderOptions& options);
 // Asks for the port in place of the surface, drawn by the same passes.
 void show_port(CompileOptions& options, std::string port);

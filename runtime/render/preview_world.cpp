@@ -14,7 +14,7 @@
 namespace patina::runtime {
 namespace {
 
-// What hides things, and what shows a value whatever the path of the picture is.
+// The path that draws hiding objects, and the path that shows a value, for every path of the picture.
 constexpr const char *kHidingPath = "depth-only", *kShowingPath = "forward";
 
 bool has_error(const Result& result, std::string_view code) {
@@ -170,7 +170,7 @@ private:
         return has_port(with_node.empty() ? without.front() : with_node.front());
     }
 
-    // No material has the node. Says where one like it is, or which ones there are.
+    // No material has the node. Says where a similar node is, or which nodes there are.
     Diagnostic nowhere(const std::vector<std::size_t>& materials) {
         Diagnostic unknown = error(Complaint::NoSuchPort, {wish_.port});
         std::vector<Diagnostic> near, all;
@@ -262,7 +262,7 @@ private:
         return world;
     }
 
-    // The material that hides things as this one does, added to the world; nothing if it hides none.
+    // A material that hides things as this one does, which is added to the world; nothing if it hides nothing.
     std::optional<std::size_t> add_hiding(const WorldMaterial& material, World& world) {
         WorldMaterial hiding = material;
         hiding.path = kHidingPath;

@@ -1,5 +1,5 @@
 // A preview in a scene: finds the objects that show a node's value, and makes the world of this picture. In that world
-// the other opaque objects only hide what is behind them, as their cutouts and moved vertices do; blended ones are left
+// the other opaque objects only hide things behind them, with their cutouts and moved vertices. Blended ones are left
 // out. It draws nothing.
 //
 //   ScenePreview preview = preview_world(compiler, world, {.port = "albedo", .object = "wall", .scene = path},
@@ -28,8 +28,8 @@ struct ScenePreview {
     World world{};                         // transparent where the objects are not seen
     std::vector<std::string> materials{};  // that show it
     RenderOptions options{};
-    // The node reads the picture behind its object, or shadows, which `world` lacks. This one has them, and every
-    // opaque object as it is.
+    // The node reads the picture behind its object, or shadows, which `world` lacks. The node reads the picture behind
+    // its object, or shadows, which `world` lacks. `with_picture` has them, and every opaque object unchanged.
     bool reads_picture = false;
     World with_picture{};
     std::vector<Diagnostic> diagnostics{};

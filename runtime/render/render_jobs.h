@@ -13,7 +13,7 @@
 namespace patina::runtime {
 
 // Does `work` for 0 to `count` - 1, on `jobs` threads; 0: as many as the machine has cores, at most 4. `done` is called
-// for one after the other, in their order, as soon as each can be, and by one thread at a time.
+// once for each, in their order and as soon as possible, by one thread at a time.
 void render_jobs(std::size_t count, int jobs, const std::function<void(std::size_t, RenderMachine&)>& work,
                  const std::function<void(std::size_t)>& done = {});
 

@@ -1,5 +1,5 @@
-// A picture with values of its nodes as layers, for `patina render --aov`: each layer is what a preview of that node
-// shows where its object is seen, and transparent zeros elsewhere.
+// A picture with values of its nodes as layers, for `patina render --aov`. Each layer is the preview of a node where
+// its object is visible, and transparent zeros elsewhere.
 //
 //   LayersOutcome outcome = render_layers(compiler, request, {"normalWS", "rust.amount"}, machine);
 //   if (outcome.drawn.ok) encode_layers(outcome.drawn.image, outcome.layers);

@@ -1,4 +1,4 @@
-// The GPU of a program that renders: opened when it is first needed, and kept for the renders that follow.
+// The GPU of a program that renders. It is opened when it is first needed, and stays open for later renders.
 //
 //   RenderMachine machine;
 //   if (std::string error = open_machine("", false, machine); error.empty()) machine.renderer->draw(frame);

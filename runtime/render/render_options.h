@@ -34,16 +34,16 @@ struct RenderOptions {
     std::vector<std::string> also_shown{};  // further targets of the path that the outcome has
     bool stated_formats = false;  // the picture too is drawn in the format that the passes state, not in 32-bit floats
     int shadow_atlas_size = 2048;
-    // Render targets of more bytes do not exist at once: the picture is drawn in tiles (frame/tiles.h), or refused if
-    // it cannot be and needs more than the second number.
+    // If render targets need more bytes, the picture is drawn in tiles (frame/tiles.h). If it cannot be drawn in tiles
+    // and needs more than the second number, it is refused.
     std::size_t most_target_bytes = kMostTargetBytes, most_whole_bytes = kMostWholeBytes;
     int largest_viewport = 0;  // of a tile, in samples; 0: the device's limit says
     std::vector<std::string> include_dirs{};
     // Files that exist in memory alone, by their normal paths: graphs, scenes and pictures of an imported model. They
     // are found before those of the file system.
     std::shared_ptr<const MemoryFiles> files{};
-    // Given the share that is done, 0 to 1, and the file that is prefiltered, or nothing while the picture is drawn (on
-    // the GPU: one in tiles).
+    // Called with the share that is done, 0 to 1, and the file that is prefiltered, or nothing while the picture is
+    // drawn (on the GPU: in tiles).
     std::function<void(double, std::string_view)> progress{};
 };
 

@@ -31,8 +31,8 @@ RenderOutcome failed(RenderOutcome outcome, std::string error) {
     return outcome;
 }
 
-// What the request's words say of a scene's lights, surroundings, background and camera; empty, or what is wrong with
-// them.
+// Applies the request's words about a scene's lights, surroundings, background and camera; returns what is wrong with
+// them, or nothing.
 std::string take_words(const RenderRequest& request, Scene& scene) {
     if (!request.lights.empty()) scene.lights.clear();
     for (const std::string& text : request.lights) {
@@ -114,7 +114,7 @@ std::optional<Cause> find_cause(const Compiler& compiler, const World& world, co
     return cause || options.path == forward.path ? cause : cause_at(compiler, world, forward, wish);
 }
 
-// What is wrong with pixels that are NaN or infinite, at the node that they come from.
+// A message about pixels that are NaN or infinite, at the node that computes them.
 Diagnostic not_finite(const Compiler& compiler, const RenderRequest& request, const World& world,
                       const RenderOptions& options, const RenderOutcome& drawn) {
     const DataSummary& values = drawn.values;
@@ -179,7 +179,7 @@ bool world_of(const Compiler& compiler, const RenderRequest& request, World& wor
     return outcome.error.empty();
 }
 
-// What was found before it was drawn goes first, and is not said again.
+// Messages from before the drawing come first, and are not reported again.
 void put_first(const std::vector<Diagnostic>& earlier, RenderOutcome& drawn) {
     const auto is_known = [&](const Diagnostic& each) {
         return std::ranges::any_of(earlier, [&](const Diagnostic& e) { return to_text(e) == to_text(each); });
@@ -228,7 +228,7 @@ const RenderTarget* shown_target(const PassInfo& pass, const RenderOptions& opti
     return nullptr;
 }
 
-// Whoever misspells a target is told that there is no such node: this adds the targets that there are.
+// A user who misspells a target gets the message that there is no such node: this adds the targets that exist.
 void name_targets(const PassInfo& pass, std::vector<Diagnostic>& diagnostics) {
     const auto error = std::find_if(diagnostics.begin(), diagnostics.end(),
                                     [](const Diagnostic& each) { return each.severity == Severity::Error; });

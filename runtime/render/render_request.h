@@ -30,7 +30,7 @@ struct RenderRequest {
     int size = 512;               // pixels, width
     int height = 0;               // 0: as the width
     int samples = 4;              // along each axis of a pixel: 4 averages 16
-    // Of a scene: the object that is traced, or that shows a preview, or the material whose objects show it. Empty:
+    // Of a scene: the object that is traced, or that shows a preview; or the material whose objects show it. Empty:
     // what the pixel shows; all materials that have the node.
     std::string object{}, material{};
     std::map<std::string, std::string> overrides{};  // property -> "0.2", "1,0,0", "#ff8800", "true", "Wet", "rust.png"
@@ -42,7 +42,7 @@ struct RenderRequest {
     std::string camera{};       // empty: frames the mesh
     std::string background{};   // "#203040", "0.2", "none" (transparent), "env", "blur"; empty: dark grey, but
                                 // the environment where a picture of it is seen through a material
-    // Stops that the picture will be shown with: a background colour is what it says after them. Nothing: those that
+    // Stops with which the picture will be shown: a background colour has its value after them. Nothing: those that
     // suit it (RenderOutcome::exposure).
     std::optional<double> exposure{};
     std::optional<int> light{};  // of a preview: the only light that there is, by its number; nothing: all of them

@@ -32,7 +32,7 @@ struct Variant {
 
 using Spirv = std::vector<std::uint32_t>;
 
-// The size of a module, without the instructions that only name things or tell of its source (sections 3.52.1 to 3 of
+// The size of a module, without the instructions that only name things or describe its source (sections 3.52.1 to 3 of
 // the SPIR-V specification): a longer name does not make a shader slower.
 std::size_t bytes_without_names(const Spirv& module) {
     constexpr std::size_t kHeader = 5;  // words
@@ -130,7 +130,7 @@ private:
         return "";
     }
 
-    // What a trace calls what it found, and what is to be said of its material.
+    // The names for the things that a trace found, and the messages about its material.
     void name_traced(TraceOutcome& traced) {
         for (std::size_t object : traced.trace.seen) traced.seen.push_back(world_.objects[object].name);
         traced.pass = traced.trace.object || compiled_.empty() ? traced.trace.pass : shown_pass(*compiled_.front());
@@ -353,7 +353,7 @@ private:
         compiled_.push_back(std::move(made));
     }
 
-    // A picture of what is around is seen through glass.
+    // A picture of the surroundings is seen through glass.
     void choose_backdrop() {
         const Scene& view = world_.view;
         if (!view.is_default_background || !view.picture_intensity) return;
@@ -361,7 +361,7 @@ private:
         if (std::ranges::any_of(compiled_, reads_picture)) spread_.view.backdrop = SceneBackdrop::Environment;
     }
 
-    // A material of no object, after the others, whose path draws what is around.
+    // A material without an object, after the others, whose path draws the surroundings.
     void compile_background() {
         spread_.materials.resize(variants_.size());
         if (spread_.view.backdrop == SceneBackdrop::Color) return;
@@ -383,7 +383,7 @@ private:
         compiled_.push_back(std::move(made));
     }
 
-    // What the world gives to the material, and what is to be said of how it will be drawn.
+    // Adds the values that the world sets in the material, and the messages about how it will be drawn.
     void finish(const WorldMaterial& material, PreparedMaterial& made) {
         const Reflection& reflection = made.compiled.reflection;
         if (is_drawing_) add_engine_textures(made.loaded.textures, reflection, world_.view);

@@ -1,4 +1,4 @@
-// Draws a world with a rendering path: compiles its materials for the path or its fallback, plans a frame
+// Draws a world with a rendering path. Compiles its materials for the path or its fallback, plans a frame
 // (frame_plan.h), and draws it on the GPU or the CPU.
 //
 //   RenderOutcome outcome = draw_world(compiler, world, {.path = "deferred"}, machine);

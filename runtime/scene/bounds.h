@@ -18,8 +18,8 @@ struct Sphere {
     float radius = 0;
 };
 
-// Points that span all of what is drawn, in object space: the mesh's vertices or, where a material says how far it
-// moves them, the corners of that box. No vertices: the origin.
+// Points that span everything that is drawn, in object space: the mesh's vertices; or, if the material declares bounds,
+// the corners of that box. No vertices: the origin.
 std::vector<glm::vec3> bounding_points(const Mesh& mesh, const std::optional<Bounds>& bounds = {});
 
 // Holds all of these points; centred on the middle of their box, so it need not be the smallest.

@@ -16,8 +16,8 @@ namespace patina::runtime {
 // divided into segments. `segments`: 0 for the usual number (make_mesh()).
 Outcome<Mesh> mesh_named(const std::string& name, int segments = 0);
 
-// A camera that frames the mesh: the built-in ones as default_camera() does; others a little from above and from the
-// right, around the middle of their bounds.
+// A camera that frames the mesh. Built-in meshes are framed as by default_camera(); others a little from above and from
+// the right, around the middle of their bounds.
 Camera camera_for(const std::string& name, const Mesh& mesh);
 
 }  // namespace patina::runtime

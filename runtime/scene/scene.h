@@ -99,8 +99,8 @@ struct Scene {
     int samples = 1;                                // per pixel along each axis: 4 averages 16
     glm::vec4 background{0.03f, 0.03f, 0.032f, 1};  // linear
     SceneBackdrop backdrop = SceneBackdrop::Color;  // else it hides the colour
-    // Nobody asked for this background. If a picture is around, materials that read what is behind them show the
-    // picture.
+    // Nobody asked for this background. If there is a picture of the surroundings, materials that read the picture
+    // behind them show it.
     bool is_default_background = false;
 };
 
@@ -114,9 +114,8 @@ Camera default_camera(std::string_view mesh);
 // Width by height pixels of one quad, straight from clip space, unlit, one sample a pixel, on transparent black.
 Scene fullscreen_scene(int width, int height);
 
-// The exposure, in stops, that suits surroundings from a picture if they are all the light there is: a white matt
-// surface stays below white, whichever way it faces. The picture's intensity still makes it brighter. 0 for other
-// light.
+// The exposure, in stops, for surroundings from a picture that are the only light: a white matt surface stays below
+// white in every direction. The picture's intensity still makes it brighter. 0 for other light.
 double exposure_for(const Scene& scene);
 
 glm::mat4 world_to_view(const Camera& camera);

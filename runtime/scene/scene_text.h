@@ -42,7 +42,7 @@ struct Background {
 Outcome<Background> parse_background(std::string_view text);
 
 // --- what is said in part: a scene file follows the same rules
-// A colour that is not given is the mean of the others, or the one other.
+// A missing colour is the mean of the two others, or the only other one.
 SphericalHarmonics ambient_of(std::optional<glm::vec3> sky, std::optional<glm::vec3> horizon,
                               std::optional<glm::vec3> ground);
 // Degrees. One angle alone moves the other along, so that the cone is never inside out.

@@ -30,8 +30,8 @@ View camera_view(const Scene& scene);
 glm::mat4 world_to_light(const Light& light);
 
 // World -> texture coordinates of the light's cookie, after division by w: 0 to 1 from the top left, as the light sees
-// the picture upright. A spot's fills the square around its outer cone, and w is the distance along the axis; a
-// directional light's spans `cookie_size` metres around the world's origin and repeats, with w 1.
+// the picture upright. A spot's picture fills the square around its outer cone, and w is the distance along the axis. A
+// directional light's picture spans `cookie_size` metres around the world's origin and repeats, with w 1.
 glm::mat4 world_to_cookie(const Light& light);
 
 // Only these kinds have cookies that are pictures.

@@ -20,7 +20,7 @@ struct WorldMaterial {
     std::string graph{};                             // a file
     std::map<std::string, std::string> overrides{};  // property -> its value in words, as material_values() takes them
     FilePlace place{};                               // where a scene file says so; its file is empty if none does
-    std::vector<SceneValue> set{};                   // the overrides as it says them, with their places
+    std::vector<SceneValue> set{};                   // the overrides as in its file, with their locations
     // How it is drawn, if not as the others are.
     std::string preview{};  // a port that it shows instead, unlit, as RenderOptions::preview
     std::string path{};     // a rendering path

@@ -1,6 +1,6 @@
 // Converts a scene file to a world that can be drawn: creates meshes, converts transforms to matrices, loads cookies of
-// lights. It reports errors that the compiler cannot find (unknown meshes, unreadable pictures) at their place in the
-// file. It does not compile the materials.
+// lights. It reports errors that the compiler cannot find (unknown meshes, unreadable pictures) at their location in
+// the file. It does not compile the materials.
 //
 //   WorldFile file = read_world(compiler, "shelf.scene.json", {});
 //   if (file.ok) draw(file.world);

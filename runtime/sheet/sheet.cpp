@@ -41,8 +41,8 @@ bool is_number(const std::string& type) {
     return !type.empty() && std::ranges::none_of(type, [](char c) { return c >= '2' && c <= '4'; });
 }
 
-// What a picture of 0 to 1 would not show. A vector may be a colour, whose light is above 1; one that goes below 0 is
-// none, and is shown as a normal map shows normals.
+// What a picture of 0 to 1 would not show. A vector may be a colour, whose light is above 1. A vector with a component
+// below 0 is no colour, and is shown as a normal map shows normals.
 std::optional<DataRange> range_of(const DataSummary& values, bool is_number) {
     constexpr double kVisible = 0.5 / 255;
     if (values.low < -kVisible && !is_number) {

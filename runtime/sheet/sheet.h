@@ -1,7 +1,7 @@
 // The room `sheet`: what there is to see of a folder's graphs, and the page that shows it. It draws nothing itself.
 //
-// Each graph and scene of a folder: its picture, its nodes as a drawing with a picture in each, its properties, what
-// its passes cost, and its shaders. A file that is wrong is there, too, with what is wrong.
+// Each graph and scene of a folder: its picture, its nodes as a drawing with a picture in each, its properties, the
+// cost of its passes, and its shaders. A file that is wrong is there, too, with what is wrong.
 //
 //   Sheet sheet = make_sheet(compiler, "art", {.size = 256});
 //   write_file("index.html", sheet_page(sheet, "art"));
@@ -38,7 +38,7 @@ struct SheetEntry {
     std::vector<MeasuredPass> passes{};
     std::vector<Shader> shaders{};
     std::vector<Diagnostic> diagnostics{};
-    std::string error{};  // what is wrong beside them
+    std::string error{};  // an error in addition to them
     bool ok = false;
     bool missing_machine = false;
 };

@@ -91,7 +91,7 @@ std::string counts(const CostCounts& counts) {
     return cells;
 }
 
-// The titles of these cells stand between the others.
+// The titles of these cells come between the others.
 std::vector<std::string_view> titles(std::vector<std::string_view> before, const std::vector<std::string_view>& after) {
     for (const CostFigure& figure : kCostFigures) before.emplace_back(figure.name);
     before.insert(before.end(), after.begin(), after.end());
@@ -144,7 +144,7 @@ std::string shares(const SheetEntry& entry) {
 
 // --- nodes and shaders
 
-// As it stands in HTML: without what comes before the drawing, and with names that no other drawing has.
+// The drawing for a page of HTML: without the text before the drawing, and with names that no other drawing has.
 std::string inlined(std::string svg, std::size_t index) {
     svg.erase(0, svg.find("<svg"));
     const std::string name = fmt::format(" id=\"d{}-", index);

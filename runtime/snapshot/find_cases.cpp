@@ -41,7 +41,7 @@ std::string without(std::string path, std::string_view ending) {
     return path;
 }
 
-// One name for a file, whatever leads to it.
+// One name for a file, for all paths and links that lead to it.
 std::string same_for_all(const std::string& path) {
     std::error_code error;
     const fs::path canonical = fs::weakly_canonical(path, error);
@@ -73,7 +73,7 @@ private:
         ReadSnapshot read = read_snapshot(file);
         const std::string stem = without(file, kSnapshotEnding);
         if (!read.file) {
-            // Its graph is not a case of its own: what the file wants of it is not known.
+            // Its graph is not a case of its own, because the settings in the file are not known.
             for (const char* ending : {".graph.json", ".scene.json"}) shown_.insert(same_for_all(stem + ending));
             broken_.push_back(stem);
             add({.file = file, .stem = stem, .problem = std::move(read.error)}, "");

@@ -1,6 +1,6 @@
-// The results of snapshots as one HTML page that needs no other file: its pictures are inside. Cases that are not right
-// come first, each with its reference, what was received, their difference, a slider between both, its figures, the
-// difference of the shaders' texts, and what the shaders cost before and now. page/page.html is its frame.
+// The results of snapshots as one HTML page that needs no other file: its pictures are inside. Failed cases come first.
+// Each has its reference, the received picture, their difference, a slider between both, its figures, the difference of
+// the shaders' texts, and the cost of the shaders before and now. page/page.html is its frame.
 //
 //   write_file("report.html", report_page(report, "art"));   // the report was run with keeps_pictures
 #pragma once

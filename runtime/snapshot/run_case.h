@@ -1,4 +1,4 @@
-// One snapshot: draws it, compares it with its references, and accepts it if that is asked for.
+// One snapshot: draws it, compares it with its references, and accepts it on request.
 //
 //   SnapshotCase result = run_case(compiler, planned, options, machine);
 #pragma once

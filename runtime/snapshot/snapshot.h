@@ -1,9 +1,9 @@
 // The room `snapshot`: finds picture tests, has them rendered and compares. It draws nothing itself.
 //
-// Picture tests as files: each NAME.snapshot.json in a folder says how a graph or scene is drawn, NAME.reference.png
-// next to it is the expected picture, and NAME.reference.glsl the expected shaders if it asks for them. A graph or
-// scene without such a file is a test, too. A plain run never writes there: what was received and the difference are
-// written to `received_dir`, as NAME.received.png and NAME.difference.png.
+// Picture tests as files. Each NAME.snapshot.json in a folder describes how a graph or scene is drawn.
+// NAME.reference.png next to it is the expected picture, and NAME.reference.glsl has the expected shaders if the file
+// asks for them. A graph or scene without such a file is a test, too. A plain run never writes there: what was received
+// and the difference are written to `received_dir`, as NAME.received.png and NAME.difference.png.
 //
 //   { "patina": 1, "mesh": "torus", "size": 128, "set": { "_Roughness": 0.2 }, "tolerance": { "share": 0.01 } }
 //

@@ -328,7 +328,7 @@ Problem apply(const Entry& entry, const std::filesystem::path& folder, SnapshotF
     return wrong_unless(check_tolerance(*key, value).empty(), check_tolerance(*key, value));
 }
 
-// Words that rendering would refuse without knowing where they stand.
+// Words that rendering would refuse without knowing their location.
 Problem check_words(const Entry& entry) {
     constexpr std::array<std::string_view, 3> kVia = {"glsl", "hlsl", "cpu"};
     if (entry.path == "via" && std::ranges::find(kVia, entry.text) == kVia.end())

@@ -42,7 +42,7 @@ inline constexpr std::string_view kSnapshotEnding = ".snapshot.json";
 // The size of a snapshot whose file does not say, or that has no file.
 RenderRequest default_request();
 
-// One picture of a snapshot. `name` is empty, or what tells it from the others: "deferred", "_Metallic=0.5".
+// One picture of a snapshot. `name` is empty, or distinguishes it from the others: "deferred", "_Metallic=0.5".
 struct Variation {
     std::string name{};
     RenderRequest request{};

@@ -101,7 +101,7 @@ void add_mixed_lighting(Values& values, const EngineScene& seen, std::span<const
     values["shadowFade"] = {2, {1 / length, (length - distance) / length}};
 }
 
-// The lights that a pass loops over, and behind them those that it computes at vertices.
+// The lights over which a pass loops, and after them those that it computes at vertices.
 void add_lights(Values& values, const EngineScene& seen) {
     std::span<const SeenLight> lights = std::span(seen.lights).first(std::min(seen.lights.size(), kMostLights));
     const Light* cookie = cookie_light(lights);

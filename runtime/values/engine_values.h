@@ -22,7 +22,7 @@ struct EngineValue {
     std::vector<double> numbers;
 };
 
-// A light as a draw sees it: its slot is its place in EngineScene::lights.
+// A light for a draw: its slot is its index in EngineScene::lights.
 struct SeenLight {
     const Light* light = nullptr;
     std::size_t index = 0;  // in the scene
@@ -67,13 +67,13 @@ std::map<std::string, EngineValue> engine_values(const EngineScene& seen);
 // What an object's place says: objectToWorld, worldToObject.
 std::map<std::string, EngineValue> object_values(const glm::mat4& object_to_world);
 
-// Of a single draw: all lights, those that are directional first, the main one at their head; no shadow map.
+// Of a single draw: all lights, the main one first, then the other directional ones; no shadow map.
 std::map<std::string, EngineValue> engine_values(const Scene& scene);
 
 // Of every value that there is.
 std::vector<std::string> engine_value_names();
 
-// The light whose cookie a draw binds: the first that has one; null: none has.
+// The light whose cookie a draw binds: the first light that has one; null: none has.
 const Light* cookie_light(std::span<const SeenLight> lights);
 
 }  // namespace patina::runtime

@@ -39,7 +39,7 @@ enum class Spelling { Words, Json };
 
 // Words: "0.2", "1,0,0" (linear), "#ff8800", "true", "Wet" (an enumerator), the JSON of a matrix, a gradient or a
 // curve, the name of a sampler, a file name, or "NAME_ST" = "2,2,0,0" for a texture's tiling. A bad one, or one outside
-// a hard range, is an error that lists what there is.
+// a hard range, is an error that lists the possible values.
 Outcome<MaterialValues> material_values(const Reflection& reflection, const std::map<std::string, std::string>& words,
                                         Spelling spelling = Spelling::Words);
 // A variant of the lighting model, or null.
@@ -47,9 +47,9 @@ const Property* lighting_option(const Reflection& reflection, const std::string&
 // Of everything that can be given a value, tilings too.
 std::vector<std::string> property_names(const Reflection& reflection);
 
-// The keywords to pass to the compiler as CompileOptions::switches: variants whose values differ from those that the
-// material was compiled with, and words from a command line that are not values of their variant or constant: the
-// compiler reports these at the declaration.
+// The keywords to pass to the compiler as CompileOptions::switches: variants whose values differ from the compiled
+// ones, and words from a command line that are no values of their variant or constant. The compiler reports the latter
+// at the declaration.
 std::vector<std::pair<std::string, std::string>> keywords_of(const Reflection& reflection,
                                                              const std::map<std::string, std::string>& words,
                                                              Spelling spelling = Spelling::Words);

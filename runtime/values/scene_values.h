@@ -1,4 +1,5 @@
-// Checks the values that a scene file gives its materials against their reflections; errors have a place in the file.
+// Checks the values that a scene file sets in its materials against their reflections; errors have a location in the
+// file.
 //
 //   SceneFaults faults = check_values(reflection, world.materials[0]);
 //   if (faults.ok) use(material_values(reflection, world.materials[0].overrides));

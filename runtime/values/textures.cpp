@@ -37,7 +37,7 @@ Outcome<TextureData> data_of(const Texture& texture, Image image, const std::str
     return with(mip_chain(layers.value), layers.value.size());
 }
 
-// What to do if a file states another colour space than the one that it is read in; empty: it does not.
+// What to do if a file declares another colour space than the one in which it is read; empty: it does not.
 std::string color_space_remark(const Texture& texture, const std::string& source, bool fits_8_bits) {
     const StatedSpace stated = stated_space(source);
     const bool is_color = texture.usage == TextureUsage::Color, is_decoded = is_color && fits_8_bits;

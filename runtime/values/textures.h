@@ -49,7 +49,7 @@ struct LoadedTextures {
     std::vector<std::string> files{};       // that were read
 };
 
-// What the scene gives to a material that reads it: its environment and the table of the split sum.
+// The scene's textures for a material that reads them: its environment and the table of the split sum.
 void add_engine_textures(std::vector<LoadedTexture>& textures, const Reflection& reflection, const Scene& scene);
 
 // The reflection's own defaults are files below `graph_folder`. `files` maps texture names to a default's name or a

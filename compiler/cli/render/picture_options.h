@@ -27,8 +27,8 @@ void add_picture_options(CLI::App& command, std::vector<std::string>& set, runti
 bool is_scene(const std::string& graph);
 // By its name; a model is drawn as the scene that its import gives.
 bool is_model(const std::string& graph);
-// Throw the usage error if one of the graphs is a scene or a model but has a mesh from the command line; if an option
-// that chooses in a scene is given with a graph.
+// Throw the usage error if one of the graphs is a scene or a model, and the command line sets a mesh; or if an option
+// for scenes is used with a graph.
 void refuse_mesh(const std::vector<std::string>& graphs, bool has_mesh);
 void refuse_object(const std::string& graph, const std::string& option, const std::string& value);
 

@@ -1,5 +1,5 @@
-// What the header of a picture says that its decoder must not be given. Libraries that decode pictures take memory for
-// all pixels, or for tables of places in the file, some of them while they open a file; so the sizes are read first.
+// What the header of a picture says that its decoder must not be given. Some libraries that decode pictures allocate
+// memory for all pixels, or for tables of offsets, while they open a file. So the sizes are read first.
 //
 //   header_fault(bytes);                // "it is 16384 x 16384 pixels, and the limit is ...: --max-pixels allows ..."
 #pragma once

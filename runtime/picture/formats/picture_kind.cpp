@@ -75,7 +75,7 @@ bool is_whole_webp(std::string_view all) {
     return length && bytes.has(8, *length);
 }
 
-// Where its pieces of pixels begin, and how long they are. Those who decode them take what is missing as black.
+// Where its pieces of pixels begin, and how long they are. Decoders read missing pieces as black.
 bool is_whole_tiff(std::string_view bytes) {
     constexpr std::pair<std::uint64_t, std::uint64_t> kPieces[] = {{273, 279}, {324, 325}};  // strips, tiles
     TiffDirectory directory(bytes);

@@ -1,4 +1,4 @@
-// What kind of file the bytes of a picture are, and what is wrong with them before a pixel is decoded: a file that is
+// The kind of a picture's file, from its bytes, and errors that are found before a pixel is decoded: a file that is
 // named as another kind, or whose end is missing. It opens no file.
 //
 //   const PictureKind* kind = picture_kind(bytes);   // by the first bytes
@@ -15,9 +15,10 @@ struct PictureKind {
     std::string_view name;                      // "PNG"
     std::span<const std::string_view> endings;  // ".png"; the usual one first
     bool is_readable = true;                    // OpenImageIO reads it
-    // False if the file ends too early. Null: whoever decodes the pixels finds that.
+    // False if the file ends too early. Null: the decoder of the pixels finds that.
     bool (*is_whole)(std::string_view bytes) = nullptr;
-    // False if a checksum of a whole file does not fit. Null: it has none, or whoever decodes the pixels finds that.
+    // False if a checksum of a whole file does not fit. Null: the file has no checksum, or the decoder of the pixels
+    // finds that.
     bool (*is_intact)(std::string_view bytes) = nullptr;
 };
 // By the first bytes. Null: none that is known.

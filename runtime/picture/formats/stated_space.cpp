@@ -27,7 +27,7 @@ StatedSpace of_profile(const OIIO::ImageSpec& spec) {
     return {};
 }
 
-// The chunks that tell a colour space, which stand before the pixels; none if the bytes are no PNG.
+// The chunks that set a colour space, which come before the pixels; none if the bytes are no PNG.
 std::map<std::string_view, std::string_view> chunks_of(std::string_view bytes) {
     std::map<std::string_view, std::string_view> chunks;
     if (!bytes.starts_with(kPngSignature)) return chunks;

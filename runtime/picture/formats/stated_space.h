@@ -1,4 +1,5 @@
-// The colour space that a picture's file states. Formats that only imply one (a JPEG is usually sRGB) state none.
+// The colour space that a picture's file states. Formats that only imply a colour space (a JPEG is usually sRGB)
+// declare none.
 //
 //   const StatedSpace stated = stated_space("rust.png");
 //   if (stated.space == ColorSpace::Srgb) ...   // stated.by: "its sRGB chunk"

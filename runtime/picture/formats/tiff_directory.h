@@ -15,7 +15,7 @@ class TiffDirectory {
 public:
     explicit TiffDirectory(std::string_view bytes);
 
-    // Of the first entry with this tag: a second one is a mistake of the file.
+    // The values of the first entry with this tag: a second one is an error of the file.
     std::vector<std::uint64_t> values(std::uint64_t tag);
     // The bytes of such an entry, as the file has them.
     std::string_view bytes_of(std::uint64_t tag);
