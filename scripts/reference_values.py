@@ -5,7 +5,7 @@ from reference_text import cell, code, end, plain, table
 RATES = {
     "vertex": ("Of the mesh", "These values exist for each vertex and are interpolated."),
     "pixel": ("Of the pixel",
-              "Computed where they are read. The vertex stage (the `vertex` block, and nodes that are pinned to it) has none of "
+              "Computed where they are read. The vertex stage (the `vertex` block, and nodes that are pinned to it) cannot read "
               "these: `@fragCoord`, `@frontFacing`, `@screenUV`, `@sceneColor`, `@sceneDepth`, derivatives."),
     "uniform": ("Of the frame and of the object", "The same for all that is drawn at once."),
     "lighting": ("In a lighting graph", "Only lighting graphs read these values; the pass provides them."),
@@ -14,13 +14,13 @@ SEMANTICS = """What mesh, camera, engine and light provide, read as `@uv0` in a 
 [graph](graph-format.md#values). Lengths are metres, `OS`, `WS`, `VS` and `TS` are object, world, view and tangent space.
 
 """
-ENGINE = """The members of the engine's uniform blocks, and its textures. A material reads some of them: its reflection says which, and
-the offset of each. The engine, which is the program that draws, fills all of them; only the block of the material's own
-properties is not here. The numbers must be finite: Patina replaces 0 times such a number by 0. An engine may have names of its
-own for blocks ([engines](engines.md)). `E/pi` is the radiance of a white Lambert surface. What has a row under "only with" is
-read if one of these switches or rendering paths is on. No switch moves a value: a shader declares the values of a block up to
-the last one that it may read, so one structure with all of them fits every shader. In a draw of instances, the values of the
-object are arrays, and the properties of the instances stand between those that are always there and those that a switch adds.
+ENGINE = """The members of the engine's uniform blocks, and its textures. A material reads some of them: its reflection says which, and the
+offset of each. The engine, which is the program that draws, sets all of them. Only the block of the material's own properties
+is not in this list. The numbers must be finite: Patina replaces 0 times such a number by 0. An engine may have names of its own
+for blocks ([engines](engines.md)). `E/pi` is the radiance of a white Lambert surface. What has a row under "only with" is read
+if one of these switches or rendering paths is on. No switch moves a value: a shader declares the values of a block up to the
+last one that it may read. So one structure with all of them fits every shader. In a draw of instances, the values of the object
+are arrays. The properties of the instances come after the values that are always declared, and before those that a switch adds.
 
 """
 
