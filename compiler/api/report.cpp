@@ -8,7 +8,7 @@
 #include "compiler/base/broken_text.h"
 #include "compiler/base/near_file.h"
 #include "compiler/base/text.h"
-#include "compiler/json/memory/json_writer.h"
+#include "compiler/json/json_writer.h"
 
 namespace patina {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "compiler/json/memory/json_writer.h"
+#include "compiler/json/json_writer.h"
 
 namespace patina::capi {
 namespace {

@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "compiler/capi/handles.h"
-#include "compiler/json/memory/json_writer.h"
+#include "compiler/json/json_writer.h"
 
 struct patina_plan {
     std::string path{};

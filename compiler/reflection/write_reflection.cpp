@@ -2,7 +2,7 @@
 #include <concepts>
 
 #include "compiler/base/text.h"
-#include "compiler/json/memory/json_writer.h"
+#include "compiler/json/json_writer.h"
 #include "compiler/reflection/describe.h"
 
 namespace patina::reflection {

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "compiler/json/memory/json_writer.h"
+#include "compiler/json/json_writer.h"
 #include "runtime/page/escaped.h"
 
 namespace patina::runtime {

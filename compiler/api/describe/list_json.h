@@ -2,7 +2,7 @@
 // is written, unless it is empty.
 #pragma once
 
-#include "compiler/json/memory/json_writer.h"
+#include "compiler/json/json_writer.h"
 #include "patina/patina.h"
 
 namespace patina {

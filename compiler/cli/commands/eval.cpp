@@ -9,7 +9,7 @@
 
 #include "compiler/cli/commands/commands.h"
 #include "compiler/cli/eval/sweep.h"
-#include "compiler/json/memory/json_writer.h"
+#include "compiler/json/json_writer.h"
 #include "patina/name_value.h"
 #include "runtime/lighting/model.h"
 

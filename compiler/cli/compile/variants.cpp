@@ -8,7 +8,7 @@
 
 #include "compiler/cli/compile/compiled.h"
 #include "compiler/cli/files.h"
-#include "compiler/json/memory/json_writer.h"
+#include "compiler/json/json_writer.h"
 #include "patina/output_name.h"
 
 namespace patina::cli {

@@ -1,5 +1,5 @@
 #include "compiler/cli/diff/report.h"
-#include "compiler/json/memory/json_writer.h"
+#include "compiler/json/json_writer.h"
 
 namespace patina::cli {
 namespace {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <optional>
 
-#include "compiler/json/memory/json_writer.h"
+#include "compiler/json/json_writer.h"
 
 namespace patina::cli {
 namespace {

@@ -15,7 +15,7 @@
 #include "compiler/cli/outputs.h"
 #include "compiler/importers/importer.h"
 #include "compiler/importers/source_text.h"
-#include "compiler/json/memory/json_writer.h"
+#include "compiler/json/json_writer.h"
 
 namespace patina::cli {
 namespace {

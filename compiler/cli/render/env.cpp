@@ -8,7 +8,7 @@
 
 #include "compiler/cli/commands/commands.h"
 #include "compiler/cli/outputs.h"
-#include "compiler/json/memory/json_writer.h"
+#include "compiler/json/json_writer.h"
 #include "patina/interpret.h"
 #include "runtime/lighting/environment_file.h"
 #include "runtime/lighting/prefilter.h"

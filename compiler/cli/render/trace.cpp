@@ -8,7 +8,7 @@
 
 #include "compiler/cli/commands/commands.h"
 #include "compiler/cli/render/picture_options.h"
-#include "compiler/json/memory/json_writer.h"
+#include "compiler/json/json_writer.h"
 #include "runtime/picture/image.h"
 
 namespace patina::cli {

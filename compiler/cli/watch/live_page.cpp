@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "compiler/cli/watch/page_frame.h"
-#include "compiler/json/memory/json_writer.h"
+#include "compiler/json/json_writer.h"
 
 namespace patina::cli {
 namespace {

@@ -1,6 +1,5 @@
-// The room `json/memory` has what all trees use of JSON: documents in memory, and a writer. This is their memory.
-// RapidJSON's own allocator gives what malloc gives, and RapidJSON writes there without a look, also if that is null.
-// This one throws std::bad_alloc.
+// The room `json/memory` has memory for RapidJSON, for all trees. RapidJSON's own allocator gives what malloc gives,
+// and RapidJSON writes there without a look, also if that is null. This one throws std::bad_alloc.
 #pragma once
 
 #include <algorithm>

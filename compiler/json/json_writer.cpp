@@ -1,4 +1,4 @@
-#include "compiler/json/memory/json_writer.h"
+#include "compiler/json/json_writer.h"
 
 #include <fmt/format.h>
 
