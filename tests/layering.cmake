@@ -217,11 +217,11 @@ foreach(file IN LISTS files)
   endif()
 endforeach()
 
-# An importer writes graphs through the graph writer, and pictures and tables through the runtime. It needs no GPU, and
-# knows no other importer. Only the graph writer and the list of importers may include more.
+# An importer makes graphs with the files of the room importers, and pictures and tables with the runtime. It needs no GPU,
+# and knows no other importer. Only the files of the room itself may include more.
 file(GLOB files ${ROOT}/compiler/importers/*.h ${ROOT}/compiler/importers/*.cpp)
 foreach(file IN LISTS files)
-  check_includes(${file} "^(compiler/(importers|base|format|json)|patina)/|^runtime/(picture|lighting)/")
+  check_includes(${file} "^(compiler/(importers|base|format|json|nodelang)|patina)/|^runtime/(picture|lighting)/")
 endforeach()
 file(GLOB folders LIST_DIRECTORIES true ${ROOT}/compiler/importers/*)
 foreach(folder IN LISTS folders)

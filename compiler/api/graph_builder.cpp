@@ -1,7 +1,10 @@
 // GraphBuilder: a graph in code becomes the text that its file would have. So the same reader checks both.
 #include "patina/graph_builder.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
+#include <utility>
 
 #include "compiler/base/text.h"
 #include "compiler/json/json_text.h"
@@ -11,13 +14,21 @@
 namespace patina {
 namespace {
 
+constexpr std::string_view kComment = "//";
+
 class Writer {
 public:
     explicit Writer(std::vector<GraphBuilder::ValuePlace>& places) : places_(places) {}
 
-    void key(std::string_view name) {
+    // The lines of a comment, each with a new line and the indent behind it.
+    void comment(std::string_view lines, std::string_view indent) {
+        for (const std::string_view line : split(lines, "\n")) text += fmt::format("// {}{}", line, indent);
+    }
+
+    void key(std::string_view name, std::string_view lines = {}) {
         text += is_first_ ? "\n  " : ",\n  ";
         is_first_ = false;
+        comment(lines, "\n  ");
         json::append_quoted(text, name);
         text += ": ";
     }
@@ -29,6 +40,8 @@ public:
         text += '[';
         for (std::size_t i = 0; i < items.size(); ++i) {
             text += i == 0 ? "\n    " : ",\n    ";
+            for (const GraphMember& each : items[i])
+                if (each.key == kComment) comment(each.value.text(), "\n    ");
             const std::string& own = items[i].front().value.text();
             if (name == "nodes")
                 node(own, items[i]);
@@ -52,13 +65,7 @@ public:
 
     void value(const GraphValue& value) {
         switch (value.kind()) {
-            // JSON has no such number: the reader refuses null, and name_numbers() says what it was.
-            case GraphValue::Kind::Number:
-                if (!std::isfinite(value.number()))
-                    text += "null";
-                else
-                    text += value.is_float() ? shortest(static_cast<float>(value.number())) : shortest(value.number());
-                break;
+            case GraphValue::Kind::Number: number(value); break;
             case GraphValue::Kind::Bool: text += value.number() != 0 ? "true" : "false"; break;
             case GraphValue::Kind::Text: json::append_quoted(text, value.text()); break;
             case GraphValue::Kind::List:
@@ -66,9 +73,23 @@ public:
         }
     }
 
-    std::string text = "{";
+    std::string text{};
 
 private:
+    // JSON has no number that is not finite: the reader refuses null, and name_numbers() says what it was. An int has
+    // no exponent.
+    void number(const GraphValue& value) {
+        constexpr double kWhole = 1e15;
+        if (!std::isfinite(value.number()))
+            text += "null";
+        else if (value.is_float())
+            text += shortest(static_cast<float>(value.number()));
+        else if (std::abs(value.number()) < kWhole && std::trunc(value.number()) == value.number())
+            text += fmt::format("{:.0f}", value.number());
+        else
+            text += shortest(value.number());
+    }
+
     template <class Write>
     void placed(std::string_view node, std::string_view port, Write write) {
         const std::size_t index = places_.size();
@@ -82,6 +103,7 @@ private:
         placed(id, {}, [&] {
             text += "{ ";
             for (std::size_t i = 0; i < members.size(); ++i) {
+                if (members[i].key == kComment) continue;
                 if (i > 0) text += ", ";
                 if (members[i].key == "in")
                     inputs(id, members[i].value);
@@ -108,6 +130,7 @@ private:
     void members(const GraphMembers& members) {
         text += "{ ";
         for (std::size_t i = 0; i < members.size(); ++i) {
+            if (members[i].key == kComment) continue;
             if (i > 0) text += ", ";
             member(members[i]);
         }
@@ -151,6 +174,13 @@ std::size_t offset_of(std::string_view text, int line, int column) {
 
 }  // namespace
 
+std::string GraphValue::json() const {
+    std::vector<GraphBuilder::Place> places;
+    Writer writer(places);
+    writer.value(*this);
+    return std::move(writer.text);
+}
+
 GraphValue GraphValue::list(std::vector<GraphValue> items) {
     GraphValue made(0);
     made.kind_ = Kind::List;
@@ -173,9 +203,11 @@ GraphBuilder& GraphBuilder::set(std::string key, GraphValue value) {
     return *this;
 }
 
-GraphBuilder& GraphBuilder::property(std::string name, PropertyType type, GraphValue value, GraphMembers more) {
-    properties_.push_back(
-        with({{"name", std::move(name)}, {"type", to_string(type)}, {"default", std::move(value)}}, std::move(more)));
+GraphBuilder& GraphBuilder::property(std::string name, PropertyType type, std::optional<GraphValue> value,
+                                     GraphMembers more) {
+    GraphMembers members = {{"name", std::move(name)}, {"type", to_string(type)}};
+    if (value) members.push_back({"default", std::move(*value)});
+    properties_.push_back(with(std::move(members), std::move(more)));
     return *this;
 }
 
@@ -218,10 +250,17 @@ std::string GraphBuilder::text() const {
 
 std::string GraphBuilder::text(std::vector<ValuePlace>& places) const {
     Writer writer(places);
+    std::string_view above;  // the comment above the next key
+    if (!keys_.empty() && keys_[0].key == kComment) writer.comment(keys_[0].value.text(), "\n");
+    writer.text += '{';
     writer.key("patina");
     writer.text += '1';
     for (const GraphMember& member : keys_) {
-        writer.key(member.key);
+        if (member.key == kComment) {
+            above = &member == &keys_[0] ? std::string_view() : std::string_view(member.value.text());
+            continue;
+        }
+        writer.key(member.key, std::exchange(above, {}));
         writer.value(member.value);
     }
     writer.list("properties", properties_);

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "compiler/importers/graph_writer.h"
+#include "patina/graph_builder.h"
 
 namespace patina::importers::terms {
 
@@ -19,6 +19,6 @@ struct Gradient {
     bool is_perceptual() const { return mode == 2; }
 };
 // At a port or as a default: the keys as a picker shows them, but linear if the gradient is perceptual.
-Value gradient_value(const Gradient& gradient);
+GraphValue gradient_value(const Gradient& gradient);
 
 }  // namespace patina::importers::terms

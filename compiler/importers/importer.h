@@ -1,16 +1,16 @@
 // The room `importers` turns materials of other programs into graph files. It needs no GPU.
 //
-// The seam for importers. This folder holds this interface, the list of importers (importers.cpp), graph_writer.h,
-// which all of them write graphs with, and unity_assets.h, unity_pictures.h and unity_yaml.h, which those of Unity's
-// formats share. To add one: write a folder with a function that returns its row, and add the row to the list. No
-// other file names a format.
+// The seam for importers. This folder holds this interface, the list of importers (importers.cpp), imported_graph.h
+// with terms.h and patterns.h, which all of them make graphs with, and unity_assets.h, unity_pictures.h and
+// unity_yaml.h, which those of Unity's formats share. To add one: write a folder with a function that returns its row,
+// and add the row to the list. No other file names a format.
 //
 // An importer reads the file that it is given and the files that this one names. It draws nothing and writes nothing:
 // `patina import` writes what it returns, all or nothing. Whatever it does not carry over is a remark; nothing is
 // dropped silently.
 //
 //   const Source source = {.path = "gold-paint.binary", .start = first_bytes};
-//   if (const Importer* importer = importer_of(source)) Imported made = importer->read(source, {});
+//   if (const Importer* importer = importer_of(source)) Imported made = read_verified(*importer, source, {});
 #pragma once
 
 #include <span>
@@ -86,6 +86,10 @@ struct Importer {
     bool (*recognises)(const Source& source);
     Imported (*read)(const Source& source, const Options& options);
 };
+
+// What the importer makes of the source, if the compiler reads all graphs and scenes of it without an error; else the
+// error.
+Imported read_verified(const Importer& importer, const Source& source, const Options& options);
 
 std::span<const Importer> importers();
 // The first that recognises the source, or null.

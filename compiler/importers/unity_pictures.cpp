@@ -28,16 +28,16 @@ void read_sampler(const Yaml* settings, Picture& made) {
     const int u = std::max(whole(settings, "wrapU", old_wrap), 0);
     const int v = std::max(whole(settings, "wrapV", old_wrap), 0);
     made.repeats = u == 0 && v == 0;
-    std::vector<Member> sampler;
-    if (u > 0) sampler.push_back({"wrap", text(u == 1 ? "clamp" : "mirror")});
+    GraphMembers sampler;
+    if (u > 0) sampler.push_back({"wrap", u == 1 ? "clamp" : "mirror"});
     if (u != v) made.differences.push_back("a sampler has one wrap mode for both directions, here that of u");
     if (u == 3) made.differences.push_back("it is mirrored again and again, not once");
-    if (whole(settings, "filterMode", 1) == 0) sampler.push_back({"filter", text("nearest")});
+    if (whole(settings, "filterMode", 1) == 0) sampler.push_back({"filter", "nearest"});
     const int anisotropy = whole(settings, "aniso", 1);
     int power = 1;
     while (power * 2 <= std::min(anisotropy, 16)) power *= 2;
-    if (power > 1) sampler.push_back({"anisotropy", number(static_cast<double>(power))});
-    if (!sampler.empty()) made.more.push_back({"sampler", object(sampler)});
+    if (power > 1) sampler.push_back({"anisotropy", static_cast<double>(power)});
+    if (!sampler.empty()) made.more.push_back({"sampler", GraphValue::object(sampler)});
 }
 
 void read_settings(const std::string& path, Picture& made) {
@@ -58,11 +58,10 @@ void read_settings(const std::string& path, Picture& made) {
     const int columns = std::clamp(whole(importer, "flipbookColumns", 1), 1, kMostLayers),
               rows = std::clamp(whole(importer, "flipbookRows", 1), 1, kMostLayers);
     if (columns > 1 || rows > 1)
-        made.layers.push_back(
-            {"grid", list({number(static_cast<double>(columns)), number(static_cast<double>(rows))})});
+        made.layers.push_back({"grid", GraphValue::list({static_cast<double>(columns), static_cast<double>(rows)})});
     if (whole(mips, "enableMipMap", 1) == 0) made.differences.push_back("it has mip levels");
     const int alpha = whole(importer, "alphaUsage", 1);
-    if (!made.is_normal_map && alpha == 0) made.more.push_back({"swizzle", patina::importers::text("rgb1")});
+    if (!made.is_normal_map && alpha == 0) made.more.push_back({"swizzle", "rgb1"});
     if (!made.is_normal_map && alpha == 2) made.differences.push_back("its alpha is its own, and not its grey");
     if (made.is_normal_map && whole(bumps, "convertToNormalMap", 0) != 0)
         made.differences.push_back("Unity makes a normal map of this picture of heights: it is read as a normal map");

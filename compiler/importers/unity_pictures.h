@@ -12,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-#include "compiler/importers/graph_writer.h"
+#include "compiler/importers/imported_graph.h"
 #include "compiler/importers/unity_assets.h"
 
 namespace patina::importers {
@@ -23,8 +23,8 @@ struct Picture {
     bool has_settings = false;
     bool is_srgb = true, is_normal_map = false;
     bool repeats = true;                     // in both directions
-    std::vector<Member> more{};              // keys of the property: "sampler", "swizzle"
-    std::vector<Member> layers{};            // of a texture with layers: "grid"
+    GraphMembers more{};                     // keys of the property: "sampler", "swizzle"
+    GraphMembers layers{};                   // of a texture with layers: "grid"
     bool flips_green = false;                // of a normal map
     std::vector<std::string> differences{};  // settings that the graph cannot say
 };

@@ -9,15 +9,6 @@
 namespace patina::nodelang {
 namespace {
 
-struct Precedence {
-    std::string_view op;
-    int level;
-};
-// The precedences of HLSL. All of these operators group to the left.
-constexpr Precedence kPrecedence[] = {{"||", 1}, {"&&", 2}, {"|", 3}, {"^", 4},  {"&", 5},  {"==", 6},
-                                      {"!=", 6}, {"<", 7},  {">", 7}, {"<=", 7}, {">=", 7}, {"<<", 8},
-                                      {">>", 8}, {"+", 9},  {"-", 9}, {"*", 10}, {"/", 10}, {"%", 10}};
-
 // Words that begin statements, and what to write in an expression.
 constexpr std::pair<std::string_view, std::string_view> kStatements[] = {
     {"if", "write 'condition ? a : b'"},
@@ -27,15 +18,6 @@ constexpr std::pair<std::string_view, std::string_view> kStatements[] = {
     {"return", "its value is its result"},
     {"const", "give a value a name by a node of its own"},
 };
-
-// 0: not a binary operator.
-int precedence(const Token& token) {
-    if (token.kind != Token::Kind::Punctuation) return 0;
-    for (const Precedence& row : kPrecedence) {
-        if (token.text == row.op) return row.level;
-    }
-    return 0;
-}
 
 }  // namespace
 
@@ -73,7 +55,7 @@ Node Parser::expression() {
     // Most defaults and arguments are one number or one name.
     const bool is_leaf = now().kind == Token::Kind::Number || now().kind == Token::Kind::Word;
     if (is_leaf && (after().is(",") || after().is(")") || after().is(";"))) return primary();
-    const Node condition = binary(1);
+    const Node condition = binary(Precedence::LogicalOr);
     if (condition && is_hlsl() && is_assignment(now())) return assigned(condition);
     if (!condition || !now().is("?")) return condition;
     const Token question = take();
@@ -89,13 +71,14 @@ Node Parser::expression() {
                 {condition, if_true, if_false});
 }
 
-Node Parser::binary(int lowest_precedence) {
+Node Parser::binary(Precedence lowest) {
     Node left = unary();
     while (left) {
-        const int level = precedence(now());
-        if (level == 0 || level < lowest_precedence) return left;
+        const bool is_operator = now().kind == Token::Kind::Punctuation;
+        const Precedence precedence = is_operator ? binary_precedence(now().text) : Precedence::Any;
+        if (precedence == Precedence::Any || precedence < lowest) return left;
         const Token op = take();
-        const Node right = binary(level + 1);
+        const Node right = binary(above(precedence));
         if (!right) return {};
         left = make({.kind = Expr::Kind::Binary, .name_span = span(op), .text = op.text}, left.begin, {left, right});
     }

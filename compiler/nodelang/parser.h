@@ -12,6 +12,7 @@
 #include <unordered_set>
 
 #include "compiler/base/made_once.h"
+#include "compiler/base/precedence.h"
 #include "compiler/nodelang/lex.h"
 #include "compiler/nodelang/preprocessor.h"
 
@@ -96,7 +97,7 @@ private:
 
     // --- expressions (parse_expression.cpp)
     Node expression();
-    Node binary(int lowest_precedence);
+    Node binary(Precedence lowest);
     Node unary();
     Node postfix();
     Node member_of(const Node& object);

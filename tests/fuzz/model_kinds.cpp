@@ -72,7 +72,7 @@ Verdict run_import(const std::string& path, const std::string& bytes, const impo
     const importers::Source source{.path = path, .start = bytes.substr(0, importers::kStart)};
     const importers::Importer* importer = importers::importer_of(source);
     if (!importer) return {};
-    const Imported made = importer->read(source, options);
+    const Imported made = importers::read_verified(*importer, source, options);
     return {.is_accepted = made.error.empty(), .wrong = wrong_with(made), .said = made.error};
 }
 

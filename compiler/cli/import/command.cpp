@@ -169,7 +169,8 @@ Exit import_file(const Console& console, const Arguments& arguments, const std::
         return Exit::Wrong;
     }
     const fs::path folder = arguments.folder.empty() ? fs::path(file).parent_path() : fs::path(arguments.folder);
-    Imported made = importer->read(source, {.folder = folder.string(), .include_dirs = arguments.include_dirs});
+    Imported made = importers::read_verified(*importer, source,
+                                             {.folder = folder.string(), .include_dirs = arguments.include_dirs});
     if (!made.error.empty()) {
         const Diagnostic wrong =
             importers::cannot_import(file, importers::why_unreadable(file).value_or(std::move(made.error)));

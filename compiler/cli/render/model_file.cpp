@@ -14,7 +14,7 @@ runtime::Outcome<ModelFile> import_model(const std::string& path, importers::Opt
     const importers::Importer* importer = importers::importer_of(source);
     if (!importer) return runtime::Failure{"'" + path + "' is no model that can be read"};
     options.folder = path;
-    importers::Imported made = importer->read(source, options);
+    importers::Imported made = importers::read_verified(*importer, source, options);
     if (!made.error.empty()) return runtime::Failure{made.error};
     if (made.scene.empty())
         return runtime::Failure{"'" + path + "' shows no triangles: import it, and draw its graphs"};

@@ -131,7 +131,7 @@ Imported import_model(const Context& context, const runtime::GltfModel& model, c
     }
     Pictures pictures(context);
     for (std::size_t i = 0; i < count + (needs_default ? 1 : 0); ++i) {
-        const std::string json = write_graph(material_graph(context, pictures, i, uses[i]));
+        const std::string json = material_graph(context, pictures, i, uses[i]).text();
         if (json.empty()) return {.error = fmt::format("{}: materials[{}].name is not UTF-8", context.path, i)};
         made.graphs.push_back({.name = uses[i].name + ".graph.json", .text = json});
     }

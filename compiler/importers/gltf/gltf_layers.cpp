@@ -32,7 +32,7 @@ void set_number(MaterialGraph& graph, Object& layer, std::string_view key, std::
                 std::string_view property, double otherwise, double low, double high) {
     const auto value = layer.number(key, 0, kAny);
     if (value && *value != otherwise) {
-        graph.set(input, expression(graph.number_property(property, *value, low, high)));
+        graph.set(input, graph.number_property(property, *value, low, high));
         layer.taken(key, fmt::format("the property '{}'", property));
     }
     layer.taken(key, "the default");
@@ -40,7 +40,7 @@ void set_number(MaterialGraph& graph, Object& layer, std::string_view key, std::
 
 // Leaves out what is the input's default.
 void set_unless(MaterialGraph& graph, std::string_view input, const Term& term, double otherwise) {
-    if (!term.is(otherwise)) graph.set(input, term);
+    if (!term.is_all(otherwise)) graph.set(input, term);
 }
 
 void set_clearcoat(MaterialGraph& graph, Object coat) {
@@ -58,10 +58,11 @@ void set_clearcoat(MaterialGraph& graph, Object coat) {
                                    .property = "_ClearcoatRoughness",
                                    .otherwise = 0}),
                0);
-    const std::string normal = graph.normal(coat, "clearcoatNormalTexture", "clearcoatNormal", "_ClearcoatNormalScale");
-    if (!normal.empty()) {
-        graph.node({.id = "clearcoatNormalWS", .node = "NormalTangentToWorld", .inputs = {{"normalTS", text(normal)}}});
-        graph.set("clearcoatNormalWS", expression("clearcoatNormalWS"));
+    const Term normal = graph.normal(coat, "clearcoatNormalTexture", "clearcoatNormal", "_ClearcoatNormalScale");
+    if (!normal.is_constant()) {
+        graph.node(
+            {.id = "clearcoatNormalWS", .node = "NormalTangentToWorld", .inputs = {{"normalTS", normal.value()}}});
+        graph.set("clearcoatNormalWS", link("clearcoatNormalWS", Type::Float3));
     }
     coat.rest();
 }
@@ -117,20 +118,19 @@ void set_anisotropy(MaterialGraph& graph, Object layer) {
                                                  .channel = "b",
                                                  .property = "_Anisotropy",
                                                  .otherwise = 0}));
-    const std::string texel = graph.texel(layer, "anisotropyTexture", "anisotropy", "data");
+    const Term texel = graph.texel(layer, "anisotropyTexture", "anisotropy", "data");
     const double rotation = layer.number("anisotropyRotation", -kAny, kAny).value_or(0);
-    std::string angle;
+    Term angle = number_term(0);
     if (rotation != 0) {
         angle = graph.number_property("_AnisotropyRotation", rotation, -3.1415927, 3.1415927);
         layer.taken("anisotropyRotation", "the property '_AnisotropyRotation'");
     }
     layer.taken("anisotropyRotation", "0 changes nothing");
-    const std::string direction = texel + ".rg * 2 - 1";
-    if (texel.empty() && !angle.empty())
-        graph.set("anisotropyDirection", expression(fmt::format("float2(cos({0}), sin({0}))", angle)));
-    if (!texel.empty() && angle.empty()) graph.set("anisotropyDirection", expression(direction));
-    if (!texel.empty() && !angle.empty())
-        graph.set("anisotropyDirection", expression(fmt::format("Rotate({}, {}, float2(0, 0))", direction, angle)));
+    const std::string_view direction = angle.is_constant()   ? "a.rg * 2 - 1"
+                                       : texel.is_constant() ? "float2(cos(b), sin(b))"
+                                                             : "Rotate(a.rg * 2 - 1, b, float2(0, 0))";
+    if (!texel.is_constant() || !angle.is_constant())
+        graph.set("anisotropyDirection", computed(direction, {texel, angle}, Type::Float2));
     layer.rest();
 }
 
@@ -143,18 +143,18 @@ void set_iridescence(MaterialGraph& graph, Object film) {
                                                  .property = "_Iridescence",
                                                  .otherwise = 0}));
     set_number(graph, film, "iridescenceIor", "iridescenceIor", "_IridescenceIor", 1.3, 1, 3);
-    const std::string texel = graph.texel(film, "iridescenceThicknessTexture", "iridescenceThickness", "data");
+    const Term texel = graph.texel(film, "iridescenceThicknessTexture", "iridescenceThickness", "data");
     const double least = film.number("iridescenceThicknessMinimum", 0, kAny).value_or(100);
     const double most = film.number("iridescenceThicknessMaximum", 0, kAny).value_or(400);
-    if (texel.empty()) {
+    if (texel.is_constant()) {
         film.taken("iridescenceThicknessMinimum", "it has no effect without 'iridescenceThicknessTexture'");
         set_number(graph, film, "iridescenceThicknessMaximum", "iridescenceThickness", "_IridescenceThickness", 400, 0,
                    1200);
         return film.rest();
     }
-    const std::string low = graph.number_property("_IridescenceThicknessMinimum", least, 0, 1200);
-    const std::string high = graph.number_property("_IridescenceThicknessMaximum", most, 0, 1200);
-    graph.set("iridescenceThickness", expression(fmt::format("lerp({}, {}, {}.g)", low, high, texel)));
+    const Term low = graph.number_property("_IridescenceThicknessMinimum", least, 0, 1200);
+    const Term high = graph.number_property("_IridescenceThicknessMaximum", most, 0, 1200);
+    graph.set("iridescenceThickness", computed("lerp(a, b, c.g)", {low, high, texel}, Type::Float));
     film.taken("iridescenceThicknessMinimum", "the property '_IridescenceThicknessMinimum'");
     film.taken("iridescenceThicknessMaximum", "the property '_IridescenceThicknessMaximum'");
     film.rest();
@@ -175,8 +175,9 @@ void set_volume(MaterialGraph& graph, Object volume, const MaterialUse& use, boo
                                                  .property = "_Thickness",
                                                  .otherwise = 0,
                                                  .high = kAny});
-    const std::string scale = use.is_stretched ? "dot(@objectScale, float3(1, 1, 1) / 3)" : "@objectScale.x";
-    graph.set("thickness", use.is_scaled ? expression(thickness.inside() + " * " + scale) : thickness);
+    const Term scale =
+        expression(use.is_stretched ? "dot(@objectScale, float3(1, 1, 1) / 3)" : "@objectScale.x", Type::Float);
+    graph.set("thickness", use.is_scaled ? product({thickness, scale}) : thickness);
     if (use.is_stretched) {
         volume.changed("thicknessFactor",
                        "the thickness grows with the mean of the object's three scales, whatever way the light takes");
@@ -185,8 +186,8 @@ void set_volume(MaterialGraph& graph, Object volume, const MaterialUse& use, boo
     const auto color = volume.numbers("attenuationColor", 3, 0, 1);
     if (distance && *distance > 0 && color) {
         graph.set("attenuationDistance",
-                  expression(graph.number_property("_AttenuationDistance", *distance, 0, std::max(10.0, *distance))));
-        graph.set("attenuationColor", expression(graph.color_property("_AttenuationColor", *color) + ".rgb"));
+                  graph.number_property("_AttenuationDistance", *distance, 0, std::max(10.0, *distance)));
+        graph.set("attenuationColor", swizzled(graph.color_property("_AttenuationColor", *color), "rgb"));
         volume.taken("attenuationDistance", "the property '_AttenuationDistance'");
         volume.taken("attenuationColor", "the property '_AttenuationColor'");
     }

@@ -15,31 +15,27 @@ struct Base {
 };
 
 Base base_of(MaterialGraph& graph, Object& from, const Slot& slot, bool has_alpha, bool has_colors) {
-    const std::string node = graph.texel(from, slot.texture, slot.slot, "color");
+    const Term texel = graph.texel(from, slot.texture, slot.slot, "color");
     const auto factor = from.numbers(slot.factor, 4, 0, 1);
     const std::vector<double> value = factor.value_or(std::vector<double>(4, 1));
     const std::vector<double> rgb(value.begin(), value.begin() + 3);
-    std::vector<std::string> colors, alphas;
-    if (!node.empty()) {
-        colors.push_back(node + ".rgb");
-        alphas.push_back(node + ".a");
-    }
-    const bool is_alone = node.empty() && !has_colors;
+    std::vector<Term> colors = {swizzled(texel, "rgb")}, alphas = {swizzled(texel, "a")};
+    const bool is_alone = texel.is_constant() && !has_colors;
     const bool has_color = rgb != std::vector<double>(3, 1) || (factor && is_alone);
     const bool scales_alpha = has_alpha && value[3] != 1;
     if (has_color || scales_alpha) {
-        const std::string property = graph.color_property(slot.property, scales_alpha ? value : rgb);
-        if (has_color) colors.push_back(property + ".rgb");
-        if (scales_alpha) alphas.push_back(property + ".a");
+        const Term property = graph.color_property(slot.property, scales_alpha ? value : rgb);
+        if (has_color) colors.push_back(swizzled(property, "rgb"));
+        if (scales_alpha) alphas.push_back(swizzled(property, "a"));
         from.taken(slot.factor, fmt::format("the property '{}'", slot.property));
         if (!has_alpha && value[3] != 1) from.taken(slot.factor, "its alpha has no effect: the alpha mode is OPAQUE");
     }
     from.taken(slot.factor, "white: it changes nothing");
     if (has_colors) {
-        colors.push_back("@vertexColor.rgb");
-        alphas.push_back("@vertexColor.a");
+        colors.push_back(swizzled(color_link("@vertexColor"), "rgb"));
+        alphas.push_back(swizzled(color_link("@vertexColor"), "a"));
     }
-    return {.color = product(colors, {.numbers = {1, 1, 1}}), .alpha = product(alphas, constant(1))};
+    return {.color = product(colors), .alpha = product(alphas)};
 }
 
 // OPAQUE, MASK or BLEND: the surface kind, and whether alpha counts.
@@ -67,25 +63,26 @@ Alpha alpha_of(Object& material) {
 // Nothing shows through an alpha of 1, and an opaque surface needs no order of drawing.
 void settle_blend(Object& material, Alpha& alpha, const Term& value) {
     if (alpha.surface != "fade") return;
-    if (value.is(1)) alpha.surface = {};
-    material.taken("alphaMode", value.is(1) ? "an opaque surface: its alpha is 1 everywhere" : "\"surface\": \"fade\"");
+    if (value.is_all(1)) alpha.surface = {};
+    material.taken("alphaMode",
+                   value.is_all(1) ? "an opaque surface: its alpha is 1 everywhere" : "\"surface\": \"fade\"");
 }
 
 void set_render(MaterialGraph& graph, Object& material, const Alpha& alpha) {
-    std::vector<Member> render;
-    if (!alpha.surface.empty()) render.push_back({"surface", text(alpha.surface)});
+    GraphMembers render;
+    if (!alpha.surface.empty()) render.push_back({"surface", alpha.surface});
     const bool is_double = material.flag("doubleSided").value_or(false);
-    if (is_double) render.push_back({"cull", text("off")});
+    if (is_double) render.push_back({"cull", "off"});
     material.taken("doubleSided", is_double ? "\"cull\": \"off\"" : "back faces are culled, the default");
-    if (!render.empty()) graph.graph.more.push_back({"render", object(render)});
+    if (!render.empty()) graph.graph.more.push_back({"render", GraphValue::object(render)});
 }
 
 void set_alpha(MaterialGraph& graph, Object& material, const Alpha& alpha, const Term& value) {
     if (alpha.surface.empty()) return;
-    if (!value.is(1)) graph.set("alpha", value);
+    if (!value.is_all(1)) graph.set("alpha", value);
     if (!alpha.cutoff) return;
     // No alpha is above 1, so a greater cutoff hides all.
-    graph.set("alphaClip", expression(graph.number_property("_AlphaCutoff", *alpha.cutoff, 0, 1)));
+    graph.set("alphaClip", graph.number_property("_AlphaCutoff", *alpha.cutoff, 0, 1));
     material.taken("alphaCutoff", "the property '_AlphaCutoff'");
 }
 
@@ -122,7 +119,7 @@ Term set_metal(MaterialGraph& graph, Object& material, Object& metal, bool has_a
                                                 .property = "_Roughness",
                                                 .shares_texture = true});
     graph.set("roughness", roughness);
-    if (metallic.is(0) && roughness.is(0))
+    if (metallic.is_all(0) && roughness.is_all(0))
         metal.child("metallicRoughnessTexture").all_taken("it has no effect: both factors are 0");
     metal.rest();
     return base.alpha;
@@ -141,34 +138,33 @@ Term set_specular(MaterialGraph& graph, Object& gloss, bool has_alpha, const Mat
                     .property = "_Specular",
                     .shares_texture = true};
     const Term specular = graph.color(gloss, slot);
-    const std::string node = graph.texel(gloss, slot.texture, slot.slot, "color");
+    const Term texel = graph.texel(gloss, slot.texture, slot.slot, "color");
     const auto factor = gloss.number("glossinessFactor", 0, 1);
-    std::vector<std::string> factors;
-    if (!node.empty()) factors.push_back(node + ".a");
-    if (factor && (*factor != 1 || node.empty())) {
-        factors.push_back(graph.number_property("_Glossiness", *factor, 0, 1));
+    Term scale = number_term(1);
+    if (factor && (*factor != 1 || texel.is_constant())) {
+        scale = graph.number_property("_Glossiness", *factor, 0, 1);
         gloss.taken("glossinessFactor", "the property '_Glossiness'");
     }
     gloss.taken("glossinessFactor", "1: the texture alone");
     graph.set("baseColor", base.color);
     graph.set("specular", specular);
-    graph.set("glossiness", product(factors, constant(1)));
+    graph.set("glossiness", product({swizzled(texel, "a"), scale}));
     gloss.rest();
     return base.alpha;
 }
 
 void set_normal(MaterialGraph& graph, Object& material) {
-    const std::string node = graph.normal(material, "normalTexture", "normal", "_NormalScale");
-    if (!node.empty()) graph.set("normalTS", expression(node));
+    const Term normal = graph.normal(material, "normalTexture", "normal", "_NormalScale");
+    if (!normal.is_constant()) graph.set("normalTS", normal);
 }
 
 void set_occlusion(MaterialGraph& graph, Object& material) {
-    const std::string node = graph.texel(material, "occlusionTexture", "occlusion", "data");
-    if (node.empty()) return;
+    const Term texel = graph.texel(material, "occlusionTexture", "occlusion", "data");
+    if (texel.is_constant()) return;
     const double strength = material.child("occlusionTexture").number("strength", 0, 1).value_or(1);
-    if (strength == 1) return graph.set("occlusion", expression(node + ".r"));
-    const std::string property = graph.number_property("_OcclusionStrength", strength, 0, 1);
-    graph.set("occlusion", expression(fmt::format("lerp(1, {}.r, {})", node, property)));
+    if (strength == 1) return graph.set("occlusion", swizzled(texel, "r"));
+    const Term property = graph.number_property("_OcclusionStrength", strength, 0, 1);
+    graph.set("occlusion", computed("lerp(1, a.r, b)", {texel, property}, Type::Float));
 }
 
 void set_emission(MaterialGraph& graph, Object& material) {
@@ -188,7 +184,7 @@ void set_emission(MaterialGraph& graph, Object& material) {
                                                  .property = "_Emission"}));
     constexpr double kBrightest = 1e6;
     if (const auto strength = extension.number("emissiveStrength", 0, kBrightest); strength && *strength != 1) {
-        graph.set("emissiveStrength", expression(graph.number_property("_EmissiveStrength", *strength, 0, 10)));
+        graph.set("emissiveStrength", graph.number_property("_EmissiveStrength", *strength, 0, 10));
         extension.taken("emissiveStrength", "the property '_EmissiveStrength'");
     }
     extension.taken("emissiveStrength", "1 changes nothing");
@@ -230,7 +226,7 @@ void find_packed(const Json& object, std::map<std::size_t, std::vector<std::stri
 
 }  // namespace
 
-GraphFile material_graph(const Context& context, Pictures& pictures, std::size_t index, const MaterialUse& use) {
+ImportedGraph material_graph(const Context& context, Pictures& pictures, std::size_t index, const MaterialUse& use) {
     MaterialGraph graph(context, pictures, use.name);
     graph.lacks_coordinates = use.lacks_coordinates;
     Object material = element(context, "materials", index);

@@ -2,7 +2,7 @@
 // KHR_materials_pbrSpecularGlossiness or KHR_materials_unlit; alpha modes, sides, vertex colours. gltf_layers.h adds
 // the layers of the other extensions.
 //
-//   GraphFile graph = material_graph(context, pictures, 2, {.name = "Paint", .has_colors = true});
+//   ImportedGraph graph = material_graph(context, pictures, 2, {.name = "Paint", .has_colors = true});
 #pragma once
 
 #include <array>
@@ -21,6 +21,6 @@ struct MaterialUse {
 };
 
 // `index` past the end: the material of meshes that name none.
-GraphFile material_graph(const Context& context, Pictures& pictures, std::size_t index, const MaterialUse& use);
+ImportedGraph material_graph(const Context& context, Pictures& pictures, std::size_t index, const MaterialUse& use);
 
 }  // namespace patina::importers::gltf

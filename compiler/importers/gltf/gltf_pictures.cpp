@@ -125,7 +125,7 @@ std::optional<std::size_t> Pictures::picture_of(Object& texture) {
     return other;
 }
 
-std::vector<Member> Pictures::sampler_of(std::size_t index) {
+GraphMembers Pictures::sampler_of(std::size_t index) {
     const auto [found, is_new] = samplers_.try_emplace(index);
     if (!is_new) return found->second;
     Object sampler = element(context_, "samplers", index);
@@ -135,7 +135,7 @@ std::vector<Member> Pictures::sampler_of(std::size_t index) {
         return static_cast<int>(sampler.number(key, 0, 1e6).value_or(otherwise));
     };
     const int s = word_of("wrapS", kRepeat), t = word_of("wrapT", kRepeat);
-    if (s != kRepeat) found->second.push_back({"wrap", text(wrap_word(s))});
+    if (s != kRepeat) found->second.push_back({"wrap", wrap_word(s)});
     sampler.taken("wrapS", fmt::format("\"wrap\": \"{}\"", wrap_word(s)));
     if (s == t)
         sampler.taken("wrapT", fmt::format("\"wrap\": \"{}\"", wrap_word(s)));
@@ -145,7 +145,7 @@ std::vector<Member> Pictures::sampler_of(std::size_t index) {
         sampler.changed("wrapS", fmt::format("\"wrap\": \"{}\" along v too: a sampler has one word", wrap_word(s)));
     const int large = word_of("magFilter", 0), small = word_of("minFilter", 0);
     const bool is_nearest = large == kNearest;
-    if (is_nearest) found->second.push_back({"filter", text("nearest")});
+    if (is_nearest) found->second.push_back({"filter", "nearest"});
     const std::string filter = is_nearest ? "\"filter\": \"nearest\"" : "\"filter\": \"linear\", the default";
     sampler.taken("magFilter", filter);
     // 9984 and 9986 take the nearest texel; 9987 is linear between texels and levels.

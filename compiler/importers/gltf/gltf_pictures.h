@@ -12,7 +12,7 @@
 
 #include "compiler/importers/gltf/gltf_object.h"
 #include "compiler/importers/gltf/own_names.h"
-#include "compiler/importers/graph_writer.h"
+#include "compiler/importers/imported_graph.h"
 
 namespace patina::importers::gltf {
 
@@ -41,8 +41,8 @@ inline OwnNames names_of_files() {
 std::string file_name(std::string_view name, std::string_view otherwise, OwnNames& taken);
 
 struct TextureFile {
-    std::string file{};             // as the graph names it; empty: the texture cannot be read
-    std::vector<Member> sampler{};  // keys of a property's "sampler" that are not the default
+    std::string file{};      // as the graph names it; empty: the texture cannot be read
+    GraphMembers sampler{};  // keys of a property's "sampler" that are not the default
 };
 
 class Pictures {
@@ -56,13 +56,13 @@ public:
 
 private:
     std::optional<std::size_t> picture_of(Object& texture);
-    std::vector<Member> sampler_of(std::size_t index);
+    GraphMembers sampler_of(std::size_t index);
     std::string file_of(std::size_t image, const std::string& name);
 
     const Context& context_;
     std::map<std::size_t, TextureFile> textures_{};
     std::map<std::size_t, std::string> files_{};  // by image
-    std::map<std::size_t, std::vector<Member>> samplers_{};
+    std::map<std::size_t, GraphMembers> samplers_{};
     OwnNames names_ = names_of_files();
 };
 

@@ -11,6 +11,7 @@
 
 #include "compiler/base/text.h"
 #include "compiler/importers/gltf/own_names.h"
+#include "compiler/importers/values.h"
 #include "patina/scene.h"
 #include "runtime/mesh/framing.h"
 
@@ -29,12 +30,12 @@ constexpr float kPi = std::numbers::pi_v<float>;
 
 // Rounding errors of a product of matrices are no part of a position.
 constexpr int kDecimals = 6;
-Value rounded(float value, int decimals) {
+GraphValue rounded(float value, int decimals) {
     const double unit = std::pow(10.0, decimals);
-    return number(std::round(static_cast<double>(value) * unit) / unit + 0.0);  // 0, not -0
+    return std::round(static_cast<double>(value) * unit) / unit + 0.0;  // 0, not -0
 }
-Value vector(const glm::vec3& v, int decimals = kDecimals) {
-    return list({rounded(v.x, decimals), rounded(v.y, decimals), rounded(v.z, decimals)});
+GraphValue vector(const glm::vec3& v, int decimals = kDecimals) {
+    return GraphValue::list({rounded(v.x, decimals), rounded(v.y, decimals), rounded(v.z, decimals)});
 }
 
 // The sphere that holds all that is drawn.
@@ -110,52 +111,51 @@ View view_of(const Extent& extent, const ModelCamera* camera) {
     return view;
 }
 
-Value camera_value(const Extent& extent, const ModelCamera* camera) {
+GraphValue camera_value(const Extent& extent, const ModelCamera* camera) {
     const View view = view_of(extent, camera);
-    std::vector<Member> members = {{"position", vector(view.position, view.decimals)},
-                                   {"target", vector(view.target, view.decimals)}};
+    GraphMembers members = {{"position", vector(view.position, view.decimals)},
+                            {"target", vector(view.target, view.decimals)}};
     if (!camera) {
-        members.push_back({"fov", number(kFramedFov)});
+        members.push_back({"fov", kFramedFov});
         members.push_back({"near", rounded(view.near_plane, view.decimals + 1)});
         members.push_back({"far", rounded(view.far_plane, view.decimals - 1)});
-        return object(members);
+        return GraphValue::object(members);
     }
     if (const std::optional<glm::vec3> up = roll_of(*camera)) members.push_back({"up", vector(*up)});
     if (camera->is_orthographic)
-        members.push_back(
-            {"orthographic", number(std::clamp(camera->height, std::nextafter(kLeastHeight, 1.0f), kFarthest))});
+        members.push_back({"orthographic", std::clamp(camera->height, std::nextafter(kLeastHeight, 1.0f), kFarthest)});
     else
         members.push_back({"fov", rounded(std::clamp(camera->fov, kNarrowest, kWidest), 4)});
-    members.push_back({"near", number(view.near_plane)});
-    members.push_back({"far", number(view.far_plane)});
-    return object(members);
+    members.push_back({"near", view.near_plane});
+    members.push_back({"far", view.far_plane});
+    return GraphValue::object(members);
 }
 
 // glTF's units are lux and candela; a scene's light is the radiance of a white diffuse surface: E / pi.
-Value light_value(const ModelLight& light, const Extent& extent) {
+GraphValue light_value(const ModelLight& light, const Extent& extent) {
     const glm::vec3 position(light.light_to_world[3]), forward = forward_of(light.light_to_world);
     const bool is_directional = light.kind == ModelLight::Kind::Directional;
-    std::vector<Member> members;
+    GraphMembers members;
     switch (light.kind) {
-        case ModelLight::Kind::Directional: members.push_back({"type", text("directional")}); break;
-        case ModelLight::Kind::Point: members.push_back({"type", text("point")}); break;
-        case ModelLight::Kind::Spot: members.push_back({"type", text("spot")}); break;
+        case ModelLight::Kind::Directional: members.push_back({"type", "directional"}); break;
+        case ModelLight::Kind::Point: members.push_back({"type", "point"}); break;
+        case ModelLight::Kind::Spot: members.push_back({"type", "spot"}); break;
     }
     if (!is_directional) members.push_back({"position", vector(position)});
     if (light.kind != ModelLight::Kind::Point)
         members.push_back({"direction", vector(is_directional ? -forward : forward)});
     if (light.color != glm::vec3(1)) members.push_back({"color", vector(light.color)});
-    members.push_back({"intensity", number(std::min(light.intensity / kPi, kBrightest))});
+    members.push_back({"intensity", std::min(light.intensity / kPi, kBrightest)});
     if (!is_directional) {
         const float endless = std::max(1000.0f, 100 * extent.radius);
-        members.push_back({"range", number(std::clamp(light.range > 0 ? light.range : endless, 1e-3f, kFarthest))});
+        members.push_back({"range", std::clamp(light.range > 0 ? light.range : endless, 1e-3f, kFarthest)});
     }
     if (light.kind == ModelLight::Kind::Spot) {
         const float outer = std::clamp(light.outer_angle, 0.1f, 90.0f);
         members.push_back({"inner", rounded(std::clamp(light.inner_angle, 0.0f, std::min(outer, 89.0f)), 4)});
         members.push_back({"outer", rounded(outer, 4)});
     }
-    return object(members);
+    return GraphValue::object(members);
 }
 
 // A word for an object: "Blue glass" is "Blue_glass".
@@ -181,25 +181,26 @@ std::vector<std::string> node_names(const GltfModel& model) {
 
 std::string scene_text(const Context& context, const GltfModel& model, const SceneWish& wish) {
     const Extent extent = extent_of(model);
-    std::vector<Member> members = {{"name", text(wish.name)}, {"camera", camera_value(extent, wish.camera)}};
+    GraphMembers members = {{"name", wish.name}, {"camera", camera_value(extent, wish.camera)}};
     if (model.lights.empty() && !wish.is_lit) {
-        members.push_back({"lights", default_lights(),
-                           "The file has no lights: the default ones. In the light of a picture, leave them out."});
+        members.push_back(
+            {"//", "The file has no lights: the default ones. In the light of a picture, leave them out."});
+        members.push_back({"lights", default_lights()});
     } else if (!model.lights.empty()) {
-        std::vector<Value> lights;
+        std::vector<GraphValue> lights;
         for (const ModelLight& light : model.lights) {
             if (lights.size() < kMostSceneLights) lights.push_back(light_value(light, extent));
         }
-        members.push_back({"lights", list(lights)});
+        members.push_back({"lights", GraphValue::list(std::move(lights))});
     }
     std::set<std::size_t> used(wish.materials.begin(), wish.materials.end());
-    std::vector<Value> materials, objects;
+    std::vector<GraphValue> materials, objects;
     std::map<std::size_t, std::string> names;
     OwnNames words('_');
     for (const std::size_t material : used) {
         const std::string& graph = wish.graphs[material];
         const std::string& name = names[material] = words.own(word_of(graph));
-        materials.push_back(object(std::vector<Member>{{"name", text(name)}, {"graph", text(graph + ".graph.json")}}));
+        materials.push_back(GraphValue::object({{"name", name}, {"graph", graph + ".graph.json"}}));
     }
     const std::string file = reference_to(context, context.path);
     const std::vector<std::string> nodes = node_names(model);
@@ -207,13 +208,12 @@ std::string scene_text(const Context& context, const GltfModel& model, const Sce
     for (std::size_t i = 0; i < model.parts.size(); ++i) {
         const ModelPart& part = model.parts[i];
         const std::string mesh = fmt::format("{}#{}/{}", file, nodes[part.node_index], part.primitive);
-        objects.push_back(object(std::vector<Member>{{"id", text(ids.own(word_of(part.node)))},
-                                                     {"mesh", text(mesh)},
-                                                     {"material", text(names[wish.materials[i]])}}));
+        objects.push_back(GraphValue::object(
+            {{"id", ids.own(word_of(part.node))}, {"mesh", mesh}, {"material", names[wish.materials[i]]}}));
     }
-    if (!materials.empty()) members.push_back({"materials", list(materials)});
-    if (!objects.empty()) members.push_back({"objects", list(objects)});
-    return write_scene("", members);
+    if (!materials.empty()) members.push_back({"materials", GraphValue::list(std::move(materials))});
+    if (!objects.empty()) members.push_back({"objects", GraphValue::list(std::move(objects))});
+    return write_scene(members);
 }
 
 std::string scene_mistake(const GltfModel& model, const ModelCamera* camera) {

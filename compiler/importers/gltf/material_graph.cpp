@@ -5,19 +5,19 @@
 #include <algorithm>
 #include <cctype>
 
-#include "compiler/base/text.h"
+#include "compiler/importers/values.h"
 
 namespace patina::importers::gltf {
 namespace {
 
 // As the files of most programs have them: 0.8, not 0.800000011920929.
-Value short_number(double value) {
-    return number(static_cast<float>(value));
+GraphValue short_number(double value) {
+    return static_cast<float>(value);
 }
 
-Value short_list(const std::vector<double>& values) {
+GraphValue short_list(const std::vector<double>& values) {
     const std::vector<float> floats(values.begin(), values.end());
-    return list(floats);
+    return list_of(floats);
 }
 
 // "_BaseColorMap" of "baseColor".
@@ -26,40 +26,6 @@ std::string map_name(std::string_view slot) {
     name[1] = static_cast<char>(std::toupper(static_cast<unsigned char>(name[1])));
     return name;
 }
-
-// A link, a property or a call needs no brackets.
-bool is_simple(std::string_view text) {
-    return text.find_first_of(" ") == text.npos;
-}
-
-}  // namespace
-
-std::string words(double number) {
-    return shortest(static_cast<float>(number));
-}
-
-bool Term::is(double number) const {
-    return expression.empty() && !numbers.empty() &&
-           std::all_of(numbers.begin(), numbers.end(), [&](double each) { return each == number; });
-}
-
-std::string Term::inside() const {
-    if (!expression.empty()) return is_simple(expression) ? expression : "(" + expression + ")";
-    if (numbers.size() == 1) return words(numbers[0]);
-    std::string list;
-    for (const double each : numbers) list += (list.empty() ? "" : ", ") + words(each);
-    return fmt::format("float{}({})", numbers.size(), list);
-}
-
-Value Term::value() const {
-    if (!expression.empty()) {
-        const bool is_link = is_simple(expression) && expression.find('(') == std::string::npos;
-        return text(is_link ? expression : "= " + expression);
-    }
-    return numbers.size() == 1 ? short_number(numbers[0]) : short_list(numbers);
-}
-
-namespace {
 
 template <class Part>
 bool has_name(const std::vector<Part>& parts, std::string Part::*name, const std::string& wanted) {
@@ -76,43 +42,30 @@ std::string free_name(const std::string& wanted, const IsTaken& is_taken) {
 
 }  // namespace
 
-Term constant(double number) {
-    return {.numbers = {number}};
-}
-
-Term expression(std::string text) {
-    return {.expression = std::move(text)};
-}
-
-Term product(const std::vector<std::string>& factors, Term otherwise) {
-    std::string made;
-    for (const std::string& each : factors) made += (made.empty() ? "" : " * ") + each;
-    return made.empty() ? otherwise : expression(made);
-}
-
-void MaterialGraph::node(GraphNode node) {
+void MaterialGraph::node(ImportedNode node) {
     graph.nodes.push_back(std::move(node));
 }
 
 void MaterialGraph::set(std::string_view input, const Term& term) {
-    graph.surface.push_back({std::string(input), term.value()});
+    const bool is_color = term.is_constant() && term.numbers.size() > 1;
+    graph.surface.push_back({std::string(input), is_color ? short_list(term.numbers) : term.value()});
 }
 
-std::string MaterialGraph::number_property(std::string_view name, double value, double low, double high) {
-    graph.properties.push_back(
-        {.name = std::string(name),
-         .type = "float",
-         .value = short_number(value),
-         .more = {{"range", list({short_number(std::min(low, value)), short_number(std::max(high, value))})}}});
-    return "$" + std::string(name);
+Term MaterialGraph::number_property(std::string_view name, double value, double low, double high) {
+    graph.properties.push_back({.name = std::string(name),
+                                .type = "float",
+                                .value = short_number(value),
+                                .more = {{"range", GraphValue::list({short_number(std::min(low, value)),
+                                                                     short_number(std::max(high, value))})}}});
+    return link("$" + std::string(name), Type::Float);
 }
 
-std::string MaterialGraph::color_property(std::string_view name, const std::vector<double>& value) {
-    GraphProperty property{.name = std::string(name), .type = "color", .value = short_list(value)};
+Term MaterialGraph::color_property(std::string_view name, const std::vector<double>& value) {
+    ImportedProperty property{.name = std::string(name), .type = "color", .value = short_list(value)};
     const double largest = *std::max_element(value.begin(), value.end());
-    if (largest > 1) property.more.push_back({"range", list({number(0.0), short_number(largest)})});
+    if (largest > 1) property.more.push_back({"range", GraphValue::list({0.0, short_number(largest)})});
     graph.properties.push_back(std::move(property));
-    return "$" + std::string(name);
+    return color_link("$" + std::string(name));
 }
 
 std::string MaterialGraph::texture_property(std::size_t texture, std::string_view slot, std::string_view usage) {
@@ -121,18 +74,17 @@ std::string MaterialGraph::texture_property(std::size_t texture, std::string_vie
     const TextureFile& file = pictures_->texture(texture, fmt::format("{}_{}", name_, slot));
     if (file.file.empty()) return {};
     const std::string name = free_name(map_name(slot), [&](const std::string& wanted) {
-        return has_name(graph.properties, &GraphProperty::name, wanted);
+        return has_name(graph.properties, &ImportedProperty::name, wanted);
     });
-    GraphProperty property{.name = name, .type = "texture2d", .value = text(file.file)};
-    property.more.push_back({"usage", text(usage)});
-    if (!file.sampler.empty()) property.more.push_back({"sampler", object(file.sampler)});
+    ImportedProperty property{.name = name, .type = "texture2d", .value = file.file};
+    property.more.push_back({"usage", usage});
+    if (!file.sampler.empty()) property.more.push_back({"sampler", GraphValue::object(file.sampler)});
     graph.properties.push_back(std::move(property));
     return found->second = name;
 }
 
-// The texture coordinates, as an input takes them; empty for the first set as it is. A transform becomes a node, which
-// textures with the same transform share.
-std::string MaterialGraph::coordinates(Object& info) {
+// A transform becomes a node, which textures with the same transform share.
+Term MaterialGraph::coordinates(Object& info) {
     Object transform = info.extension("KHR_texture_transform");
     double set = info.number("texCoord", 0, 1e6).value_or(0);
     info.taken("texCoord", fmt::format("@uv{}", set));
@@ -151,7 +103,7 @@ std::string MaterialGraph::coordinates(Object& info) {
             Remark::Kind::Changed, info.path(),
             fmt::format("a mesh that shows it has no TEXCOORD_{}: there the texture is read at (0, 0)", read),
             info.json());
-    const std::string uv = fmt::format("@uv{}", read);
+    const Term uv = link(fmt::format("@uv{}", read), Type::Float2);
     constexpr double kFar = 1e6;
     const auto scale = transform.numbers("scale", 2, -kFar, kFar);
     const auto offset = transform.numbers("offset", 2, -kFar, kFar);
@@ -159,34 +111,33 @@ std::string MaterialGraph::coordinates(Object& info) {
     const std::vector<double> tiling = scale.value_or(std::vector<double>{1, 1});
     const std::vector<double> move = offset.value_or(std::vector<double>{0, 0});
     const bool is_scaled = tiling[0] != 1 || tiling[1] != 1, is_moved = move[0] != 0 || move[1] != 0;
-    std::string made = uv;
-    if (is_scaled) made += fmt::format(" * float2({}, {})", words(tiling[0]), words(tiling[1]));
+    Term made = computed("a * b", {uv, constant(tiling)}, Type::Float2);
     // glTF turns counter-clockwise as the picture is seen, so from v, which grows downwards, to u.
-    if (angle != 0) made = fmt::format("Rotate({}, {}, float2(0, 0))", made, words(-angle));
-    if (is_moved) made += fmt::format(" + float2({}, {})", words(move[0]), words(move[1]));
+    if (angle != 0) made = computed("Rotate(a, b, float2(0, 0))", {made, number_term(-angle)}, Type::Float2);
+    made = computed("a + b", {made, constant(move)}, Type::Float2);
     const auto take_all = [&](const std::string& text) {
         for (const std::string_view key : {"offset", "rotation", "scale"}) transform.taken(key, text);
         transform.rest();
     };
-    if (made == uv) {
+    if (made.is_link()) {
         take_all("it changes nothing");
-        return uv == "@uv0" ? std::string() : uv;
+        return uv;
     }
-    const auto [found, is_new] = coordinates_.try_emplace(made);
+    const auto [found, is_new] = coordinates_.try_emplace(made.text());
     if (is_new) {
         found->second = coordinates_.size() == 1 ? "uv" : fmt::format("uv{}", coordinates_.size());
         if (angle == 0) {
-            GraphNode tiled{.id = found->second, .node = "TilingOffset"};
-            if (uv != "@uv0") tiled.inputs.push_back({"uv", text(uv)});
+            ImportedNode tiled{.id = found->second, .node = "TilingOffset"};
+            if (read != 0) tiled.inputs.push_back({"uv", uv.value()});
             if (is_scaled) tiled.inputs.push_back({"tiling", short_list(tiling)});
             if (is_moved) tiled.inputs.push_back({"offset", short_list(move)});
             node(std::move(tiled));
         } else {
-            node({.id = found->second, .expression = made});
+            node({.id = found->second, .expression = made.text()});
         }
     }
     take_all(fmt::format("the node '{}'", found->second));
-    return found->second;
+    return link(found->second, Type::Float2);
 }
 
 // One texture often holds several values in its channels. A node that reads them is named by all: "occlusionThickness".
@@ -204,31 +155,30 @@ std::string MaterialGraph::name_of(std::size_t texture, std::string_view slot, s
     return has_prefix ? held[0] : held[0] + second;
 }
 
-std::string MaterialGraph::texel(Object& from, std::string_view key, std::string_view own_slot,
-                                 std::string_view usage) {
+Term MaterialGraph::texel(Object& from, std::string_view key, std::string_view own_slot, std::string_view usage) {
     Object info = from.child(key);
     const auto texture = info.index("index", "textures", count_of(context(), "textures"));
     if (!texture) {
         if (info) context().report.wrong(info.path(), "has no 'index'", info.json());
-        return {};
+        return white();
     }
     const std::string slot = name_of(*texture, own_slot, usage);
     const std::string property = texture_property(*texture, slot, usage);
     if (property.empty()) {
         info.left_out("index", "its texture cannot be read: the factor alone is used");
         info.all_taken("without its texture it has no effect");
-        return {};
+        return white();
     }
-    const std::string uv = coordinates(info);
+    const Term uv = coordinates(info);
     const bool is_normal = usage == "normal";
-    const auto [found, is_new] = samples_.try_emplace({property, uv, std::string(usage)});
+    const auto [found, is_new] = samples_.try_emplace({property, uv.text(), std::string(usage)});
     if (is_new) {
         // A texture that is read at two places has two nodes: the second one is named by what it is read for.
-        const auto is_node = [&](const std::string& id) { return has_name(graph.nodes, &GraphNode::id, id); };
+        const auto is_node = [&](const std::string& id) { return has_name(graph.nodes, &ImportedNode::id, id); };
         found->second = free_name(is_node(slot) ? std::string(own_slot) : slot, is_node);
-        GraphNode sample{.id = found->second, .node = is_normal ? "SampleNormalMap" : "SampleTexture2D"};
-        sample.inputs.push_back({"texture", text("$" + property)});
-        if (!uv.empty()) sample.inputs.push_back({"uv", text(uv)});
+        ImportedNode sample{.id = found->second, .node = is_normal ? "SampleNormalMap" : "SampleTexture2D"};
+        sample.inputs.push_back({"texture", "$" + property});
+        if (uv.text() != "@uv0") sample.inputs.push_back({"uv", uv.value()});
         node(std::move(sample));
     }
     info.taken("index", fmt::format("the property '{}', read by the node '{}'", property, found->second));
@@ -238,20 +188,19 @@ std::string MaterialGraph::texel(Object& from, std::string_view key, std::string
             info.taken(own, own == "scale" ? "the strength of the bumps" : "the strength of the occlusion");
     }
     info.rest();
-    return found->second;
+    return is_normal ? link(found->second, Type::Float3) : color_link(found->second);
 }
 
-std::string MaterialGraph::normal(Object& from, std::string_view key, std::string_view slot,
-                                  std::string_view scale_property) {
-    std::string made = texel(from, key, slot, "normal");
+Term MaterialGraph::normal(Object& from, std::string_view key, std::string_view slot, std::string_view scale_property) {
+    Term made = texel(from, key, slot, "normal");
     Object info = from.child(key);
     const double scale = info.number("scale", -1e6, 1e6).value_or(1);
-    if (made.empty() || scale == 1) return made;
+    if (made.is_constant() || scale == 1) return made;
     const std::string strong = std::string(slot) + "Scaled";
     node({.id = strong,
           .node = "NormalStrength",
-          .inputs = {{"normal", text(made)}, {"strength", text(number_property(scale_property, scale, 0, 2))}}});
-    return strong;
+          .inputs = {{"normal", made.value()}, {"strength", number_property(scale_property, scale, 0, 2).value()}}});
+    return link(strong, Type::Float3);
 }
 
 // A texture is multiplied by its factor, so beside 0 it has no effect.
@@ -269,33 +218,30 @@ bool MaterialGraph::is_zero(Object& from, const Slot& slot, double factor) {
 Term MaterialGraph::scalar(Object& from, const Slot& slot) {
     const auto factor = from.number(slot.factor, 0, slot.high);
     const double value = factor.value_or(slot.otherwise);
-    if (is_zero(from, slot, value)) return constant(0);
-    const std::string node = slot.texture.empty() ? std::string() : texel(from, slot.texture, slot.slot, "data");
-    std::vector<std::string> factors;
-    if (!node.empty()) factors.push_back(fmt::format("{}.{}", node, slot.channel));
-    if (factor && (value != 1 || node.empty())) {
-        factors.push_back(number_property(slot.property, value, 0, std::min(slot.high, std::max(1.0, value))));
+    if (is_zero(from, slot, value)) return number_term(0);
+    const Term read = texel(from, slot.texture, slot.slot, "data");
+    Term scale = number_term(value);
+    if (factor && (value != 1 || read.is_constant())) {
+        scale = number_property(slot.property, value, 0, std::min(slot.high, std::max(1.0, value)));
         from.taken(slot.factor, fmt::format("the property '{}'", slot.property));
     }
     from.taken(slot.factor, "1: the texture alone");
-    return product(factors, constant(value));
+    return product({swizzled(read, slot.channel), scale});
 }
 
 Term MaterialGraph::color(Object& from, const Slot& slot) {
     const auto factor = from.numbers(slot.factor, 3, 0, slot.high);
     const std::vector<double> value = factor.value_or(std::vector<double>(3, slot.otherwise));
     const bool is_black = value == std::vector<double>(3, 0);
-    if (is_zero(from, slot, is_black ? 0 : 1)) return {.numbers = value};
-    const std::string node = slot.texture.empty() ? std::string() : texel(from, slot.texture, slot.slot, "color");
-    std::vector<std::string> factors;
-    if (!node.empty()) factors.push_back(fmt::format("{}.{}", node, slot.channel));
-    const bool is_one = value == std::vector<double>(3, 1);
-    if (factor && (!is_one || node.empty())) {
-        factors.push_back(color_property(slot.property, value) + ".rgb");
+    if (is_zero(from, slot, is_black ? 0 : 1)) return constant(value);
+    const Term read = texel(from, slot.texture, slot.slot, "color");
+    Term scale = constant(value);
+    if (factor && (!scale.is_all(1) || read.is_constant())) {
+        scale = swizzled(color_property(slot.property, value), "rgb");
         from.taken(slot.factor, fmt::format("the property '{}'", slot.property));
     }
     from.taken(slot.factor, "white: the texture alone");
-    return product(factors, {.numbers = value});
+    return product({swizzled(read, slot.channel), scale});
 }
 
 }  // namespace patina::importers::gltf

@@ -14,24 +14,12 @@
 #include <tuple>
 
 #include "compiler/importers/gltf/gltf_pictures.h"
-#include "compiler/importers/graph_writer.h"
+#include "compiler/importers/imported_graph.h"
+#include "compiler/importers/patterns.h"
 
 namespace patina::importers::gltf {
 
-// A value as a port takes it: an expression over properties and nodes, or numbers.
-struct Term {
-    std::string expression{};       // "baseColor.rgb * $_BaseColor.rgb"; empty: the numbers
-    std::vector<double> numbers{};  // one, or the components of a colour
-
-    bool is(double number) const;  // all of the numbers, and nothing else
-    // As part of a larger expression: "(1 - a)" for "1 - a".
-    std::string inside() const;
-    Value value() const;
-};
-Term constant(double number);
-Term expression(std::string text);
-// "a * b * c"; without factors `otherwise`.
-Term product(const std::vector<std::string>& factors, Term otherwise);
+using namespace terms;
 
 // Where a number or a colour of glTF is: a factor, times some channels of a texture.
 struct Slot {
@@ -47,30 +35,30 @@ struct Slot {
 class MaterialGraph {
 public:
     MaterialGraph(const Context& context, Pictures& pictures, std::string name)
-        : context_(&context), pictures_(&pictures), name_(std::move(name)) {}
+        : graph(name), context_(&context), pictures_(&pictures), name_(std::move(name)) {}
 
     // Factor times texture, with remarks for both.
     Term scalar(Object& from, const Slot& slot);
     Term color(Object& from, const Slot& slot);
-    // The node that samples a texture; empty if there is none. `usage`: "color", "data" or "normal".
-    std::string texel(Object& from, std::string_view key, std::string_view slot, std::string_view usage);
-    // A node with a normal in tangent space; empty if there is none.
-    std::string normal(Object& from, std::string_view key, std::string_view slot, std::string_view scale_property);
+    // The node that samples a texture; white if there is none. `usage`: "color", "data" or "normal".
+    Term texel(Object& from, std::string_view key, std::string_view slot, std::string_view usage);
+    // A node with a normal in tangent space; a constant if there is none.
+    Term normal(Object& from, std::string_view key, std::string_view slot, std::string_view scale_property);
     // A property with a range from `low` to `high`; "$_Roughness". A default beyond it widens the range.
-    std::string number_property(std::string_view name, double value, double low, double high);
-    std::string color_property(std::string_view name, const std::vector<double>& value);
-    void node(GraphNode node);
+    Term number_property(std::string_view name, double value, double low, double high);
+    Term color_property(std::string_view name, const std::vector<double>& value);
+    void node(ImportedNode node);
     void set(std::string_view input, const Term& term);
 
     const Context& context() const { return *context_; }
-    GraphFile graph{};
+    ImportedGraph graph;
     std::map<std::size_t, std::vector<std::string>> packed{};  // texture -> the numbers that the material reads of it
     std::array<bool, 4> lacks_coordinates{};  // by set: a mesh that shows the material has no such coordinates
 
 private:
     bool is_zero(Object& from, const Slot& slot, double factor);
     std::string name_of(std::size_t texture, std::string_view slot, std::string_view usage) const;
-    std::string coordinates(Object& info);
+    Term coordinates(Object& info);
     std::string texture_property(std::size_t texture, std::string_view slot, std::string_view usage);
 
     const Context* context_;
@@ -80,8 +68,5 @@ private:
     std::map<std::tuple<std::string, std::string, std::string>, std::string> samples_{};  // node, by property and uv
     std::map<std::string, std::string> coordinates_{};                                    // node, by expression
 };
-
-// "Rotate(...)" needs the angle; a number as an expression has it.
-std::string words(double number);
 
 }  // namespace patina::importers::gltf

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "compiler/importers/graph_writer.h"
+#include "compiler/importers/imported_graph.h"
 #include "runtime/lighting/merl.h"
 
 namespace patina::importers {
@@ -30,9 +30,11 @@ Imported read(const Source& source, const Options& options) {
     const runtime::Outcome<runtime::MerlTable> table = runtime::read_merl(source.path);
     if (!table) return {.error = table.error};
     const std::string name = options.name.empty() ? std::filesystem::path(source.path).stem().string() : options.name;
-    GraphFile graph{.name = name, .workflow = "metallic-roughness", .lighting = "merl"};
-    graph.lighting_inputs.push_back({"_Table", text("./" + name + ".exr")});
-    const std::string json = write_graph(graph);
+    ImportedGraph graph(name);
+    graph.workflow = "metallic-roughness";
+    graph.lighting = "merl";
+    graph.lighting_inputs.push_back({"_Table", "./" + name + ".exr"});
+    const std::string json = graph.text();
     if (json.empty()) return {.error = fmt::format("'{}' cannot be the name of a graph: rename the file", name)};
 
     Imported made;

@@ -10,6 +10,7 @@
 #include "compiler/importers/mtlx/colors.h"
 #include "compiler/importers/mtlx/graph_maker.h"
 #include "compiler/importers/mtlx/library.h"
+#include "compiler/importers/patterns.h"
 
 namespace patina::importers::mtlx {
 namespace {
@@ -249,10 +250,10 @@ Term GraphMaker::literal(const Element& input, std::string_view type, std::strin
 Term GraphMaker::geometry(std::string_view property, Type type) {
     Term made;
     if (property == "UV0" || property == "UV1") {
-        const std::string id = property == "UV0" ? "uv" : "uv1", semantic = property == "UV0" ? "@uv0" : "@uv1";
-        made = terms::parsed(fmt::format("float2({0}.x, 1 - {0}.y)", semantic), Type::Float2);
-        made.name = id;
-        made.from_top = semantic;
+        const Term semantic = terms::link(property == "UV0" ? "@uv0" : "@uv1", Type::Float2);
+        made = terms::flipped(semantic);
+        made.name = property == "UV0" ? "uv" : "uv1";
+        made.from_top = semantic.tree;
         return made;
     }
     static constexpr std::pair<std::string_view, std::string_view> kValues[] = {
@@ -260,7 +261,7 @@ Term GraphMaker::geometry(std::string_view property, Type type) {
         {"Nworld", "@normalWS"},    {"Tobject", "@tangentOS.xyz"}, {"Tworld", "@tangentWS"},
         {"Bworld", "@bitangentWS"}, {"Vworld", "-@viewDirWS"}};
     for (const auto& [name, value] : kValues)
-        if (name == property) return terms::link(std::string(value), Type::Float3);
+        if (name == property) return terms::expression(value, Type::Float3);
     return terms::converted(terms::number_term(0), type);
 }
 
@@ -301,11 +302,8 @@ Term GraphMaker::input(Scope& scope, const Element& node, const Port& port, bool
     if (scale && source.input && unit_scale(stated(*source.scope, *source.input).attribute("unit"))) {
         for (double& each : made.numbers) each /= *scale;
         if (!made.is_constant()) {
-            Term scaled = terms::parsed(fmt::format("{} * {}", terms::at_least(made.text(), terms::kProduct),
-                                                    terms::digits(std::round(1 / *scale * 1e9) / 1e9)),
-                                        made.type);
-            scaled.nodes = made.nodes;
-            made = scaled;
+            const Term factor = terms::number_term(std::round(1 / *scale * 1e9) / 1e9);
+            made = terms::computed("a * b", {made, factor}, made.type);
         }
     }
     if (source.input && input_of(node, port.name) && input_of(node, port.name)->has("channels"))

@@ -7,21 +7,17 @@
 #include <utility>
 
 #include "compiler/importers/mtlx/library.h"
+#include "compiler/importers/patterns.h"
+#include "compiler/importers/values.h"
 
 namespace patina::importers::mtlx {
 namespace {
 
 constexpr std::size_t kDeepest = 120, kMostNodes = 20000;
 
-// All digits: an int has no exponent.
-Value whole_number(double value) {
-    return {fmt::format("{:.0f}", value)};
-}
-
 }  // namespace
 
-GraphMaker::GraphMaker(Import& import, std::string name) : import_(import), name_(std::move(name)) {
-    file_.name = name_;
+GraphMaker::GraphMaker(Import& import, std::string name) : import_(import), name_(std::move(name)), file_(name_) {
     scopes_.push_back(std::make_unique<Scope>(Scope{.element = &import.document.root}));
     count_uses(import.document.root, scopes_.front()->uses);
 }
@@ -30,7 +26,7 @@ std::size_t GraphMaker::number_of(const Element& node) {
     const auto [found, is_new] = numbers_.try_emplace(&node, elements_.size());
     if (is_new) {
         elements_.push_back(&node);
-        outcomes_[found->second].label = scope_label_;
+        file_.outcomes[found->second].label = scope_label_;
     }
     return found->second;
 }
@@ -79,7 +75,7 @@ Term GraphMaker::evaluate(Scope& scope, const Element& node, std::string_view ou
         --depth_;
     }
     made.nodes.insert(number_of(node));
-    const bool is_coordinates = made.from_top == "@uv0" || made.from_top == "@uv1";
+    const bool is_coordinates = made.from_top && made.from_top->kind == nodelang::Expr::Kind::Semantic;
     if (made.name.empty() || (!made.is_link() && !is_coordinates)) made.name = terms::camel_case(node.name());
     // Outputs of one node are written again: they are links.
     if (uses(scope, node) > 1 && !made.is_short()) made = named(made);
@@ -123,54 +119,28 @@ Term GraphMaker::computed(Scope& scope, const Element& node, std::string_view ou
 }
 
 Term GraphMaker::named(const Term& term) {
-    if (term.is_constant() || term.is_link() || term.base.empty()) return term;
-    Term whole = term;
-    whole.swizzle.clear();  // it stays where it is read
-    const auto [found, is_new] = named_.try_emplace(whole.base);
-    if (is_new) {
-        const std::string id = ids_.unique(term.name, "value");
-        file_.nodes.push_back({.id = id, .expression = whole.base});
-        owners_[id] = term.nodes;
-        types_[id] = term.swizzle.empty() || term.base_width == 0 ? term.type : terms::vector_type(term.base_width);
-        found->second = terms::link(id, whole.type);
-        written(term, fmt::format("the node '{}'", id));
-    }
-    Term made = found->second;
-    made.type = term.type;
-    made.swizzle = term.swizzle;
-    made.is_color = term.is_color;
-    made.from_top = term.from_top;
-    made.tangent = term.tangent;
-    made.name = term.name;
-    return made;
+    if (term.is_constant() || term.is_link() || !term.tree) return term;
+    return file_.named(
+        term, [&] { return file_.ids.unique(term.name, "value"); }, term.nodes);
 }
 
-std::string GraphMaker::add_node(const Element& node, GraphNode made, std::string_view wanted) {
-    made.id = ids_.unique(wanted.empty() ? terms::camel_case(node.name()) : std::string(wanted),
-                          terms::camel_case(node.category));
-    Outcome& outcome = outcomes_[number_of(node)];
-    if (outcome.where.empty()) outcome.where = fmt::format("the node '{}'", made.id);
-    std::string id = made.id;
-    owners_[id] = {number_of(node)};
-    file_.nodes.push_back(std::move(made));
-    return id;
+std::string GraphMaker::add_node(const Element& node, ImportedNode made, std::string_view wanted) {
+    made.id = file_.ids.unique(wanted.empty() ? terms::camel_case(node.name()) : std::string(wanted),
+                               terms::camel_case(node.category));
+    return file_.add(std::move(made), {number_of(node)});
 }
 
 void GraphMaker::written(const Term& term, std::string_view where) {
-    for (const std::size_t each : term.nodes)
-        if (outcomes_[each].where.empty()) outcomes_[each].where = where;
+    file_.written(term, where);
 }
 
 void GraphMaker::approximate(const Element& node, std::string difference) {
-    Outcome& outcome = outcomes_[number_of(node)];
-    if (outcome.kind == Remark::Kind::Taken) outcome.kind = Remark::Kind::Changed;
-    if (outcome.text.find(difference) == outcome.text.npos)
-        outcome.text += (outcome.text.empty() ? "" : "; ") + std::move(difference);
+    file_.approximate(number_of(node), difference);
 }
 
 void GraphMaker::refuse(const Element& node, std::string reason) {
     import_.has_refused = true;
-    outcomes_[number_of(node)] = {
+    file_.outcomes[number_of(node)] = {
         .kind = Remark::Kind::LeftOut, .where = {}, .text = std::move(reason), .label = scope_label_};
 }
 
@@ -198,10 +168,10 @@ Term GraphMaker::magenta(const Element& node, Type type, std::string_view reason
     const std::string reads = is_input ? std::string() : kept_inputs(node);
     if (!is_input) refuse(node, std::string(reason));
     const Term made = terms::stand_in(type);
-    const std::string id = ids_.unique(terms::camel_case(node.name()), "refused");
-    types_[id] = made.type;
+    const std::string id = file_.ids.unique(terms::camel_case(node.name()), "refused");
+    file_.types[id] = made.type;
     const std::string note = fmt::format("not imported: {}{}{}", reason, reads.empty() ? "" : ". It read ", reads);
-    file_.nodes.push_back({.id = id, .expression = made.text(), .more = {{"note", text(note)}}});
+    file_.nodes.push_back({.id = id, .expression = made.text(), .more = {{"note", note}}});
     return terms::link(id, made.type);
 }
 
@@ -218,10 +188,10 @@ void GraphMaker::remark(Remark::Kind kind, std::string part, std::string text, c
     if (!is_there) import_.remarks.push_back(std::move(made));
 }
 
-void GraphMaker::describe(const Element& input, GraphProperty& property) {
+void GraphMaker::describe(const Element& input, ImportedProperty& property) {
     for (const auto& [from, to] :
          {std::pair("uiname", "label"), std::pair("uifolder", "group"), std::pair("doc", "help")})
-        if (!input.attribute(from).empty()) property.more.push_back({to, text(input.attribute(from))});
+        if (!input.attribute(from).empty()) property.more.push_back({to, input.attribute(from)});
 }
 
 // An input of a node graph that nothing connects can be set from outside.
@@ -238,20 +208,21 @@ Term GraphMaker::property_of(const Element& input) {
     if (type == "boolean") word = "bool";
     if (is_color(type)) word = "color";
     if (!word.empty()) {
-        GraphProperty property{.name = property_names_.unique("_" + terms::pascal_case(input.name()), "_value"),
-                               .type = word};
-        property.value = word == "int" ? whole_number(value.numbers[0]) : value.value();
+        ImportedProperty property{.name = file_.property_names.unique("_" + terms::pascal_case(input.name()), "_value"),
+                                  .type = word};
+        property.value = word == "int" ? GraphValue(value.numbers[0]) : value.value();
         if (word == "color" && value.is_all(value.numbers[0]))
-            property.value = list(std::vector<float>(type == "color4" ? 4 : 3, static_cast<float>(value.numbers[0])));
+            property.value =
+                list_of(std::vector<float>(type == "color4" ? 4 : 3, static_cast<float>(value.numbers[0])));
         if (word.starts_with("float") && value.numbers.size() > 1)
-            property.value = list(std::vector<float>(value.numbers.begin(), value.numbers.end()));
+            property.value = list_of(std::vector<float>(value.numbers.begin(), value.numbers.end()));
         const auto limit = [&](std::string_view name, std::string_view soft) {
             const std::string_view stated = input.has(soft) ? input.attribute(soft) : input.attribute(name);
             return stated.empty() ? Term{} : literal(input, "float", stated);
         };
         const Term low = limit("uimin", "uisoftmin"), high = limit("uimax", "uisoftmax");
         const auto limit_value = [&](double limit) {
-            return word == "int" ? whole_number(std::round(limit)) : number(static_cast<float>(limit));
+            return word == "int" ? GraphValue(std::round(limit)) : GraphValue(static_cast<float>(limit));
         };
         const bool has_range = (type == "float" || type == "integer") && low.is_constant() && high.is_constant() &&
                                low.numbers[0] < high.numbers[0];
@@ -263,7 +234,8 @@ Term GraphMaker::property_of(const Element& input) {
                                terms::digits(value.numbers[0])),
                    input);
         if (has_range && !is_outside)
-            property.more.push_back({"range", list({limit_value(low.numbers[0]), limit_value(high.numbers[0])})});
+            property.more.push_back(
+                {"range", GraphValue::list({limit_value(low.numbers[0]), limit_value(high.numbers[0])})});
         describe(input, property);
         made = terms::link("$" + property.name, value.type);
         made.is_color = word == "color";
@@ -271,7 +243,7 @@ Term GraphMaker::property_of(const Element& input) {
             made.type = Type::Float4;
             made = terms::swizzled(made, "rgb");
         }
-        if (type == "integer") made = terms::parsed(fmt::format("float({})", made.base), Type::Float);
+        if (type == "integer") made = terms::computed("float(a)", {made}, Type::Float);
         remark(Remark::Kind::Taken, fmt::format("input '{}'", input.name()),
                fmt::format("the property '{}'", property.name), input);
         file_.properties.push_back(std::move(property));
@@ -282,7 +254,7 @@ Term GraphMaker::property_of(const Element& input) {
 }
 
 void GraphMaker::report_nodes() {
-    for (const auto& [index, outcome] : outcomes_) {
+    for (const auto& [index, outcome] : file_.outcomes) {
         const Element& node = *elements_[index];
         if (outcome.kind == Remark::Kind::Taken && is_of_library(node)) continue;  // no part of the document
         std::string part = outcome.label + (node.name().empty() ? std::string(node.category)
@@ -311,7 +283,7 @@ void GraphMaker::sort_properties() {
         places.emplace_back(found == order.end() ? order.size() : found->second, i);
     }
     std::ranges::sort(places);
-    std::vector<GraphProperty> sorted;
+    std::vector<ImportedProperty> sorted;
     for (const auto& [place, index] : places) sorted.push_back(std::move(file_.properties[index]));
     file_.properties = std::move(sorted);
 }

@@ -21,7 +21,7 @@
 #include <optional>
 #include <unordered_map>
 
-#include "compiler/importers/graph_writer.h"
+#include "compiler/importers/imported_graph.h"
 #include "compiler/importers/importer.h"
 #include "compiler/importers/mtlx/node_table.h"
 #include "compiler/importers/mtlx/read/document.h"
@@ -76,7 +76,7 @@ public:
 
     // The graph of a surface shader, which stands in the document or in a node graph. `material`: for the report.
     void make(const Element& material, const Element& shader, Scope& scope);
-    GraphFile& file() { return file_; }
+    ImportedGraph& file() { return file_; }
     Scope& document_scope() { return *scopes_.front(); }
 
     // --- for those who evaluate nodes
@@ -92,7 +92,7 @@ public:
     Term geometry(std::string_view property, Type type);  // "UV0", "Nworld"
     // A link to the term, which becomes a node of its own unless it is a link already.
     Term named(const Term& term);
-    std::string add_node(const Element& node, GraphNode made, std::string_view wanted = {});
+    std::string add_node(const Element& node, ImportedNode made, std::string_view wanted = {});
     void written(const Term& term, std::string_view where);
     void refuse(const Element& node, std::string reason);
     void approximate(const Element& node, std::string difference);
@@ -110,7 +110,7 @@ public:
     // The texture's property: "$_Wood".
     std::string texture(Scope& scope, const Element& node, std::string_view file_input, const Sampling& sampling);
     // "label", "group" and "help" of a property.
-    static void describe(const Element& input, GraphProperty& property);
+    static void describe(const Element& input, ImportedProperty& property);
 
     Term sampled_normal(const Element& node, const Term& texel, const Term& scale);
     std::size_t uses(const Scope& scope, const Element& node) const;
@@ -128,10 +128,6 @@ public:
 
 private:
     using Key = std::tuple<std::size_t, const Element*, std::string>;
-    struct Outcome {
-        Remark::Kind kind = Remark::Kind::Taken;
-        std::string where{}, text{}, label{};
-    };
     struct Texture {
         std::string property{};
         bool is_normal = false;
@@ -159,23 +155,18 @@ private:
 
     Import& import_;
     std::string name_;
-    GraphFile file_{};
-    terms::Names ids_{}, property_names_{};
+    ImportedGraph file_;
     std::vector<std::unique_ptr<Scope>> scopes_{};
     std::map<Key, Term> values_{};
     std::set<Key> open_{};
     std::vector<const Element*> elements_{};  // by number
     std::deque<Element> made_{};              // elements that no document has
     std::map<const Element*, std::size_t> numbers_{};
-    std::map<std::size_t, Outcome> outcomes_{};
-    std::map<std::string, Term, std::less<>> named_{};                    // by text
-    std::map<const Element*, Term> properties_{};                         // of inputs of node graphs
-    std::map<std::string, std::set<std::size_t>, std::less<>> owners_{};  // id -> the nodes that are written in it
-    std::map<std::string, Type, std::less<>> types_{};  // of expressions, by id, and of inputs: "surface.emission"
-    std::vector<const Element*> property_places_{};     // of the properties, in their order: what says them
-    std::map<std::string, Texture> textures_{};         // by file and how it is read
-    std::map<std::string, std::string> samples_{};      // by texture and coordinates: the node
-    Scope* scope_ = nullptr;                            // of the node that is evaluated
+    std::map<const Element*, Term> properties_{};    // of inputs of node graphs
+    std::vector<const Element*> property_places_{};  // of the properties, in their order: what says them
+    std::map<std::string, Texture> textures_{};      // by file and how it is read
+    std::map<std::string, std::string> samples_{};   // by texture and coordinates: the node
+    Scope* scope_ = nullptr;                         // of the node that is evaluated
     std::size_t depth_ = 0, evaluated_ = 0;
     std::string scope_label_{};
 };

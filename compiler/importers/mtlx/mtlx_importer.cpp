@@ -201,7 +201,7 @@ Imported read(const importers::Source& source, const Options& options) {
                                           .text = "it is not imported: the surface alone is",
                                           .line = child.line,
                                           .column = child.column});
-        const std::string json = write_graph(maker.file());
+        const std::string json = maker.file().text();
         if (json.empty()) return {.error = fmt::format("{}: the graph '{}' cannot be written", source.path, name)};
         graphs.push_back({.name = name + ".graph.json", .text = json});
     }

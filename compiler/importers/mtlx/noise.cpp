@@ -8,6 +8,7 @@
 
 #include "compiler/base/text.h"
 #include "compiler/importers/mtlx/graph_maker.h"
+#include "compiler/importers/patterns.h"
 
 namespace patina::importers::mtlx {
 namespace {
@@ -34,11 +35,11 @@ Port position_port(bool is_flat) {
 }
 
 // A computed number at an int port.
-Value whole(const Term& term) {
-    const std::string whole = term.text();
-    if (whole.starts_with("float($") && whole.find(')') + 1 == whole.size())
-        return text(whole.substr(6, whole.size() - 7));
-    return text("= int(" + whole + ")");
+GraphValue whole(const Term& term) {
+    const nodelang::Expr& expr = *term.tree;
+    const bool is_property = expr.kind == nodelang::Expr::Kind::Call && expr.text == "float" &&
+                             expr.args[0]->kind == nodelang::Expr::Kind::Property;
+    return is_property ? printed(*expr.args[0]) : "= int(" + printed(expr) + ")";
 }
 
 class Noise {
@@ -62,15 +63,11 @@ public:
             made = terms::swizzled(call("Vector", position, 3), "xy");
         } else if (count == 2) {
             const Term first = maker_.named(position);
-            made = terms::parsed(
-                fmt::format("float2({}, {})", call("", first, 1).text(), call("", elsewhere(first), 1).text()),
-                Type::Float2);
+            made = terms::computed("float2(a, b)", {call("", first, 1), call("", elsewhere(first), 1)}, Type::Float2);
         } else {
             const Term first = count == 4 ? maker_.named(position) : position;
             made = call("Vector", first, 3);
-            if (count == 4)
-                made = terms::parsed(fmt::format("float4({}, {})", made.text(), call("", elsewhere(first), 1).text()),
-                                     Type::Float4);
+            if (count == 4) made = terms::computed("float4(a, b)", {made, call("", elsewhere(first), 1)}, Type::Float4);
         }
         made.nodes.insert(nodes_.begin(), nodes_.end());
         if (is_cell) return terms::converted(made, type_of_word(node_.type()));
@@ -80,20 +77,14 @@ public:
 private:
     // What the second half of the channels reads.
     Term elsewhere(const Term& position) {
-        Term made = position;
-        made.swizzle.clear();
-        made.numbers.clear();
-        made.parts.clear();
-        made.from_top.clear();
         const bool is_fractal = node_.category.starts_with("fractal");
-        const std::string_view shift = is_fractal ? (is_flat_ ? "float2(19, 193)" : "float3(19, 193, 17)")
-                                                  : (is_flat_ ? "float2(19, 73)" : "float3(19, 73, 29)");
-        made.base = fmt::format("{} + {}", terms::at_least(position.text(), terms::kSum), shift);
-        return made;
+        const std::string_view shifted = is_fractal ? (is_flat_ ? "a + float2(19, 193)" : "a + float3(19, 193, 17)")
+                                                    : (is_flat_ ? "a + float2(19, 73)" : "a + float3(19, 73, 29)");
+        return terms::computed(shifted, {position}, position.type);
     }
 
     Term call(std::string_view kind, const Term& position, std::size_t components) {
-        GraphNode made{.id = {}, .node = fmt::format("{}{}", node_name(node_.category), kind)};
+        ImportedNode made{.id = {}, .node = fmt::format("{}{}", node_name(node_.category), kind)};
         if (position.text() != (is_flat_ ? "@uv0" : "@positionOS"))
             made.inputs.push_back({"position", position.value()});
         if (node_.category.starts_with("fractal")) {
@@ -106,7 +97,7 @@ private:
             if (const Term jitter = input("jitter", "float", "1"); !jitter.is_all(1))
                 made.inputs.push_back({"jitter", jitter.value()});
         if (node_.category.starts_with("worley") && maker_.word_of(scope_, node_, "style") == "1")
-            made.inputs.push_back({"style", text(node_.type() == "float" ? "Cell" : "CellVector")});
+            made.inputs.push_back({"style", node_.type() == "float" ? "Cell" : "CellVector"});
         const std::string id = maker_.add_node(node_, std::move(made));
         Term all;
         all.nodes = nodes_;
@@ -115,7 +106,7 @@ private:
     }
 
     // The code computes 16 at most.
-    void add_octaves(GraphNode& made) {
+    void add_octaves(ImportedNode& made) {
         constexpr double kMost = 16;
         const Term octaves = input("octaves", "integer", "3");
         if (!octaves.is_constant()) {
@@ -127,7 +118,7 @@ private:
         const double stated = octaves.numbers[0], count = std::clamp(std::floor(stated), 0.0, kMost);
         if (count != stated)
             maker_.approximate(node_, fmt::format("it has {} octaves, and not {}", count, shortest(stated)));
-        if (count != 3) made.inputs.push_back({"octaves", number(count)});
+        if (count != 3) made.inputs.push_back({"octaves", count});
     }
 
     Term input(std::string_view name, std::string_view type, std::string_view otherwise) {
@@ -143,14 +134,8 @@ private:
         const std::string type(node_.type());
         const Term amplitude = input("amplitude", maker_.is_set(scope_, node_, "amplitude") ? "" : "float", "1"),
                    pivot = input("pivot", "float", "0");
-        std::string text = terms::at_least(noise.text(), terms::kProduct);
-        if (!amplitude.is_all(1)) text += " * " + terms::at_least(amplitude.text(), terms::kUnary);
-        if (!pivot.is_all(0)) text += " + " + terms::at_least(pivot.text(), terms::kProduct);
-        if (text == noise.text()) return noise;
-        Term made = terms::parsed(text, type_of_word(type));
-        made.parts.clear();
-        made.nodes = nodes_;
-        made.add_nodes(noise);
+        Term made = terms::computed("a * b + c", {noise, amplitude, pivot}, type_of_word(type));
+        made.nodes.insert(nodes_.begin(), nodes_.end());
         return made;
     }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "compiler/importers/mtlx/noise.h"
+#include "compiler/importers/patterns.h"
 
 namespace patina::importers::mtlx {
 namespace {
@@ -69,11 +70,7 @@ Term usd_texture(const At& at) {
     Term made = at.maker.sampled(at.scope, at.node, at.input("st", "vector2", "@UV0"), "file", "wrapS", "wrapT");
     const Term scale = at.input("scale", "color4", "1"), bias = at.input("bias", "color4", "0");
     if (!scale.is_all(1) || !bias.is_all(0)) {
-        std::string text = made.text();
-        if (!scale.is_all(1)) text += " * " + terms::at_least(scale.text(), terms::kUnary);
-        if (!bias.is_all(0)) text += " + " + terms::at_least(bias.text(), terms::kProduct);
-        Term whole = terms::parsed(text, Type::Float4);
-        whole.nodes = made.nodes;
+        Term whole = terms::computed("a * b + c", {made, scale, bias}, Type::Float4);
         whole.name = terms::camel_case(at.node.name());
         whole.is_color = true;
         made = at.maker.named(whole);
@@ -89,17 +86,14 @@ Term gltf_coordinates(const At& at) {
     const Term scale = at.input("scale", "vector2", "1"), offset = at.input("offset", "vector2", "0"),
                turn = at.input("rotate", "float", "0");
     if (scale.is_all(1) && offset.is_all(0) && turn.is_all(0)) return coordinates;
-    std::string text = terms::flipped(coordinates).text();
-    if (!scale.is_all(1))
-        text = terms::at_least(text, terms::kProduct) + " * " + terms::at_least(scale.text(), terms::kUnary);
-    if (!turn.is_all(0)) text = fmt::format("Rotate({}, -radians({}), 0)", text, turn.text());
-    if (!offset.is_all(0)) text += " + " + terms::at_least(offset.text(), terms::kProduct);
-    Term moved = terms::parsed(text, Type::Float2);
+    Term flipped = terms::flipped(coordinates);
+    flipped.add_nodes(coordinates);
+    Term moved = terms::computed("a * b", {flipped, scale}, Type::Float2);
+    if (!turn.is_all(0)) moved = terms::computed("Rotate(a, -radians(b), 0)", {moved, turn}, Type::Float2);
+    moved = terms::computed("a + b", {moved, offset}, Type::Float2);
     moved.name = terms::camel_case(at.node.name()) + "Uv";
-    for (const std::set<std::size_t>& each : {coordinates.nodes, scale.nodes, offset.nodes, turn.nodes})
-        moved.nodes.insert(each.begin(), each.end());
     moved = at.maker.named(moved);
-    moved.from_top = moved.base;
+    moved.from_top = moved.tree;
     if (at.is_set("pivot") || at.is_set("operationorder"))
         at.maker.approximate(at.node, "its coordinates are moved as glTF says, about the upper left corner");
     return moved;
@@ -113,12 +107,8 @@ Term gltf_image(const At& at) {
     for (const std::string_view factor : {"factor", "color", "geomcolor"}) {
         if (!at.is_set(factor) || is_color == (factor == "factor")) continue;
         const Term value = at.input(factor, is_color ? "color4" : at.node.type(), "1");
-        const std::set<std::size_t> nodes = made.nodes;
-        made =
-            terms::parsed(fmt::format("{} * {}", made.text(), terms::at_least(value.text(), terms::kUnary)), made.type);
+        made = terms::computed("a * b", {made, value}, made.type);
         made.is_color = true;
-        made.nodes = nodes;
-        made.add_nodes(value);
     }
     if (!is_color) return made;
     made.name = terms::camel_case(at.node.name()) + "Color";
@@ -132,17 +122,15 @@ Term triplanar(const At& at) {
     if (at.word("filey") != at.word("filex") || at.word("filez") != at.word("filex"))
         at.maker.approximate(at.node, "one picture for all sides");
     at.maker.approximate(at.node, "the sides are blended by their angles");
-    GraphNode made{.id = {}, .node = "Triplanar"};
+    ImportedNode made{.id = {}, .node = "Triplanar"};
     const Term position = at.input("position", "vector3", "@Pobject"),
                normal = at.input("normal", "vector3", "@Nobject");
-    made.inputs = {{"texture", text(texture)}, {"position", position.value()}, {"normal", normal.value()}};
-    Term term = terms::link(at.maker.add_node(at.node, std::move(made)), Type::Float4);
-    term.is_color = true;
-    return texel_as(term, at.node.type());
+    made.inputs = {{"texture", texture}, {"position", position.value()}, {"normal", normal.value()}};
+    return texel_as(terms::color_link(at.maker.add_node(at.node, std::move(made))), at.node.type());
 }
 
 // A node that blends turned pieces of a picture; its texture, or nothing.
-std::optional<GraphNode> hexagons(const At& at, std::string_view node, bool is_normal) {
+std::optional<ImportedNode> hexagons(const At& at, std::string_view node, bool is_normal) {
     Sampling sampling = at.maker.sampling_of(at.scope, at.node);
     sampling.is_normal = is_normal;
     const std::string texture = at.maker.texture(at.scope, at.node, "file", sampling);
@@ -150,20 +138,11 @@ std::optional<GraphNode> hexagons(const At& at, std::string_view node, bool is_n
     at.maker.approximate(at.node, "other hexagons, which are all of one size");
     Term place = terms::flipped(at.input("texcoord", "vector2", "@UV0"));
     const Term tiling = at.input("tiling", "vector2", "1", true), turn = at.input("rotation", "float", "1");
-    if (!tiling.is_all(1)) {
-        const std::set<std::size_t> nodes = place.nodes;
-        place = terms::parsed(fmt::format("{} * {}", terms::at_least(place.text(), terms::kProduct),
-                                          terms::at_least(tiling.text(), terms::kUnary)),
-                              Type::Float2);
-        place.nodes = nodes;
-        place.add_nodes(tiling);
-    }
-    GraphNode made{.id = {}, .node = std::string(node), .inputs = {{"texture", text(texture)}}};
+    place = terms::computed("a * b", {place, tiling}, Type::Float2);
+    ImportedNode made{.id = {}, .node = std::string(node), .inputs = {{"texture", texture}}};
     if (place.text() != "@uv0") made.inputs.push_back({"uv", place.value()});
-    made.inputs.push_back({"density", number(3.4641016F)});  // in each repetition, 2 sqrt(3)
-    Term largest =
-        terms::parsed(fmt::format("{} * 3.1415927", terms::at_least(turn.text(), terms::kProduct)), Type::Float);
-    if (turn.is_constant()) largest = terms::number_term(turn.numbers[0] * 3.1415927);
+    made.inputs.push_back({"density", 3.4641016F});  // in each repetition, 2 sqrt(3)
+    const Term largest = terms::computed("a * 3.1415927", {turn}, Type::Float);
     made.inputs.push_back({"rotation", largest.value()});
     at.maker.written(place, "the node of the hexagons");
     at.maker.written(turn, "the node of the hexagons");
@@ -177,9 +156,7 @@ Term hextiledimage(const At& at) {
     const Term contrast = at.input("falloffcontrast", "float", "0.5");
     made->inputs.push_back({"contrast", contrast.value()});
     at.maker.written(contrast, "the node of the hexagons");
-    Term term = terms::link(at.maker.add_node(at.node, std::move(*made)), Type::Float4);
-    term.is_color = true;
-    return texel_as(term, at.node.type());
+    return texel_as(terms::color_link(at.maker.add_node(at.node, std::move(*made))), at.node.type());
 }
 
 Term texcoord(const At& at) {
@@ -199,11 +176,8 @@ Term mesh_value(const At& at) {
         return terms::converted(at.maker.geometry("UV0", Type::Float2), at.type());
     if (is_one_of({"st1", "uv1", "UV1", "map2"}))
         return terms::converted(at.maker.geometry("UV1", Type::Float2), at.type());
-    if (is_one_of({"displayColor", "Cd", "color", "Color", "geomcolor", "Col"})) {
-        Term color = terms::link("@vertexColor", Type::Float4);
-        color.is_color = true;
-        return texel_as(color, at.node.type());
-    }
+    if (is_one_of({"displayColor", "Cd", "color", "Color", "geomcolor", "Col"}))
+        return texel_as(terms::color_link("@vertexColor"), at.node.type());
     for (const std::string_view known : {"Pobject", "Pworld", "Nobject", "Nworld", "Tobject", "Tworld", "Bworld"})
         if (name == known) return terms::converted(at.maker.geometry(known, Type::Float3), at.type());
     if (at.is_set("default") || at.is_set("fallback")) {
@@ -248,12 +222,12 @@ Term extract(const At& at) {
     }
     value = at.maker.named(value);
     const Term which = at.maker.named(at.input("index", "float", "0"));
-    std::string text;
-    for (std::size_t i = 0; i + 1 < count; ++i)
-        text += fmt::format("{} < {} ? {} : ", which.text(), static_cast<double>(i) + 0.5,
-                            terms::swizzled(value, components.substr(i, 1)).text());
-    Term made = terms::parsed(text + terms::swizzled(value, components.substr(count - 1, 1)).text(), Type::Float);
-    made.nodes = value.nodes;
+    Term made = terms::swizzled(value, components.substr(count - 1, 1));
+    for (std::size_t i = count - 1; i-- > 0;)
+        made = terms::computed("a < b ? c : d",
+                               {which, terms::number_term(static_cast<double>(i) + 0.5),
+                                terms::swizzled(value, components.substr(i, 1)), made},
+                               Type::Float);
     return made;
 }
 
@@ -267,15 +241,12 @@ Term switched(const At& at) {
     int last = 1;
     for (int i = 1; i <= 10; ++i)
         if (at.is_set(fmt::format("in{}", i))) last = i;
-    std::string text;
-    Term holds;
-    for (int i = 1; i <= last; ++i) {
+    Term made;
+    for (int i = last; i > 0; --i) {
         const Term value = at.maker.named(at.input(fmt::format("in{}", i), at.node.type(), "0"));
-        holds.add_nodes(value);
-        text += i < last ? fmt::format("{} < {} ? {} : ", which.text(), i, value.text()) : value.text();
+        made = i == last ? value
+                         : terms::computed("a < b ? c : d", {which, terms::number_term(i), value, made}, at.type());
     }
-    Term made = terms::parsed(text, at.type());
-    made.add_nodes(holds);
     made.add_nodes(which);
     return made;
 }
@@ -284,9 +255,8 @@ Term switched(const At& at) {
 Term to_world(const At& at, Term tangent) {
     tangent.name = terms::camel_case(at.node.name());
     tangent = at.maker.named(tangent);
-    Term made = terms::parsed(fmt::format("NormalTangentToWorld({})", tangent.text()), Type::Float3);
-    made.tangent = tangent.text();
-    made.nodes = tangent.nodes;
+    Term made = terms::computed("NormalTangentToWorld(a)", {tangent}, Type::Float3);
+    made.tangent = tangent.expression();
     return made;
 }
 
@@ -302,18 +272,11 @@ Term normalmap(const At& at) {
     const Term scale = at.input("scale", "float", "1");
     if (value.is_constant() && value.numbers == std::vector<double>{0.5, 0.5, 1})
         return at.maker.geometry("Nworld", Type::Float3);
-    std::string text = terms::at_least(value.text(), terms::kProduct) + " * 2 - 1";
-    if (is_object) {
-        Term made = terms::parsed(fmt::format("Transform({}, Object, World, Normal, true)", text), Type::Float3);
-        made.nodes = value.nodes;
-        return made;
-    }
-    if (!scale.is_all(1))
-        text = fmt::format("({}) * {}", text,
-                           terms::width(scale.type) == 2 ? fmt::format("float3({}, 1)", scale.text())
-                                                         : fmt::format("float3({0}, {0}, 1)", scale.text()));
-    Term made = terms::parsed(fmt::format("normalize({})", text), Type::Float3);
-    made.nodes = value.nodes;
+    if (is_object) return terms::computed("Transform(a * 2 - 1, Object, World, Normal, true)", {value}, Type::Float3);
+    const std::string_view scaled = scale.is_all(1)                 ? "normalize(a * 2 - 1)"
+                                    : terms::width(scale.type) == 2 ? "normalize((a * 2 - 1) * float3(b, 1))"
+                                                                    : "normalize((a * 2 - 1) * float3(b, b, 1))";
+    Term made = terms::computed(scaled, {value, scale}, Type::Float3);
     return to_world(at, std::move(made));
 }
 
@@ -329,13 +292,12 @@ Term hextilednormalmap(const At& at) {
 
 Term gltf_normalmap(const At& at) {
     if (!has_texture(at, true)) return at.maker.geometry("Nworld", Type::Float3);
-    Term texel = terms::link("", Type::Float4);
     Sampling sampling = at.maker.sampling_of(at.scope, at.node);
     sampling.is_normal = true;
     const std::string texture = at.maker.texture(at.scope, at.node, "file", sampling);
     if (texture.empty()) return at.maker.geometry("Nworld", Type::Float3);
-    texel.base = texture;
-    texel.from_top = terms::flipped(gltf_coordinates(at)).text();
+    Term texel = terms::link(texture, Type::Float4);
+    texel.from_top = terms::flipped(gltf_coordinates(at)).expression();
     return to_world(at, at.maker.sampled_normal(at.node, texel, terms::number_term(1)));
 }
 
@@ -347,42 +309,29 @@ Term colorcorrect(const At& at) {
     const auto number = [&](std::string_view name, std::string_view otherwise) {
         return at.input(name, "float", otherwise);
     };
-    // The text has "$" where the colour so far stands.
-    const auto step = [&](bool changes, std::string text, std::initializer_list<const Term*> of) {
+    // The pattern has "a" where the colour so far stands, and then the terms.
+    const auto step = [&](bool changes, std::string_view pattern, std::initializer_list<Term> of) {
         if (!changes) return;
-        std::set<std::size_t> nodes = made.nodes;
-        for (const Term* each : of) nodes.insert(each->nodes.begin(), each->nodes.end());
         made.name = terms::camel_case(at.node.name());
-        if (text.find('$') != text.rfind('$')) made = at.maker.named(made);
-        for (std::size_t place = 0; (place = text.find('$', place)) != text.npos;) {
-            const std::string own = terms::bracketed(made.text(), std::string_view(text).substr(0, place),
-                                                     std::string_view(text).substr(place + 1));
-            text.replace(place, 1, own);
-            place += own.size();
-        }
-        made = terms::parsed(text, Type::Float3);
-        made.nodes = nodes;
+        const bool is_read_twice = pattern.starts_with("lerp") || pattern.starts_with("sign");
+        std::vector<Term> terms = {is_read_twice ? at.maker.named(made) : made};
+        terms.insert(terms.end(), of);
+        const std::set<std::size_t> nodes = made.nodes;
+        made = terms::computed(pattern, terms, Type::Float3);
+        made.nodes.insert(nodes.begin(), nodes.end());
     };
     const Term hue = number("hue", "0"), saturation = number("saturation", "1"), gamma = number("gamma", "1"),
                lift = number("lift", "0"), gain = number("gain", "1"), contrast = number("contrast", "1"),
                pivot = number("contrastpivot", "0.5"), exposure = number("exposure", "0");
-    const auto factor = [](const Term& term) { return terms::at_least(term.text(), terms::kUnary); };
-    step(!hue.is_all(0), fmt::format("HsvAdjust($, {}, 1, 1)", hue.text()), {&hue});
-    step(!saturation.is_all(1),
-         fmt::format("lerp(float3(dot($, float3(0.2722287, 0.6740818, 0.0536895))), $, {})", saturation.text()),
-         {&saturation});
-    step(!gamma.is_all(1), fmt::format("sign($) * pow(abs($), 1 / {})", factor(gamma)), {&gamma});
-    step(!lift.is_all(0), fmt::format("$ * (1 - {}) + {}", terms::at_least(lift.text(), terms::kProduct), lift.text()),
-         {&lift});
-    step(!gain.is_all(1), fmt::format("$ * {}", factor(gain)), {&gain});
-    step(!contrast.is_all(1),
-         fmt::format("($ - {0}) * {1} + {0}", terms::at_least(pivot.text(), terms::kProduct), factor(contrast)),
-         {&contrast, &pivot});
-    step(!exposure.is_all(0), fmt::format("$ * exp2({})", exposure.text()), {&exposure});
+    step(!hue.is_all(0), "HsvAdjust(a, b, 1, 1)", {hue});
+    step(!saturation.is_all(1), "lerp(float3(dot(a, float3(0.2722287, 0.6740818, 0.0536895))), a, b)", {saturation});
+    step(!gamma.is_all(1), "sign(a) * pow(abs(a), 1 / b)", {gamma});
+    step(!lift.is_all(0), "a * (1 - b) + b", {lift});
+    step(!gain.is_all(1), "a * b", {gain});
+    step(!contrast.is_all(1), "(a - c) * b + c", {contrast, pivot});
+    step(!exposure.is_all(0), "a * exp2(b)", {exposure});
     if (!has_alpha) return made;
-    Term joined =
-        terms::parsed(fmt::format("float4({}, {})", made.text(), terms::swizzled(whole, "a").text()), Type::Float4);
-    joined.nodes = made.nodes;
+    Term joined = terms::computed("float4(a, b)", {made, terms::swizzled(whole, "a")}, Type::Float4);
     joined.is_color = true;
     return joined;
 }
@@ -398,12 +347,10 @@ Term ramp(const At& at) {
         place = terms::swizzled(coordinates, "x");
     } else {
         coordinates = at.maker.named(coordinates);
-        const std::string at_text = coordinates.text();
-        std::string text = fmt::format("atan2({0}.x - 0.5, {0}.y - 0.5) / 6.28319 + 0.5", at_text);
-        if (kind == "2") text = fmt::format("1.414 * distance({}, 0.5)", at_text);
-        if (kind == "3") text = fmt::format("2 * max(abs({0}.x - 0.5), abs({0}.y - 0.5))", at_text);
-        place = terms::parsed(text, Type::Float);
-        place.nodes = coordinates.nodes;
+        const std::string_view pattern = kind == "2"   ? "1.414 * distance(a, 0.5)"
+                                         : kind == "3" ? "2 * max(abs(a.x - 0.5), abs(a.y - 0.5))"
+                                                       : "atan2(a.x - 0.5, a.y - 0.5) / 6.28319 + 0.5";
+        place = terms::computed(pattern, {coordinates}, Type::Float);
     }
     place.name = terms::camel_case(at.node.name()) + "At";
     place = at.maker.named(place);
@@ -414,21 +361,14 @@ Term ramp(const At& at) {
     made = color(1);
     for (int i = 2; i <= count; ++i) {
         const Term low = interval(i - 1), high = interval(i), next = color(i);
-        std::string weight = fmt::format("smoothstep({}, {}, {})", low.text(), high.text(), place.text());
-        if (how == "0")
-            weight = fmt::format("saturate(({0} - {1}) / ({2} - {1}))", place.text(),
-                                 terms::at_least(low.text(), terms::kProduct),
-                                 terms::at_least(high.text(), terms::kProduct));
-        if (how == "2") weight = fmt::format("step({}, {})", high.text(), place.text());
-        std::set<std::size_t> nodes = made.nodes;
-        for (const std::set<std::size_t>& each : {low.nodes, high.nodes, next.nodes, place.nodes})
-            nodes.insert(each.begin(), each.end());
+        const std::string_view pattern = how == "0"   ? "lerp(a, b, saturate((e - c) / (d - c)))"
+                                         : how == "2" ? "lerp(a, b, step(d, e))"
+                                                      : "lerp(a, b, smoothstep(c, d, e))";
         if (i > 2) {
             made.name = terms::camel_case(at.node.name());
             made = at.maker.named(made);
         }
-        made = terms::parsed(fmt::format("lerp({}, {}, {})", made.text(), next.text(), weight), Type::Float4);
-        made.nodes = nodes;
+        made = terms::computed(pattern, {made, next, low, high, place}, Type::Float4);
         made.is_color = true;
     }
     return made;

@@ -21,16 +21,17 @@ bool reads(const std::string& text, std::string_view input) {
 
 bool is_grey(const Term& color) {
     if (color.is_constant()) return color.is_all(color.numbers[0]);
-    if (!color.swizzle.empty()) return color.swizzle.find_first_not_of(color.swizzle[0]) == std::string::npos;
-    const auto is_first = [&](const Term::Part& each) { return each.width == 1 && each.text == color.parts[0].text; };
-    return color.parts.size() == 3 && std::ranges::all_of(color.parts, is_first);
+    const std::string_view components = color.components();
+    if (!components.empty()) return components.find_first_not_of(components[0]) == std::string::npos;
+    return color.tree->kind == nodelang::Expr::Kind::Call && color.tree->text == "float3" &&
+           color.tree->args.size() == 1;  // of one number
 }
 
 }  // namespace
 
 void GraphMaker::add_to_surface(const std::string& key, const Term& value) {
     file_.surface.push_back({key, value.value()});
-    types_["surface." + key] = value.type;
+    file_.types["surface." + key] = value.type;
 }
 
 // A weight that is 0 is none, and neither is an angle.
@@ -109,12 +110,8 @@ void GraphMaker::make_surface(Scope& scope, const Element& shader) {
                 for (const std::string& input : inputs) carried.insert(input);
                 continue;
             }
-            if (key == "normal") key = value.tangent.empty() ? "normalWS" : "normalTS";
-            if (key == "normalTS") {
-                Term tangent = terms::link(value.tangent, Type::Float3);
-                tangent.nodes = value.nodes;
-                value = tangent;
-            }
+            if (key == "normal") key = value.tangent ? "normalTS" : "normalWS";
+            if (key == "normalTS") value = value.with(value.tangent, Type::Float3);
             if (key == "clearcoatNormalWS" && value.text() == "@normalWS") continue;
             if (key == "coatNormalWS" && value.text() == "@normalWS") continue;
         }
@@ -179,8 +176,7 @@ void GraphMaker::make_surface(Scope& scope, const Element& shader) {
             written(cutoff, "'surface.alphaClip'");
             add_to_surface("alphaClip", cutoff);
         }
-        const Member render[] = {{"surface", text(mode)}};
-        file_.more.push_back({"render", object(render)});
+        file_.more.push_back({"render", GraphValue::object({{"surface", mode}})});
     }
     for (const SurfaceRule::Ignored& each : surface->ignored) {
         carried.insert(std::string(each.input));

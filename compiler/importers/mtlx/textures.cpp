@@ -9,6 +9,7 @@
 #include "compiler/base/disk/disk.h"
 #include "compiler/importers/mtlx/colors.h"
 #include "compiler/importers/mtlx/special_nodes.h"
+#include "compiler/importers/patterns.h"
 
 namespace patina::importers::mtlx {
 namespace {
@@ -100,22 +101,22 @@ std::string GraphMaker::texture(Scope& scope, const Element& node, std::string_v
     }
     std::string wanted =
         terms::pascal_case(source.is_interface ? std::string(source.input->name()) : name.stem().string());
-    texture.property = property_names_.unique("_" + wanted, "_texture");
+    texture.property = file_.property_names.unique("_" + wanted, "_texture");
     texture.is_normal = is_normal;
-    GraphProperty made{.name = texture.property, .type = "texture2d"};
+    ImportedProperty made{.name = texture.property, .type = "texture2d"};
     const std::string shown = shown_without_file(scope, node, file_input, is_normal);
-    made.value = text(!shown.empty()  ? std::string_view(shown)
-                      : !file.empty() ? std::string_view(file)
-                      : is_normal     ? std::string_view("bump")
-                                      : std::string_view("white"));
+    made.value = !shown.empty()  ? std::string_view(shown)
+                 : !file.empty() ? std::string_view(file)
+                 : is_normal     ? std::string_view("bump")
+                                 : std::string_view("white");
     if (is_normal)
-        made.more.push_back({"usage", text("normal")});
+        made.more.push_back({"usage", "normal"});
     else if (!space.is_color)
-        made.more.push_back({"usage", text("data")});
-    std::vector<Member> sampler;
-    if (sampling.wrap != "repeat") sampler.push_back({"wrap", text(sampling.wrap)});
-    if (sampling.filter == "nearest") sampler.push_back({"filter", text("nearest")});
-    if (!sampler.empty()) made.more.push_back({"sampler", object(sampler)});
+        made.more.push_back({"usage", "data"});
+    GraphMembers sampler;
+    if (sampling.wrap != "repeat") sampler.push_back({"wrap", sampling.wrap});
+    if (sampling.filter == "nearest") sampler.push_back({"filter", "nearest"});
+    if (!sampler.empty()) made.more.push_back({"sampler", GraphValue::object(sampler)});
     if (source.is_interface) {
         describe(*source.input, made);
         import_.reached.insert(source.input);
@@ -141,12 +142,12 @@ Term GraphMaker::sampled(Scope& scope, const Element& node, Term coordinates, st
     if (property.empty())
         return magenta(node, Type::Float4,
                        fmt::format("'{}' is no picture that can be read", word_of(scope, node, file_input)));
-    if (coordinates.from_top.empty() && !coordinates.is_short()) coordinates = named(coordinates);
+    if (!coordinates.from_top && !coordinates.is_short()) coordinates = named(coordinates);
     Term place = terms::flipped(coordinates);
     place.nodes = coordinates.nodes;
     std::string& id = samples_[property + " " + place.text()];
     if (id.empty()) {
-        GraphNode made{.id = {}, .node = "SampleTexture2D", .inputs = {{"texture", text(property)}}};
+        ImportedNode made{.id = {}, .node = "SampleTexture2D", .inputs = {{"texture", property}}};
         if (place.text() != "@uv0") made.inputs.push_back({"uv", place.value()});
         const std::string wanted = terms::camel_case(std::string_view(property).substr(2));
         id = add_node(node, std::move(made), wanted);
@@ -155,18 +156,17 @@ Term GraphMaker::sampled(Scope& scope, const Element& node, Term coordinates, st
     Term read;
     read.nodes.insert(number_of(node));
     written(read, fmt::format("the node '{}'", id));
-    Term made = terms::link(id, Type::Float4);
-    made.is_color = true;
-    return made;
+    return terms::color_link(id);
 }
 
 Term GraphMaker::sampled_normal(const Element& node, const Term& texel, const Term& scale) {
-    std::string& id = samples_[fmt::format("{} {} {}", texel.base, texel.from_top, scale.text())];
+    const std::string texture = texel.text(), place = printed(*texel.from_top);
+    std::string& id = samples_[fmt::format("{} {} {}", texture, place, scale.text())];
     if (id.empty()) {
-        GraphNode made{.id = {}, .node = "SampleNormalMap", .inputs = {{"texture", text(texel.base)}}};
-        if (texel.from_top != "@uv0") made.inputs.push_back({"uv", text(texel.from_top)});
+        ImportedNode made{.id = {}, .node = "SampleNormalMap", .inputs = {{"texture", texture}}};
+        if (place != "@uv0") made.inputs.push_back({"uv", place});
         if (!scale.is_all(1)) made.inputs.push_back({"scale", scale.value()});
-        id = add_node(node, std::move(made), terms::camel_case(std::string_view(texel.base).substr(2)));
+        id = add_node(node, std::move(made), terms::camel_case(std::string_view(texture).substr(2)));
     }
     written(texel, fmt::format("the node '{}'", id));
     written(scale, fmt::format("the node '{}'", id));
@@ -211,7 +211,7 @@ std::optional<Term> normal_map_of(GraphMaker& maker, Scope& scope, const Element
         place.name = terms::camel_case(found->name()) + "Uv";
         place = maker.named(place);
     }
-    made.from_top = place.text();
+    made.from_top = place.expression();
     made.nodes = coordinates.nodes;
     made.nodes.insert(maker.note(*found));
     return made;
@@ -229,8 +229,7 @@ Term tiled_coordinates(GraphMaker& maker, Scope& scope, const Element& node) {
     std::set<std::size_t> nodes = at.nodes;
     for (const Term* each : {&tiling, &offset, &image_size, &tile_size})
         nodes.insert(each->nodes.begin(), each->nodes.end());
-    Term made;
-    if (!at.from_top.empty() && tiling.is_constant() && offset.is_constant() && image_size.is_constant() &&
+    if (at.from_top && tiling.is_constant() && offset.is_constant() && image_size.is_constant() &&
         tile_size.is_constant()) {
         // Counted from the top, the picture begins elsewhere; a whole number of tiles is no difference.
         double scale[2], shift[2];
@@ -241,31 +240,25 @@ Term tiled_coordinates(GraphMaker& maker, Scope& scope, const Element& node) {
             shift[i] -= std::floor(shift[i] + 1e-9);
             if (std::abs(shift[i]) < 1e-6) shift[i] = 0;
         }
-        std::string text = at.from_top;
-        if (scale[0] != 1 || scale[1] != 1) text += " * " + terms::constant({scale[0], scale[1]}).text();
-        if (scale[0] == scale[1] && scale[0] != 1) text = fmt::format("{} * {}", at.from_top, terms::digits(scale[0]));
-        if (shift[0] != 0 || shift[1] != 0) text += " + " + terms::constant({shift[0], shift[1]}).text();
-        made = terms::link("", Type::Float2);
-        if (text == at.from_top) return at;
+        const Term from_top{.type = Type::Float2, .tree = at.from_top};
+        const Term factor = scale[0] == scale[1] ? terms::number_term(scale[0]) : terms::constant({scale[0], scale[1]});
+        Term sampled =
+            terms::computed("a * b + c", {from_top, factor, terms::constant({shift[0], shift[1]})}, Type::Float2);
+        if (sampled.text() == from_top.text()) return at;
         // As it is sampled: flipped() gives it back.
-        Term sampled = terms::parsed(text, Type::Float2);
         sampled.name = terms::camel_case(node.name()) + "Uv";
         sampled.nodes = nodes;
         sampled = maker.named(sampled);
-        made.base = fmt::format("float2({0}.x, 1 - {0}.y)", sampled.base);
-        made.from_top = sampled.base;
+        Term made = terms::flipped(sampled);
+        made.from_top = sampled.tree;
         made.nodes = nodes;
         return made;
     }
-    std::string text = terms::at_least(at.text(), terms::kProduct);
-    if (!tiling.is_all(1)) text += " * " + terms::at_least(tiling.text(), terms::kUnary);
-    if (!offset.is_all(0)) text += " - " + terms::at_least(offset.text(), terms::kProduct);
-    if (!image_size.is_all(1) || !tile_size.is_all(1))
-        text = fmt::format("{} / {} * {}", terms::at_least(text, terms::kProduct),
-                           terms::at_least(image_size.text(), terms::kUnary),
-                           terms::at_least(tile_size.text(), terms::kUnary));
-    if (text == at.text()) return at;
-    made = terms::parsed(text, Type::Float2);
+    const Term tiled = terms::computed("a * b - c", {at, tiling, offset}, Type::Float2);
+    Term made = image_size.is_all(1) && tile_size.is_all(1)
+                    ? tiled
+                    : terms::computed("a / b * c", {tiled, image_size, tile_size}, Type::Float2);
+    if (made.text() == at.text()) return at;
     made.nodes = nodes;
     made.name = terms::camel_case(node.name()) + "Uv";
     return maker.named(made);

@@ -6,12 +6,13 @@
 
 #include "compiler/base/letters.h"
 #include "compiler/importers/shadergraph/graph_maker.h"
+#include "compiler/importers/values.h"
 
 namespace patina::importers::shadergraph {
 namespace {
 
 // "#c9a27e" if the colour is one of eight bits a channel, else linear numbers.
-Value color_value(const std::vector<double>& srgb, bool is_hdr) {
+GraphValue color_value(const std::vector<double>& srgb, bool is_hdr) {
     std::string hex = "#";
     for (std::size_t i = 0; i < 4; ++i) {
         const double steps = srgb[i] * 255;
@@ -19,18 +20,18 @@ Value color_value(const std::vector<double>& srgb, bool is_hdr) {
         if (hex.empty()) break;
         if (i < 3 || srgb[3] != 1) hex += fmt::format("{:02x}", static_cast<int>(std::round(steps)));
     }
-    if (!hex.empty()) return text(hex);
+    if (!hex.empty()) return hex;
     std::vector<float> numbers;
     for (std::size_t i = 0; i < 4; ++i)
         if (i < 3 || srgb[3] != 1) numbers.push_back(static_cast<float>(i == 3 || is_hdr ? srgb[i] : linear(srgb[i])));
-    return list(numbers);
+    return list_of(numbers);
 }
 
 // What a property says of itself, beside its name and type.
 struct Declaration {
     std::string type{};
-    Value value{};
-    std::vector<Member> more{};
+    std::optional<GraphValue> value{};
+    GraphMembers more{};
     std::string help{};
     std::string difference{};  // what the graph does not say
 };
@@ -67,8 +68,8 @@ void add_range(const Property& property, double value, Declaration& made) {
     if (value < low || value > high)
         add(made.difference,
             fmt::format("its default {} is outside of its range, {} to {}, which reaches it here", value, low, high));
-    made.more.push_back({"range", list({number(static_cast<float>(std::min(low, value))),
-                                        number(static_cast<float>(std::max(high, value)))})});
+    made.more.push_back({"range", GraphValue::list({static_cast<float>(std::min(low, value)),
+                                                    static_cast<float>(std::max(high, value))})});
 }
 
 // "0 is Low, 5 is High"
@@ -89,7 +90,7 @@ Declaration number_declaration(const Property& property, bool is_input) {
     if (!is_input && is_whole_number(property)) {
         made.type = "int";
         const double whole = std::round(std::clamp(value, -1e9, 1e9));
-        made.value = number(whole);
+        made.value = whole;
         if (value != std::round(value)) made.difference = "its default is not a whole number";
         if (value != std::clamp(value, -1e9, 1e9))
             made.difference = fmt::format(
@@ -97,7 +98,7 @@ Declaration number_declaration(const Property& property, bool is_input) {
         if (kind == kSlider) add_range(property, whole, made);
         return made;
     }
-    made.value = number(static_cast<float>(value));
+    made.value = static_cast<float>(value);
     if (kind == kSlider) {
         add_range(property, value, made);
         if (whole_of(property.json, "m_SliderType") == 1) add(made.difference, "its slider is even, without a power");
@@ -116,7 +117,7 @@ Declaration color_declaration(const Property& property) {
     if (!is_hdr) return made;
     double high = 16;
     for (const double each : value) high = std::max(high, std::ceil(each));
-    made.more.push_back({"range", list({number(0.0), number(high)})});
+    made.more.push_back({"range", GraphValue::list({0.0, high})});
     return made;
 }
 
@@ -130,21 +131,22 @@ Declaration keyword_declaration(const Property& property) {
     const std::vector<KeywordEntry> entries = keyword_entries(property);
     if (!entries.empty()) {
         made.type = "enum";
-        std::string all = "[", help;
+        std::vector<GraphValue> all;
+        std::string help;
         for (const KeywordEntry& each : entries) {
-            all += (all.size() > 1 ? ", " : "") + text(each.word).json;
+            all.emplace_back(each.word);
             if (plain(each.shown) != plain(each.word))
                 help += fmt::format("{}{} is {}", help.empty() ? "" : ", ", each.word, each.shown);
             made.difference += (made.difference.empty() || each.difference.empty() ? "" : "; ") + each.difference;
         }
-        made.more.push_back({"values", {all + "]"}});
+        made.more.push_back({"values", GraphValue::list(std::move(all))});
         if (!help.empty()) made.help = help;
         const int chosen = whole_in(property.json, "m_Value", 0, 0, static_cast<int>(entries.size()) - 1);
-        made.value = text(entries[static_cast<std::size_t>(chosen)].word);
+        made.value = entries[static_cast<std::size_t>(chosen)].word;
     } else {
-        made.value = flag(flag_of(property.json, "m_Value"));
+        made.value = flag_of(property.json, "m_Value");
     }
-    if (whole_in(property.json, "m_KeywordDefinition", 0, 0, 3) != 3) made.more.push_back({"as", text("variant")});
+    if (whole_in(property.json, "m_KeywordDefinition", 0, 0, 3) != 3) made.more.push_back({"as", "variant"});
     if (is_of_engine(property)) add(made.difference, "the engine sets it; here it is a variant with a default");
     return made;
 }
@@ -154,31 +156,32 @@ Declaration declaration_of(const Property& property, bool is_input) {
     if (kind == "Vector1") return number_declaration(property, is_input);
     if (kind == "Color") return color_declaration(property);
     if (kind == "Keyword") return keyword_declaration(property);
-    if (kind == "Boolean") return {.type = "bool", .value = flag(flag_of(property.json, "m_Value"))};
+    if (kind == "Boolean") return {.type = "bool", .value = flag_of(property.json, "m_Value")};
     if (is_vector(type_of_property(kind))) {
         const std::size_t count = width(type_of_property(kind));
         const std::vector<double> value = vector_of(property.json, "m_Value", count);
-        return {.type = fmt::format("float{}", count), .value = list(std::vector<float>(value.begin(), value.end()))};
+        return {.type = fmt::format("float{}", count),
+                .value = list_of(std::vector<float>(value.begin(), value.end()))};
     }
     const Type type = type_of_property(kind);
     if (type == Type::Sampler) {
         NearestSampler sampler = nearest_sampler(whole_in(property.json, "m_Value.m_filter", 0, 0, 2),
                                                  whole_in(property.json, "m_Value.m_wrap", 0, 0, 3),
                                                  whole_in(property.json, "m_Value.m_anisotropic", 0, 0, 4));
-        return {.type = "sampler", .value = text(sampler.name), .difference = std::move(sampler.difference)};
+        return {.type = "sampler", .value = sampler.name, .difference = std::move(sampler.difference)};
     }
     if (type == Type::Gradient)
         return {.type = "gradient", .value = gradient_value(gradient_of(member(property.json, "m_Value")))};
     if (is_matrix(type)) {
-        std::string all;
+        std::vector<GraphValue> all;
         for (std::size_t row = 0; row < width(type); ++row) {
             std::vector<float> numbers;
             for (std::size_t column = 0; column < width(type); ++column)
                 numbers.push_back(
                     static_cast<float>(number_of(property.json, fmt::format("m_Value.e{}{}", row, column))));
-            all += (row > 0 ? ", " : "") + list(numbers).json;
+            all.push_back(list_of(numbers));
         }
-        return {.type = std::string(word(type)), .value = {"[" + all + "]"}};
+        return {.type = std::string(word(type)), .value = GraphValue::list(std::move(all))};
     }
     return {};
 }
@@ -197,12 +200,12 @@ Scope scope_of(const Property& property) {
 
 // A value for each instance, if a property of the type can have that.
 void add_scope(const Property& property, Declaration& made) {
-    const bool is_bound = std::ranges::find(made.more, "as", &Member::key) != made.more.end();
+    const bool is_bound = std::ranges::find(made.more, "as", &GraphMember::key) != made.more.end();
     const bool is_number = made.type == "int" || made.type == "bool" || made.type == "enum" || made.type == "color" ||
                            made.type.starts_with("float");
     const bool is_matrix = made.type.find('x') != made.type.npos;
     if (scope_of(property) == Scope::Instance && !is_bound && is_number && !is_matrix)
-        made.more.push_back({"as", text("instance")});
+        made.more.push_back({"as", "instance"});
     else
         add(made.difference, scope_difference(property));
     add(made.difference, hidden_difference(property));
@@ -288,7 +291,7 @@ void GraphMaker::read_blackboard() {
         const Type type = type_of_property(property.kind);
         std::string wanted = is_input ? camel_case(property.name) : identifier(property.reference);
         if (wanted.empty()) wanted = camel_case(property.name);
-        const std::string name = property_names_.unique(wanted, "property");
+        const std::string name = file_.property_names.unique(wanted, "property");
         const std::string renamed = is_input || name == property.reference || property.reference.empty()
                                         ? ""
                                         : fmt::format("the shader calls it '{}'", property.reference);
@@ -330,7 +333,7 @@ void GraphMaker::read_blackboard() {
                 made.difference = fmt::format("no entry has the number {}: the first one is taken",
                                               whole_of(property.json, "m_Value"));
             made.type = "int";
-            made.value = number(static_cast<double>(std::max(chosen, 0)));
+            made.value = static_cast<double>(std::max(chosen, 0));
             port.numbers = {static_cast<double>(std::max(chosen, 0))};
         } else if (made.type.empty()) {
             remark(Remark::Kind::Changed, part, "a graph has no such property", property.place);
@@ -340,17 +343,16 @@ void GraphMaker::read_blackboard() {
         for (const std::string& each : {renamed, property.misread, take_misreads()}) add(made.difference, each);
         if (!is_input) add_scope(property, made);
         if (is_input) {
-            std::vector<Member> members = {{"name", text(name)}, {"type", text(made.type)}, {"default", made.value}};
-            for (Member& each : made.more)
-                if (each.key == "range") members.push_back(std::move(each));
-            inputs_.push_back(object(members));
+            std::erase_if(made.more, [](const GraphMember& each) { return each.key != "range"; });
+            file_.inputs.push_back(
+                {.name = name, .type = made.type, .value = made.value, .more = std::move(made.more)});
             ports_.inputs.push_back(port);
         } else {
-            GraphProperty declared{.name = name, .type = made.type, .value = made.value, .more = std::move(made.more)};
-            if (property.name != name && !property.name.empty())
-                declared.more.push_back({"label", text(property.name)});
-            if (!property.group.empty()) declared.more.push_back({"group", text(property.group)});
-            if (!made.help.empty()) declared.more.push_back({"help", text(made.help)});
+            ImportedProperty declared{
+                .name = name, .type = made.type, .value = made.value, .more = std::move(made.more)};
+            if (property.name != name && !property.name.empty()) declared.more.push_back({"label", property.name});
+            if (!property.group.empty()) declared.more.push_back({"group", property.group});
+            if (!made.help.empty()) declared.more.push_back({"help", made.help});
             file_.properties.push_back(std::move(declared));
         }
         remark(made.difference.empty() ? Remark::Kind::Taken : Remark::Kind::Changed, part,
@@ -379,7 +381,7 @@ Term GraphMaker::property_term(std::size_t index) {
     Term made = link(name, type);
     made.is_color = found->kind == "Color";
     if (found->kind == "Vector1" && !graph_.is_subgraph && is_whole_number(*found))
-        made.base = fmt::format("float({})", name);
+        made.tree = nodelang::call("float", {made.tree});
     made.nodes = {index};
     return made;
 }
@@ -388,9 +390,8 @@ std::string GraphMaker::connected_input(const Property& property) {
     const auto port = std::ranges::find(ports_.inputs, property.guid, &SubgraphPorts::Input::guid);
     if (port == ports_.inputs.end()) return "false";
     if (port->connected.empty()) {
-        port->connected = property_names_.unique(port->name + "Connected", "connected");
-        inputs_.push_back(object(std::vector<Member>{
-            {"name", text(port->connected)}, {"type", text("bool")}, {"default", patina::importers::flag(false)}}));
+        port->connected = file_.property_names.unique(port->name + "Connected", "connected");
+        file_.inputs.push_back({.name = port->connected, .type = "bool", .value = false});
     }
     return port->connected;
 }

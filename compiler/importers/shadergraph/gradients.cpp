@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "compiler/importers/patterns.h"
 #include "compiler/importers/shadergraph/graph_maker.h"
 
 namespace patina::importers::shadergraph {
@@ -61,18 +62,16 @@ void make_sample_gradient(GraphMaker& maker, std::size_t node) {
     }
     std::vector<Term> time = {maker.input(node, 1)};
     maker.shorten(node, time, 0);
-    GraphNode made{.id = {}, .node = "SampleGradient", .inputs = {{"gradient", gradient.value()}}};
+    ImportedNode made{.id = {}, .node = "SampleGradient", .inputs = {{"gradient", gradient.value()}}};
     if (!time[0].is_constant() || time[0].numbers[0] != 0) made.inputs.push_back({"time", time[0].value()});
     const std::string id = maker.add_node(node, std::move(made));
     for (const Term& each : {gradient, time[0]}) maker.written(each, fmt::format("the node '{}'", id));
-    Term whole = link(id, Type::Float4);
-    whole.is_color = true;
+    Term whole = color_link(id);
     // The engine blends the colours as a picker shows them, and makes the result linear; but in OkLab, of linear
     // colours.
     if (!gradient.gradient || !gradient.gradient->is_perceptual()) {
-        Term color = expression(fmt::format("SrgbToLinear({}.rgb)", id), Type::Float3);
-        const Term parts[] = {color, swizzled(whole, "w")};
-        whole = vector_term(Type::Float4, parts);
+        const Term parts[] = {terms::computed("SrgbToLinear(a.rgb)", {whole}, Type::Float3), swizzled(whole, "w")};
+        whole = terms::vector_of(Type::Float4, parts);
     }
     maker.set(node, 2, whole);
 }

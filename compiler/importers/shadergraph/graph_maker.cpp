@@ -5,32 +5,18 @@
 #include <algorithm>
 
 namespace patina::importers::shadergraph {
-namespace {
-
-// Such a value is written again where it is used; every other one that is used twice gets a name.
-bool is_short(const Term& term) {
-    if (term.is_constant() || term.is_link() || term.base.empty()) return true;
-    constexpr std::size_t kShort = 24;
-    return !term.parts.empty() && term.base.size() <= kShort &&
-           std::ranges::all_of(term.parts, [](const Term::Part& part) { return precedence_of(part.text) == kPrimary; });
-}
-
-}  // namespace
+namespace {}  // namespace
 
 GraphMaker::GraphMaker(Project& project, const ShaderGraph& graph, std::string name)
-    : project_(project),
-      graph_(graph),
-      name_(std::move(name)),
-      dynamic_types_(graph.nodes.size()),
-      outcomes_(graph.nodes.size()) {
+    : project_(project), graph_(graph), name_(std::move(name)), file_(name_), dynamic_types_(graph.nodes.size()) {
     // Names that nodes get which do not come from one node.
-    for (const char* each : {"uv", "uv1", "uv2", "uv3"}) ids_.take(each);
+    for (const char* each : {"uv", "uv1", "uv2", "uv3"}) file_.ids.take(each);
     // A node of such a name would hide the sampler.
-    for (const NamedSampler& each : kNamedSamplers) ids_.take(std::string(each.name));
+    for (const NamedSampler& each : kNamedSamplers) file_.ids.take(std::string(each.name));
     for (const Block& block : graph.blocks)
         if (const std::size_t hash = block.name.find('#'); block.is_vertex && hash != block.name.npos)
             if (std::string& id = interpolators_[block.name.substr(0, hash)]; id.empty())
-                id = ids_.unique(camel_case(std::string_view(block.name).substr(0, hash)), "interpolator");
+                id = file_.ids.unique(camel_case(std::string_view(block.name).substr(0, hash)), "interpolator");
 }
 
 std::string GraphMaker::make() {
@@ -55,8 +41,8 @@ std::string GraphMaker::make() {
     std::string error = refuse_invalid();
     for (std::size_t i = 0; i < graph_.nodes.size(); ++i) {
         say_misread(i, node(i).misread);
-        if (!node(i).lost.empty() && outcomes_[i].kind != Remark::Kind::LeftOut) {
-            outcomes_[i] = {.kind = Remark::Kind::LeftOut, .text = node(i).lost};
+        if (!node(i).lost.empty() && file_.outcomes[i].kind != Remark::Kind::LeftOut) {
+            file_.outcomes[i] = {.kind = Remark::Kind::LeftOut, .text = node(i).lost};
             project_.has_refused = true;
         }
         if (const int newest = newest_version(node(i).kind); node(i).version > newest)
@@ -123,7 +109,7 @@ void GraphMaker::read_precision() {
     is_half_ = member(graph_.json, "m_GraphPrecision") ? whole_in(graph_.json, "m_GraphPrecision", 1, 0, 2) == 2
                                                        : whole_in(graph_.json, "m_ConcretePrecision", 0, 0, 1) == 1;
     if (!is_half_) return;
-    file_.more.push_back({"precision", text("half")});
+    file_.more.push_back({"precision", "half"});
     remark(Remark::Kind::Taken, "setting 'Graph Precision'", "\"precision\": \"half\"", {});
 }
 
@@ -154,7 +140,7 @@ void GraphMaker::evaluate(std::size_t index) {
     if (apply_special(*this, index) || apply_rule(*this, index)) {
         for (const Slot& slot : at.slots)
             if (!slot.is_input && is_used(index, slot.id) && !terms_.contains({index, slot.id}) &&
-                outcomes_[index].kind == Remark::Kind::Taken)
+                file_.outcomes[index].kind == Remark::Kind::Taken)
                 approximate(index, fmt::format("its output '{}' is none that this importer knows: it is a constant",
                                                slot.name));
         return;
@@ -184,7 +170,7 @@ Term GraphMaker::input(std::size_t index, int slot_id, bool may_stay_number) {
     const Type type = type_of(index, *slot);
     if (std::optional<Term> term = linked_term(index, slot_id)) {
         // A value of another group stays there.
-        if (term->owner && !is_short(*term) && node(*term->owner).group != node(index).group &&
+        if (term->owner && !term->is_short() && node(*term->owner).group != node(index).group &&
             !node(*term->owner).group.empty())
             term = named(*term);
         Term made = converted(*term, type, may_stay_number);
@@ -243,61 +229,45 @@ void GraphMaker::set(std::size_t index, int slot, Term term, bool is_handed_on) 
     if (!is_handed_on || !term.owner) term.owner = index;
     term.nodes.insert(index);
     // Only a node of its own can be computed in half.
-    const bool wants_name = !own_precision(index).empty() ? !is_handed_on : uses(index, slot) > 1 && !is_short(term);
+    const bool wants_name = !own_precision(index).empty() ? !is_handed_on : uses(index, slot) > 1 && !term.is_short();
     if (wants_name && is_value(term.type)) term = named(term);
     terms_[{index, slot}] = std::move(term);
 }
 
 Term GraphMaker::named(const Term& term) {
     if (term.is_constant() || term.is_link() || !term.owner) return term;
-    // A swizzle stays where it is read.
-    Term whole = term;
-    whole.swizzle.clear();
-    if (!term.swizzle.empty()) whole.type = Type::None;
-    const auto [found, is_new] = named_.try_emplace(whole.base);
-    if (is_new) {
-        const std::string id = add_node(*term.owner, {.id = {}, .expression = whole.base});
-        types_[id] = term.swizzle.empty() ? term.type : vector_type(std::max<std::size_t>(term.base_width, 1));
-        found->second = link(id, whole.type);
-        found->second.owner = term.owner;
-        written(term, fmt::format("the node '{}'", id));
-    }
-    Term made = found->second;
-    made.type = term.type;
-    made.swizzle = term.swizzle;
-    made.is_color = term.is_color;
-    made.from_top = term.from_top;
-    return made;
+    return file_.named(
+        term, [&] { return name_of_node(*term.owner, {}); }, {*term.owner}, of_precision(*term.owner));
 }
 
-std::string GraphMaker::add_node(std::size_t index, GraphNode made, std::string_view wanted) {
+std::string GraphMaker::name_of_node(std::size_t index, std::string_view wanted) {
     const Node& from = node(index);
     std::string_view kind = from.kind;
     if (kind.ends_with("Node")) kind.remove_suffix(4);
-    const std::string name = wanted.empty() ? camel_case(from.name) : std::string(wanted);
-    made.id = ids_.unique(name, camel_case(kind));
-    owners_[made.id] = index;
-    if (const std::string_view own = own_precision(index); !own.empty()) made.more.push_back({"precision", text(own)});
-    taken(index, fmt::format("the node '{}'", made.id));
-    std::string id = made.id;
-    file_.nodes.push_back(std::move(made));
-    return id;
+    return file_.ids.unique(wanted.empty() ? camel_case(from.name) : std::string(wanted), camel_case(kind));
+}
+
+GraphMembers GraphMaker::of_precision(std::size_t index) const {
+    const std::string_view own = own_precision(index);
+    return own.empty() ? GraphMembers() : GraphMembers{{"precision", own}};
+}
+
+std::string GraphMaker::add_node(std::size_t index, ImportedNode made, std::string_view wanted) {
+    made.id = name_of_node(index, wanted);
+    for (GraphMember& each : of_precision(index)) made.more.push_back(std::move(each));
+    return file_.add(std::move(made), {index});
 }
 
 void GraphMaker::written(const Term& term, std::string_view where) {
-    for (const std::size_t each : term.nodes)
-        if (outcomes_[each].where.empty()) outcomes_[each].where = where;
+    file_.written(term, where);
 }
 
 void GraphMaker::taken(std::size_t index, std::string where) {
-    if (outcomes_[index].where.empty()) outcomes_[index].where = std::move(where);
+    file_.taken(index, std::move(where));
 }
 
 void GraphMaker::approximate(std::size_t index, std::string difference) {
-    Outcome& outcome = outcomes_[index];
-    if (outcome.kind == Remark::Kind::Taken) outcome.kind = Remark::Kind::Changed;
-    if (outcome.text.find(difference) == outcome.text.npos)
-        outcome.text += (outcome.text.empty() ? "" : "; ") + std::move(difference);
+    file_.approximate(index, difference);
 }
 
 // What a refused node reads stays in the graph, for the node that its author puts in its place. In words, by its
@@ -326,9 +296,8 @@ void GraphMaker::refuse(std::size_t index, std::string reason) {
         Term value = stand_in(type);
         if (is_value(type)) {
             // A node, so that the place is seen in the graph, too.
-            const std::string id =
-                add_node(index, {.id = {}, .expression = value.text(), .more = {{"note", text(note)}}});
-            types_[id] = type;
+            const std::string id = add_node(index, {.id = {}, .expression = value.text(), .more = {{"note", note}}});
+            file_.types[id] = type;
             value = link(id, type);
         } else if (is_texture(type)) {
             value = texture_constant(index, type, nullptr, "", 0);
@@ -337,7 +306,7 @@ void GraphMaker::refuse(std::size_t index, std::string reason) {
         }
         set(index, slot.id, value);
     }
-    outcomes_[index] = {.kind = Remark::Kind::LeftOut, .where = {}, .text = std::move(reason)};
+    file_.outcomes[index] = {.kind = Remark::Kind::LeftOut, .where = {}, .text = std::move(reason)};
 }
 
 std::string GraphMaker::node_file(const std::string& function, const std::string& text) {

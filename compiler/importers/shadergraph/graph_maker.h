@@ -19,10 +19,11 @@
 #include <set>
 #include <span>
 
-#include "compiler/importers/graph_writer.h"
+#include "compiler/importers/imported_graph.h"
 #include "compiler/importers/shadergraph/node_table.h"
 #include "compiler/importers/shadergraph/project.h"
-#include "compiler/importers/shadergraph/values/term.h"
+#include "compiler/importers/shadergraph/values/types.h"
+#include "compiler/importers/terms.h"
 
 namespace patina::importers::shadergraph {
 
@@ -38,7 +39,7 @@ public:
 
     // Empty, or why there is no graph.
     std::string make();
-    GraphFile& file() { return file_; }
+    ImportedGraph& file() { return file_; }
     SubgraphPorts& ports() { return ports_; }
 
     // --- for those who evaluate nodes
@@ -65,7 +66,7 @@ public:
     // Names for the longest of them, if a line of the node with all of them and `length` more characters gets too long.
     void shorten(std::size_t node, std::vector<Term>& terms, std::size_t length);
     // Adds a node that stands for this one, and returns its id.
-    std::string add_node(std::size_t node, GraphNode made, std::string_view wanted = {});
+    std::string add_node(std::size_t node, ImportedNode made, std::string_view wanted = {});
     // Notes where the nodes that the term holds have gone.
     void written(const Term& term, std::string_view where);
     void refuse(std::size_t node, std::string reason);
@@ -98,10 +99,6 @@ public:
 
 private:
     using Key = std::pair<std::size_t, int>;
-    struct Outcome {
-        Remark::Kind kind = Remark::Kind::Taken;
-        std::string where{}, text{};
-    };
     struct TextureUse {
         bool is_normal = false, is_color = false, is_data = false;
         bool is_linear = false;            // its default says so
@@ -118,7 +115,7 @@ private:
     void say_misread(std::size_t node, std::string misread);
     void read_blackboard();
     void finish_textures();
-    void declare_texture(GraphProperty& made, TextureUse& use, const Property& source, std::string& difference);
+    void declare_texture(ImportedProperty& made, TextureUse& use, const Property& source, std::string& difference);
     void make_surface();
     Term block_value(const Block& block, Type type);
     void weigh(const Term& color, const Term& alpha, bool is_faded);
@@ -129,8 +126,9 @@ private:
     void drop_unread();
     void make_layout();
     std::string refuse_invalid();
-    bool has_constant_for(const Diagnostic& wrong);  // in the place of what is wrong; false: there is no such place
     void report_nodes();
+    std::string name_of_node(std::size_t node, std::string_view wanted);
+    GraphMembers of_precision(std::size_t node) const;
     std::string_view own_precision(std::size_t node) const;  // if it is not that of the graph
     std::string part_of(std::size_t node) const;
 
@@ -138,10 +136,8 @@ private:
     const ShaderGraph& graph_;
     std::string name_;
     bool is_half_ = false;  // the precision of the graph
-    GraphFile file_{};
+    ImportedGraph file_;
     SubgraphPorts ports_{};
-    std::vector<Value> inputs_{};  // of a sub-graph
-    Names ids_{}, property_names_{};
 
     std::map<Key, Key> edges_{};         // input -> output
     std::map<Key, std::size_t> uses_{};  // of outputs, by nodes that count
@@ -152,12 +148,8 @@ private:
     struct DynamicTypes {
         Type vector = Type::Float, matrix = Type::Matrix2;
     };
-    std::vector<DynamicTypes> dynamic_types_{};         // of each node that was evaluated
-    std::map<std::string, Term, std::less<>> named_{};  // by text
-    std::vector<Outcome> outcomes_{};
+    std::vector<DynamicTypes> dynamic_types_{};           // of each node that was evaluated
     std::vector<std::string> kept_{};                     // texts of what refused nodes read
-    std::map<std::string, std::size_t> owners_{};         // id -> node, for the layout
-    std::map<std::string, Type> types_{};                 // of expressions: id -> what those who read it expect
     std::array<bool, 4> reads_uv_{};                      // by set: something reads the node of its coordinates
     std::map<std::string, std::string> properties_{};     // id of the property -> name
     std::map<std::string, TextureUse> textures_{};        // by name of the property

@@ -28,9 +28,9 @@ Term GraphMaker::coordinates(std::size_t index, int channel) {
         approximate(index, "there are four sets of texture coordinates: it reads the first or the last one");
     const int set = std::clamp(channel, 0, 3);
     const std::string name = set == 0 ? "uv" : fmt::format("uv{}", set);
-    Term made = expression(fmt::format("float4({}, 0, 1)", name), Type::Float4);
-    made.parts = {{name, 2}, {"0", 1}, {"1", 1}};
-    made.from_top = fmt::format("@uv{}", set);
+    const Term parts[] = {link(name, Type::Float2), number_term(0), number_term(1)};
+    Term made = terms::vector_of(Type::Float4, parts);
+    made.from_top = nodelang::name(fmt::format("@uv{}", set));
     return made;
 }
 
@@ -41,8 +41,7 @@ Term GraphMaker::bound(std::size_t index, const Slot& slot, const Term& otherwis
         const int mode = whole_in(slot.json, "m_ScreenSpaceType", 0, 0, 4);
         if (mode == 0) {
             Term made = expression("float4(@screenUV.x, 1 - @screenUV.y, 0, 0)", Type::Float4);
-            made.parts = {{"@screenUV.x", 1}, {"1 - @screenUV.y", 1}, {"0", 1}, {"0", 1}};
-            made.from_top = "@screenUV";
+            made.from_top = nodelang::name("@screenUV");
             return made;
         }
         static constexpr std::string_view kModes[] = {"Default", "Raw", "Center", "Tiled", "Pixel"};

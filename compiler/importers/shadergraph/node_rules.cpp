@@ -3,12 +3,20 @@
 
 #include <algorithm>
 #include <charconv>
+#include <functional>
 
 #include "compiler/base/text.h"
+#include "compiler/importers/patterns.h"
 #include "compiler/importers/shadergraph/graph_maker.h"
 
 namespace patina::importers::shadergraph {
 namespace {
+
+using terms::is_self;
+using terms::Pattern;
+using terms::pattern_of;
+using terms::place_of;
+using terms::Tree;
 
 constexpr std::string_view kComponents = "xyzw";
 
@@ -19,18 +27,6 @@ struct Placeholder {
     std::string_view use{};         // of a texture: "data"
     bool is_exact = false, from_top = false, symmetric = false;
 };
-
-// The text between the brackets, if it is "NAME(...)" and nothing more.
-std::optional<std::string_view> inside_call(std::string_view text) {
-    const std::size_t open = text.find('(');
-    int depth = 0;
-    for (std::size_t i = open; i < text.size(); ++i) {
-        if (text[i] == '(') ++depth;
-        if (text[i] == ')' && --depth == 0)
-            return i + 1 == text.size() ? std::optional(text.substr(open + 1, i - open - 1)) : std::nullopt;
-    }
-    return {};
-}
 
 bool is_constant_of(const Term& term, double value) {
     return term.is_constant() && std::ranges::all_of(term.numbers, [&](double each) { return each == value; });
@@ -131,9 +127,9 @@ private:
 
     Term term_of(const Placeholder& each, bool may_stay_number) {
         Term made = maker_.input(node_, each.slot, may_stay_number && !each.is_exact && each.components.empty());
-        if (counts_[each.slot] > 1 && made.from_top.empty() && (made.parts.empty() || each.components.empty()))
+        if (counts_[each.slot] > 1 && !made.from_top && (made.widths.empty() || each.components.empty()))
             made = maker_.named(made);
-        if (each.from_top || (each.symmetric && !made.from_top.empty())) return flipped(converted(made, Type::Float2));
+        if (each.from_top || (each.symmetric && made.from_top)) return flipped(converted(made, Type::Float2));
         if (each.components.empty()) return made;
         // A component that the value does not have is 0.
         const std::size_t has = std::max<std::size_t>(width(made.type), 1);
@@ -149,55 +145,71 @@ private:
             const Term own = value_of(text.substr(1));
             Term made = flipped(own);
             made.type = Type::Float2;
-            made.from_top = own.text();
+            made.from_top = own.tree;
             return made;
         }
         if (text.starts_with("@") && text[1] >= 'A' && text[1] <= 'Z') return call(text.substr(1));
-        if (const auto only = only_placeholder(text)) {
-            is_handed_on_ = !may_stay_number && !only->is_exact && only->components.empty();
+        const Pattern pattern = pattern_of(text);
+        return value_of(pattern, pattern.tree, may_stay_number);
+    }
+
+    Term value_of(const Pattern& pattern, const Tree& tree, bool may_stay_number = false) {
+        if (const auto at = place_of(*tree)) {
+            const Placeholder only = placeholder(pattern.places[*at]);
+            is_handed_on_ = !may_stay_number && !only.is_exact && only.components.empty();
             // A node that only hands on keeps what its value is.
             if (is_handed_on_)
-                if (auto term = maker_.linked_term(node_, only->slot); term && !is_vector(term->type)) {
-                    if (only->use == "alone" && is_tiled(*term)) {
+                if (auto term = maker_.linked_term(node_, only.slot); term && !is_vector(term->type)) {
+                    if (only.use == "alone" && is_tiled(*term)) {
                         term->transform = self_.text();
                         maker_.approximate(node_,
                                            "what samples the texture divides by its tiling, which must not be 0");
                     }
                     return *term;
                 }
-            return term_of(*only, may_stay_number);
+            return term_of(only, may_stay_number);
         }
-        if (text.starts_with("$") && text.find_first_of(" (") == text.npos) {
+        if (const auto member = member_of_self(tree)) {
             Term made = self_;
-            if (text == "$") return made;
-            made.base += text.substr(1);
-            made.type = type_of_member(text.substr(2));
+            if (member->empty()) return made;
+            for (const std::string_view each : split(*member, ".")) made.tree = nodelang::member(made.tree, each);
+            made.type = type_of_member(*member);
             made.is_color = false;
             return made;
         }
-        if (text.starts_with("float") && text.size() > 6 && text[6] == '(')
-            if (const auto list = inside_call(text)) return vector(text[5], *list);
-        if (const auto number = read_number(text)) return number_term(*number);
-        if (text == "true" || text == "false") return flag_term(text == "true");
-        if (const auto other = with_neutral(text)) return *other;
-        return filled(text);
+        if (tree->kind == nodelang::Expr::Kind::Call && tree->text.starts_with("float") && tree->text.size() == 6) {
+            std::vector<Term> arguments;
+            for (std::size_t i = 0; i < tree->args.size(); ++i)
+                arguments.push_back(value_of(pattern, nodelang::arg(tree, i)));
+            is_handed_on_ = false;
+            maker_.shorten(node_, arguments, 0);
+            return terms::vector_of(vector_type(static_cast<std::size_t>(tree->text[5] - '0')), arguments);
+        }
+        if (const auto other = with_neutral(pattern, *tree)) return *other;
+        return filled(pattern, tree);
+    }
+
+    // "second.x" of "$.second.x"; empty: it is "$".
+    static std::optional<std::string> member_of_self(const Tree& tree) {
+        if (is_self(*tree)) return std::string();
+        if (tree->kind != nodelang::Expr::Kind::Member) return {};
+        const auto before = member_of_self(nodelang::arg(tree, 0));
+        if (!before) return {};
+        return *before + (before->empty() ? "" : ".") + std::string(tree->text);
     }
 
     // The texture may have a tiling and an offset of its own.
     bool is_tiled(const Term& texture) const {
         return std::ranges::any_of(maker_.graph().properties, [&](const Property& each) {
-            return "$" + maker_.property_name(each) == texture.base &&
+            return "$" + maker_.property_name(each) == texture.text() &&
                    (maker_.graph().is_subgraph || flag_of(each.json, "useTilingAndOffset"));
         });
     }
     // At a port of a node of the library, which samples the texture with its own transform: what leads to the place
     // that the node of the source samples.
     Term without_transform(const Term& term, std::string_view port, const std::string& transform) {
-        const std::string offset = port == "uv" ? fmt::format(" - {}.offset", transform) : "";
-        const std::string from = at_least(term.text(), offset.empty() ? kProduct : kSum) + offset;
-        Term made = expression(fmt::format("{} / {}", at_least(from, kProduct), transform), Type::Float2);
-        made.add_nodes(term);
-        return made;
+        const std::string_view pattern = port == "uv" ? "(a - b.offset) / b" : "a / b";
+        return terms::computed(pattern, {term, link(transform, Type::None)}, Type::Float2);
     }
 
     // Of the node that was called last: an output, or components of one.
@@ -210,36 +222,27 @@ private:
         return is_swizzle ? vector_type(components.size()) : Type::None;
     }
 
-    Term vector(char components, std::string_view list) {
-        const Type type = vector_type(static_cast<std::size_t>(components - '0'));
-        std::vector<Term> arguments;
-        for (const std::string& each : arguments_of(list)) arguments.push_back(value_of(each));
-        is_handed_on_ = false;
-        maker_.shorten(node_, arguments, 0);
-        return vector_term(type, arguments);
-    }
-
     // "{0} + {1}" with a 0, "{0} * {1}" with a 1: the other one. "{0} * {1}" with a 0: 0.
-    std::optional<Term> with_neutral(std::string_view text) {
-        const std::size_t end = text.find('}') + 1;
-        if (end == 0 || text.size() < end + 4 || text[end] != ' ' || text[end + 2] != ' ') return {};
-        const auto left = only_placeholder(text.substr(0, end)), right = only_placeholder(text.substr(end + 3));
-        const char sign = text[end + 1];
-        if (!left || !right || std::string_view("+-*/").find(sign) == std::string_view::npos) return {};
+    std::optional<Term> with_neutral(const Pattern& pattern, const nodelang::Expr& tree) {
+        if (tree.kind != nodelang::Expr::Kind::Binary) return {};
+        const auto first = place_of(*tree.args[0]), second = place_of(*tree.args[1]);
+        const char sign = tree.text[0];
+        if (!first || !second || std::string_view("+-*/").find(sign) == std::string_view::npos) return {};
+        const Placeholder left = placeholder(pattern.places[*first]), right = placeholder(pattern.places[*second]);
         const double neutral = sign == '+' || sign == '-' ? 0 : 1;
         const bool is_either = sign == '+' || sign == '*';
         for (const bool from_left : {true, false}) {
             if (!from_left && !is_either) continue;
-            const Term dropped = maker_.input(node_, from_left ? right->slot : left->slot, true);
+            const Term dropped = maker_.input(node_, from_left ? right.slot : left.slot, true);
             if (sign == '*' && is_constant_of(dropped, 0)) {
                 Term made = number_term(0);
                 made.add_nodes(dropped);
-                made.add_nodes(maker_.input(node_, from_left ? left->slot : right->slot, true));
+                made.add_nodes(maker_.input(node_, from_left ? left.slot : right.slot, true));
                 return made;
             }
             if (!is_constant_of(dropped, neutral)) continue;
             is_handed_on_ = true;
-            Term made = term_of(from_left ? *left : *right, false);
+            Term made = term_of(from_left ? left : right, false);
             made.add_nodes(dropped);
             return made;
         }
@@ -247,40 +250,38 @@ private:
     }
 
     // An expression with its placeholders and "$" filled in.
-    Term filled(std::string_view text) {
+    Term filled(const Pattern& pattern, const Tree& tree) {
         std::vector<Term> terms;
-        for (std::size_t at = 0; (at = text.find('{', at)) != text.npos; ++at)
-            terms.push_back(term_of(placeholder(text.substr(at + 1, text.find('}', at) - at - 1)), true));
+        std::map<std::size_t, std::size_t> numbers;  // of a placeholder: its term
+        std::size_t length = printed(*tree).size();
+        find_places(*tree, [&](std::size_t place, std::size_t written) {
+            numbers.emplace(place, terms.size());
+            terms.push_back(term_of(placeholder(pattern.places[place]), true));
+            length += pattern.places[place].size() + 2 - written;
+        });
         is_handed_on_ = false;
-        maker_.shorten(node_, terms, text.size());
-        Term made;
-        auto next = terms.begin();
-        for (std::size_t at = 0; at < text.size(); ++at) {
-            if (text[at] == '{') {
-                const std::size_t end = text.find('}', at);
-                made.base += bracketed(next->text(), made.base, text.substr(end + 1));
-                made.add_nodes(*next);
-                made.is_color |= next->is_color && width(next->type) > 1;
-                ++next;
-                at = end;
-            } else if (text[at] == '$') {
-                made.base += self_.text();
-            } else {
-                made.base += text[at];
-            }
-        }
-        made.base = folded(made.base);
-        if (const auto number = read_number(made.base)) {
-            made.numbers = {*number == 0 ? 0 : *number};
-            made.base.clear();
-        }
+        maker_.shorten(node_, terms, length);
+        Term made = terms::filled(
+            tree,
+            [&](const nodelang::Expr& part) -> const Term* {
+                if (is_self(part)) return &self_;
+                const auto place = place_of(part);
+                return place ? &terms[numbers.at(*place)] : nullptr;
+            },
+            Type::None);
+        for (const Term& each : terms) made.is_color |= each.is_color && width(each.type) > 1;
         return made;
+    }
+
+    static void find_places(const nodelang::Expr& tree, const std::function<void(std::size_t, std::size_t)>& found) {
+        if (const auto place = place_of(tree)) found(*place, tree.text.size());
+        for (const nodelang::Expr* const each : tree.args) find_places(*each, found);
     }
 
     // "Lerp(from={0}, to=1).second": a node of the library.
     Term call(std::string_view text) {
         const std::size_t open = text.find('('), close = text.rfind(')');
-        GraphNode made{.id = {}, .node = std::string(text.substr(0, open))};
+        ImportedNode made{.id = {}, .node = std::string(text.substr(0, open))};
         call_ = library().node(made.node);
         Term holds;
         std::string wanted;
@@ -293,8 +294,7 @@ private:
                 call_->ports, [&](const PortInfo& each) { return !each.is_output && each.name == port; });
             const bool is_word = value[0] >= 'A' && value[0] <= 'Z' && value.find('(') == value.npos;
             if (is_word) {
-                if (info == call_->ports.end() || info->default_value != value)
-                    made.inputs.push_back({port, patina::importers::text(value)});
+                if (info == call_->ports.end() || info->default_value != value) made.inputs.push_back({port, value});
                 continue;
             }
             Term term = value_of(value, true);

@@ -8,7 +8,8 @@
 
 #include "compiler/base/letters.h"
 #include "compiler/base/text.h"
-#include "compiler/importers/shadergraph/values/term.h"
+#include "compiler/importers/shadergraph/values/types.h"
+#include "compiler/importers/terms.h"
 
 namespace patina::importers::shadergraph {
 namespace {

@@ -6,7 +6,6 @@
 #include <filesystem>
 
 #include "compiler/base/text.h"
-#include "compiler/importers/refusals.h"
 #include "compiler/importers/shadergraph/graph_maker.h"
 #include "compiler/importers/source_text.h"
 
@@ -55,7 +54,7 @@ SubgraphPorts Project::read_graph(const std::string& path, const std::string& na
     GraphMaker maker(*this, graph, name);
     std::string error = maker.make();
     open_.pop_back();
-    std::string json = write_graph(maker.file());
+    std::string json = maker.file().text();
     if (!error.empty() && (is_text || !json.empty())) return {.error = std::move(error)};
     if (json.empty()) return {.error = fmt::format("{}: a name in it is not UTF-8", path)};
     SubgraphPorts ports = maker.ports();

@@ -8,7 +8,8 @@
 
 #include "compiler/importers/importer.h"
 #include "compiler/importers/shadergraph/read/shader_graph.h"
-#include "compiler/importers/shadergraph/values/term.h"
+#include "compiler/importers/shadergraph/values/types.h"
+#include "compiler/importers/terms.h"
 #include "compiler/importers/unity_assets.h"
 #include "compiler/importers/unity_pictures.h"
 #include "patina/patina.h"

@@ -171,7 +171,7 @@ private:
             fmt::format("'{}'{}", kind, is_effect_ ? ": the effect chooses how it blends" : ""));
         if (made_.is_clipped)
             add(Remark::Kind::Taken, "Alpha Clipping", made_.is_blended ? "'surface.alphaClip'" : "'cutout'");
-        if (kind != "opaque") made_.render.push_back({"surface", text(kind)});
+        if (kind != "opaque") made_.render.push_back({"surface", kind});
         made_.is_tinted = is_sprite_ && whole("m_DisableTint", 0) == 0;
     }
 
@@ -223,7 +223,7 @@ private:
         add(keeps_normal ? Remark::Kind::Changed : Remark::Kind::Taken, "Render Face",
             fmt::format("\"cull\": \"{}\"{}", cull,
                         keeps_normal ? ": the normals of back faces are turned to the viewer" : ""));
-        if (cull != "back") made_.render.push_back({"cull", text(cull)});
+        if (cull != "back") made_.render.push_back({"cull", cull});
         if (!made_.is_blended) return;
         if (whole("m_ZWrite", 0) != 0) depth_write(true);
         depth_test(whole("m_ZTest", 4, 8));
@@ -242,20 +242,20 @@ private:
         }
         add(Remark::Kind::Taken, "Render Face",
             fmt::format("\"cull\": \"{}\"{}", cull, is_sprite_ ? ": sprites are two-sided" : ""));
-        if (cull != "back") made_.render.push_back({"cull", text(cull)});
+        if (cull != "back") made_.render.push_back({"cull", cull});
         const int write = whole("m_ZWriteControl", 0, 2);
         if (write == 1 || write == 2) depth_write(write == 1);
         depth_test(whole("m_ZTestMode", 4, 8));
     }
     void depth_write(bool writes) {
-        made_.render.push_back({"depthWrite", flag(writes)});
+        made_.render.push_back({"depthWrite", writes});
         add(Remark::Kind::Taken, "Depth Write", writes ? "true" : "false");
     }
     void depth_test(int test) {
         static constexpr std::string_view kTests[] = {"lessEqual", "never",    "less",         "equal", "lessEqual",
                                                       "greater",   "notEqual", "greaterEqual", "always"};
         if (test != 4 && test != 0) {
-            made_.render.push_back({"depthTest", text(kTests[test])});
+            made_.render.push_back({"depthTest", kTests[test]});
             add(Remark::Kind::Taken, "Depth Test", fmt::format("'{}'", kTests[test]));
         }
     }
@@ -264,7 +264,7 @@ private:
         constexpr std::string_view kLabel = "Allow Material Override";
         if (!is_known) return add(Remark::Kind::Changed, kLabel, "materials cannot change the graph's settings");
         made_.is_overridable = true;
-        made_.render.push_back({"materialOverride", flag(true)});
+        made_.render.push_back({"materialOverride", true});
         add(Remark::Kind::Taken, kLabel, "\"materialOverride\": true");
         if (is_universal && made_.is_lit) {
             lose(made_.is_specular ? "Metallic" : "Specular");

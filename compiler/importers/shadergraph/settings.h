@@ -1,7 +1,7 @@
 // The settings of a target: which workflow and render state a material has.
 #pragma once
 
-#include "compiler/importers/graph_writer.h"
+#include "compiler/importers/imported_graph.h"
 #include "compiler/importers/importer.h"
 #include "compiler/importers/shadergraph/read/shader_graph.h"
 
@@ -24,7 +24,7 @@ struct Settings {
     bool has_metal = true;          // without a specular colour
     std::string lost_blocks{};      // that the target has and the surface lacks: "CoatMask CoatSmoothness"; "*": any
     std::string_view color_block = "BaseColor", normal_block = "NormalTS";  // the ones of several that count
-    std::vector<Member> render{};
+    GraphMembers render{};
     std::vector<SettingRemark> remarks{};
 
     std::string_view workflow() const;         // its name in the library

@@ -4,20 +4,11 @@
 #include <algorithm>
 
 #include "compiler/base/letters.h"
+#include "compiler/importers/patterns.h"
 #include "compiler/importers/shadergraph/graph_maker.h"
 
 namespace patina::importers::shadergraph {
 namespace {
-
-void note_all(Term& into, const Term& from) {
-    into.add_nodes(from);
-}
-
-Term joined(std::string text, Type type, std::initializer_list<const Term*> from) {
-    Term made = expression(std::move(text), type);
-    for (const Term* each : from) note_all(made, *each);
-    return made;
-}
 
 // --- constants
 
@@ -57,8 +48,8 @@ void engine_matrix(GraphMaker& maker, std::size_t node) {
         maker.refuse(node, fmt::format("its matrix is {}, which this importer does not know", kind));
         return;
     }
-    GraphNode made{.id = {}, .node = "TransformationMatrix"};
-    if (kind > 0) made.inputs.push_back({"kind", text(kKinds[kind])});
+    ImportedNode made{.id = {}, .node = "TransformationMatrix"};
+    if (kind > 0) made.inputs.push_back({"kind", kKinds[kind]});
     // The engine's depth in clip space depends on the device.
     if (kind > 3) maker.approximate(node, "in clip space, the depth is 0 at the near plane and 1 at the far one");
     maker.set(node, 0, link(maker.add_node(node, std::move(made)), Type::Matrix4));
@@ -104,14 +95,14 @@ void multiply(GraphMaker& maker, std::size_t node) {
     };
     const Term a = operand(first, 0), b = operand(second, 1);
     const Type type = is_first && is_second ? matrix_type(rows) : vector_type(rows);
-    maker.set(node, 2, joined(fmt::format("mul({}, {})", a.text(), b.text()), type, {&a, &b}));
+    maker.set(node, 2, terms::computed("mul(a, b)", {a, b}, type));
 }
 
 void matrix_split(GraphMaker& maker, std::size_t node) {
     const bool is_column = whole_of(maker.node(node).json, "m_Axis") == 1;
     Term matrix = maker.named(maker.input(node, 0));
     if (is_column) {
-        matrix = joined(fmt::format("transpose({})", matrix.text()), matrix.type, {&matrix});
+        matrix = terms::computed("transpose(a)", {matrix}, matrix.type);
         matrix.owner = node;
         matrix = maker.named(matrix);
     }
@@ -119,9 +110,8 @@ void matrix_split(GraphMaker& maker, std::size_t node) {
     for (int i = 0; i < 4; ++i) {
         const bool exists = static_cast<std::size_t>(i) < rows;
         if (!maker.is_used(node, i + 1)) continue;
-        Term row =
-            exists ? joined(fmt::format("{}[{}]", at_least(matrix.text(), kPrimary), i), vector_type(rows), {&matrix})
-                   : constant(std::vector<double>(rows, 0.0));
+        Term row = exists ? terms::computed("a[b]", {matrix, number_term(i)}, vector_type(rows))
+                          : constant(std::vector<double>(rows, 0.0));
         maker.set(node, i + 1, row);
     }
 }
@@ -135,7 +125,7 @@ void append(GraphMaker& maker, std::size_t node) {
     };
     const Term a = part(0, 3), b = part(1, 4 - width(a.type));
     const Term parts[] = {a, b};
-    maker.set(node, 2, vector_term(vector_type(width(a.type) + width(b.type)), parts));
+    maker.set(node, 2, terms::vector_of(vector_type(width(a.type) + width(b.type)), parts));
 }
 
 void swizzle(GraphMaker& maker, std::size_t node) {
@@ -161,7 +151,7 @@ void swizzle(GraphMaker& maker, std::size_t node) {
     for (const char c : mask) needs = std::max(needs, kLetters.find(c) + 1);
     Term value = from.type == Type::Bool ? converted(from, Type::Float) : from;
     if (width(value.type) < needs) value = converted(value, vector_type(needs));
-    if (!value.is_constant() && value.parts.empty()) value = maker.named(value);
+    if (!value.is_constant() && value.widths.empty()) value = maker.named(value);
     Term made = swizzled(value, mask);
     made.nodes.insert(node);
     maker.set(node, 1, made);
@@ -215,22 +205,22 @@ void property_node(GraphMaker& maker, std::size_t node) {
     maker.set(node, 0, maker.property_term(node));
 }
 
-// The last one counts for every other value. `read`: what the conditions read beside properties.
-void choose(GraphMaker& maker, std::size_t node, int output, const std::vector<std::pair<std::string, int>>& cases,
-            const Term& read = {}) {
-    Term made;
-    note_all(made, read);
-    std::string text;
-    for (std::size_t i = 0; i < cases.size(); ++i) {
-        Term value = maker.input(node, cases[i].second);
+// A condition, and the slot that it chooses.
+using Case = std::pair<Term, int>;
+
+// The last one counts for every other value.
+void choose(GraphMaker& maker, std::size_t node, int output, const std::vector<Case>& cases) {
+    std::vector<Term> values;
+    for (const Case& each : cases) {
+        Term value = maker.input(node, each.second);
         if (value.text().size() > 40) value = maker.named(value);
-        const bool is_last = i + 1 == cases.size();
-        text += is_last ? at_least(value.text(), kOr)
-                        : fmt::format("{} ? {} : ", cases[i].first, at_least(value.text(), kOr));
-        made.type = value.type;
-        note_all(made, value);
+        values.push_back(std::move(value));
     }
-    made.base = text;
+    Term made = values.back();
+    for (std::size_t i = cases.size() - 1; i-- > 0;) {
+        made = terms::computed("a ? b : c", {cases[i].first, values[i], made}, values.back().type);
+        made.type = values.back().type;
+    }
     maker.set(node, output, made);
 }
 
@@ -242,9 +232,11 @@ void keyword(GraphMaker& maker, std::size_t node) {
     }
     const std::string name = "$" + maker.property_name(*keyword);
     const std::vector<KeywordEntry> entries = keyword_entries(*keyword);
-    std::vector<std::pair<std::string, int>> cases;
-    if (entries.empty()) cases = {{name, 1}, {"", 2}};
-    for (const KeywordEntry& each : entries) cases.push_back({fmt::format("{} == {}", name, each.word), each.id});
+    std::vector<Case> cases;
+    if (entries.empty()) cases = {{link(name, Type::Bool), 1}, {Term{}, 2}};
+    for (const KeywordEntry& each : entries)
+        cases.push_back(
+            {terms::computed("a == b", {link(name, Type::None), link(each.word, Type::None)}, Type::Bool), each.id});
     const KeywordUse use = maker.keyword_use(node, *keyword);
     if (use == KeywordUse::Off) cases.erase(cases.begin(), cases.end() - 1);
     if (use == KeywordUse::OffInVertex || use == KeywordUse::OffInFragment)
@@ -264,19 +256,18 @@ void switch_cases(GraphMaker& maker, std::size_t node) {
         elements_of(json, flag_of(json, "m_useProperty") ? "m_casesFromUpstreamEnumProperty" : "m_cases");
     Term number = maker.input(node, 0);
     if (flag_of(json, "m_floorPredicate", true)) {
-        number = joined(fmt::format("floor({})", number.text()), Type::Float, {&number});
+        number = terms::computed("floor(a)", {number}, Type::Float);
         number.owner = node;
         number.nodes.insert(node);
     }
     if (entries.size() > 1) number = maker.named(number);
-    std::vector<std::pair<std::string, int>> cases;
+    std::vector<Case> cases;
     for (const Json& each : entries)
-        cases.push_back(
-            {fmt::format("{} {} {}", at_least(number.text(), kSum), kWords[whole_in(&each, "comparisonType", 0, 0, 5)],
-                         number_term(number_of(&each, "threshold")).text()),
-             kFirst + static_cast<int>(cases.size())});
-    cases.push_back({"", kFallback});
-    choose(maker, node, kOutput, cases, number);
+        cases.push_back({terms::computed(fmt::format("a {} b", kWords[whole_in(&each, "comparisonType", 0, 0, 5)]),
+                                         {number, number_term(number_of(&each, "threshold"))}, Type::Bool),
+                         kFirst + static_cast<int>(cases.size())});
+    cases.push_back({Term{}, kFallback});
+    choose(maker, node, kOutput, cases);
 }
 
 void dropdown(GraphMaker& maker, std::size_t node) {
@@ -285,10 +276,12 @@ void dropdown(GraphMaker& maker, std::size_t node) {
         maker.refuse(node, "the graph has no such dropdown");
         return;
     }
-    std::vector<std::pair<std::string, int>> cases;
+    std::vector<Case> cases;
+    const Term chosen = link("$" + maker.property_name(*dropdown), Type::None);
     for (const Json& entry : elements_of(dropdown->json, "m_Entries"))
         cases.push_back(
-            {fmt::format("${} == {}", maker.property_name(*dropdown), cases.size()), whole_of(&entry, "id")});
+            {terms::computed("a == b", {chosen, number_term(static_cast<double>(cases.size()))}, Type::Bool),
+             whole_of(&entry, "id")});
     if (cases.empty())
         maker.refuse(node, "its dropdown has no entries");
     else
@@ -303,7 +296,7 @@ void branch_on_connection(GraphMaker& maker, std::size_t node) {
     for (const Edge& edge : maker.graph().edges)
         if (edge.to == at && edge.to_slot == slot) property = maker.property(maker.node(edge.from).refers);
     if (property && maker.graph().is_subgraph) {
-        choose(maker, node, 3, {{"$" + maker.connected_input(*property), 1}, {"", 2}});
+        choose(maker, node, 3, {{link("$" + maker.connected_input(*property), Type::Bool), 1}, {Term{}, 2}});
         return;
     }
     // In a material, and without a property, nothing is connected.

@@ -48,7 +48,7 @@ void make_subgraph_node(GraphMaker& maker, std::size_t index) {
         return;
     }
     if (!ports.remark.empty()) maker.approximate(index, ports.remark);
-    GraphNode made{.id = {}, .node = ports.file};
+    ImportedNode made{.id = {}, .node = ports.file};
     Term holds;
     std::map<std::string_view, Term> textures;  // by the input that takes them
     for (const SubgraphPorts::Input& input : ports.inputs) {

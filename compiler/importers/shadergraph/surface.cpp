@@ -6,6 +6,7 @@
 #include <array>
 #include <set>
 
+#include "compiler/importers/patterns.h"
 #include "compiler/importers/shadergraph/graph_maker.h"
 #include "compiler/importers/shadergraph/lost_settings.h"
 #include "compiler/importers/shadergraph/settings.h"
@@ -50,8 +51,8 @@ const BlockRow* row_of(std::span<const BlockRow> rows, std::string_view block) {
 }
 
 // A constant vector keeps its size: the type of an output follows from it.
-Value output_value(const Term& term) {
-    return term.is_constant() && width(term.type) > 1 ? text("= " + term.text()) : term.value();
+GraphValue output_value(const Term& term) {
+    return term.is_constant() && width(term.type) > 1 ? "= " + term.text() : term.value();
 }
 
 }  // namespace
@@ -91,18 +92,15 @@ void GraphMaker::say_unread(const Block& block, const std::string& part, bool is
 void GraphMaker::add_pinned(std::string id, const Block& block) {
     const Term term = input(block.node, block.slot);
     written(term, fmt::format("the node '{}'", id));
-    owners_[id] = block.node;
-    types_[id] = term.type;
-    file_.nodes.push_back({.id = std::move(id), .expression = term.text(), .more = {{"stage", text("vertex")}}});
+    file_.types[id] = term.type;
+    file_.add({.id = std::move(id), .expression = term.text(), .more = {{"stage", "vertex"}}}, {block.node});
 }
 
 // Multiplies the color of the surface by alpha, or fades it to white where alpha is low.
 void GraphMaker::weigh(const Term& color, const Term& alpha, bool is_faded) {
-    const std::string made =
-        is_faded ? fmt::format("lerp(float3(1), {}, {})", color.text(), alpha.text())
-                 : fmt::format("{} * {}", at_least(color.text(), kProduct), at_least(alpha.text(), kUnary));
-    for (Member& each : file_.surface)
-        if (each.key == "color" || each.key == "baseColor") each.value = expression(made, Type::Float3).value();
+    const Term made = terms::computed(is_faded ? "lerp(float3(1), a, b)" : "a * b", {color, alpha}, Type::Float3);
+    for (GraphMember& each : file_.surface)
+        if (each.key == "color" || each.key == "baseColor") each.value = made.value();
 }
 
 void GraphMaker::make_surface() {
@@ -110,7 +108,6 @@ void GraphMaker::make_surface() {
     for (const SettingRemark& each : settings.remarks) remark(each.kind, each.part, each.text, each.place);
     file_.workflow = settings.workflow();
     file_.lighting = settings.lighting;
-    std::vector<Member> vertex;
     std::set<std::pair<bool, std::string_view>> inputs;  // of the vertex block or the surface, that have a value
     const auto is_second = [&](const BlockRow& row, const std::string& part, const Block& block) {
         const bool is_new = inputs.emplace(block.is_vertex, row.input).second;
@@ -128,7 +125,7 @@ void GraphMaker::make_surface() {
         const bool is_set = is_linked(block.node, block.slot);
         if (const std::size_t hash = block.name.find('#'); block.is_vertex && hash != block.name.npos) {
             const std::string& id = interpolator(std::string_view(block.name).substr(0, hash));
-            if (owners_.contains(id)) {
+            if (file_.owners.contains(id)) {
                 remark(Remark::Kind::Changed, part, "a second block of this name: the first one counts", block.place);
                 continue;
             }
@@ -145,7 +142,8 @@ void GraphMaker::make_surface() {
             } else if (!is_second(*row, part, block)) {
                 const Term term = block_value(block, row->type);
                 written(term, fmt::format("'vertex.{}'", row->input));
-                vertex.push_back({std::string(row->input), term.value()});
+                file_.types["vertex." + std::string(row->input)] = term.type;
+                file_.vertex.push_back({std::string(row->input), term.value()});
                 say_block(part, fmt::format("'vertex.{}'", row->input), block.place);
             }
             continue;
@@ -187,9 +185,7 @@ void GraphMaker::make_surface() {
             continue;
         if ((key == "color" || key == "baseColor") && settings.is_tinted) {
             // The engine multiplies a sprite by the colour of its vertices.
-            term.base = fmt::format("{} * @vertexColor.rgb", at_least(term.text(), kProduct));
-            term.numbers.clear();
-            term.swizzle.clear();
+            term = term.with(terms::computed("a * @vertexColor.rgb", {term}, Type::Float3).tree, term.type);
         }
         if (key == "color" || key == "baseColor") color = term;
         file_.surface.push_back({key, term.value()});
@@ -197,16 +193,14 @@ void GraphMaker::make_surface() {
     if (settings.is_tinted) {
         Term tint = link("@vertexColor.a", Type::Float);
         const bool is_one = alpha.type == Type::None || (alpha.is_constant() && alpha.numbers[0] == 1);
-        if (!is_one) tint.base = fmt::format("{} * @vertexColor.a", at_least(alpha.text(), kProduct));
+        if (!is_one) tint = terms::computed("a * @vertexColor.a", {alpha}, Type::Float);
         tint.nodes = alpha.nodes;
         alpha = tint;
     }
     if (alpha.type != Type::None && settings.is_clipped_blend && settings.is_overridable) {
         // A material may turn off the clipping of the graph: blended pixels below the threshold are not seen.
         const Term whole = alpha.owner ? named(alpha) : alpha;
-        Term kept = expression(fmt::format("{} < {} ? 0 : {}", at_least(whole.text(), kSum),
-                                           at_least(clip.text(), kSum), at_least(whole.text(), kOr)),
-                               Type::Float);
+        Term kept = terms::computed("a < b ? 0 : a", {whole, clip}, Type::Float);
         kept.nodes = alpha.nodes;
         alpha = kept;
     }
@@ -217,13 +211,11 @@ void GraphMaker::make_surface() {
         written(alpha, alpha_input);
         if (!is_in_color) file_.surface.push_back({"alpha", alpha.value()});
     }
-    if (!vertex.empty()) file_.more.push_back({"vertex", object(vertex)});
-    if (!settings.render.empty()) file_.more.push_back({"render", object(settings.render)});
+    if (!settings.render.empty()) file_.more.push_back({"render", GraphValue::object(settings.render)});
 }
 
 void GraphMaker::make_outputs() {
     file_.kind = "subgraph";
-    std::vector<Member> outputs;
     Names names;
     for (const Block& block : graph_.blocks) {
         const Slot* slot = node(block.node).slot(block.slot);
@@ -244,13 +236,10 @@ void GraphMaker::make_outputs() {
         }
         const Term term = input(block.node, block.slot);
         written(term, fmt::format("the output '{}'", name));
-        outputs.push_back({name, output_value(term)});
+        file_.types["outputs." + name] = term.type;
+        file_.outputs.push_back({name, output_value(term)});
         say_block(part, fmt::format("the output '{}'", name), block.place);
     }
-    std::string all;
-    for (const Value& each : inputs_) all += (all.empty() ? "" : ", ") + each.json;
-    if (!all.empty()) file_.more.push_back({"inputs", {"[" + all + "]"}});
-    file_.more.push_back({"outputs", object(outputs)});
 }
 
 }  // namespace patina::importers::shadergraph

@@ -29,8 +29,8 @@ bool is_missing(const Picture* picture) {
     return picture && picture->file.empty();
 }
 
-Value texture_value(const Picture* picture, std::string_view otherwise) {
-    return text(picture && !picture->file.empty() ? std::string_view(picture->file) : otherwise);
+GraphValue texture_value(const Picture* picture, std::string_view otherwise) {
+    return picture && !picture->file.empty() ? std::string_view(picture->file) : otherwise;
 }
 
 std::string missing_comment(const std::string& guid) {
@@ -42,11 +42,11 @@ void append(std::string& differences, std::string_view another) {
 }
 
 // What the import settings of its picture say of the texture. They decide how texels are decoded, whatever reads them.
-void add_picture_settings(GraphProperty& made, const Picture& picture, bool is_normal, std::string& difference) {
+void add_picture_settings(ImportedProperty& made, const Picture& picture, bool is_normal, std::string& difference) {
     for (const std::string& each : picture.differences) append(difference, each);
     if (!picture.has_settings) return;
-    if (!is_normal) made.more.push_back({"usage", text(picture.is_srgb ? "color" : "data")});
-    if (is_normal && picture.flips_green) made.more.push_back({"handedness", text("directx")});
+    if (!is_normal) made.more.push_back({"usage", picture.is_srgb ? "color" : "data"});
+    if (is_normal && picture.flips_green) made.more.push_back({"handedness", "directx"});
     made.more.insert(made.more.end(), picture.more.begin(), picture.more.end());
     if (made.type == "texture2dArray" || made.type == "texture3d")
         made.more.insert(made.more.end(), picture.layers.begin(), picture.layers.end());
@@ -79,8 +79,8 @@ Term GraphMaker::texture_constant(std::size_t index, Type type, const Json* hold
         std::string wanted = !picture || is_missing(picture) ? camel_case(node(index).name)
                                                              : camel_case(fs::path(picture->file).stem().string());
         if (wanted.empty()) wanted = "texture";
-        name = property_names_.unique("_" + wanted, "_texture");
-        GraphProperty made{.name = name, .type = std::string(type_word(type))};
+        name = file_.property_names.unique("_" + wanted, "_texture");
+        ImportedProperty made{.name = name, .type = std::string(type_word(type))};
         made.value = texture_value(picture, default_word(default_type));
         if (is_missing(picture)) {
             made.comment = missing_comment(guid);
@@ -98,10 +98,10 @@ Term GraphMaker::texture_constant(std::size_t index, Type type, const Json* hold
 }
 
 void GraphMaker::sample(const Term& texture, TextureMeaning meaning) {
-    const auto found = textures_.find(texture.base.substr(1));
+    const auto found = textures_.find(std::string(texture.tree->text));
     if (found == textures_.end()) {
         for (SubgraphPorts::Input& input : ports_.inputs)
-            if (meaning == TextureMeaning::Normal && "$" + input.name == texture.base) input.is_normal_map = true;
+            if (meaning == TextureMeaning::Normal && input.name == texture.tree->text) input.is_normal_map = true;
         return;
     }
     TextureUse& use = found->second;
@@ -135,7 +135,7 @@ NearestSampler nearest_sampler(int filter, int wrap, int anisotropy) {
 }
 
 // A property that was left open until it was known how it is sampled.
-void GraphMaker::declare_texture(GraphProperty& made, TextureUse& use, const Property& source,
+void GraphMaker::declare_texture(ImportedProperty& made, TextureUse& use, const Property& source,
                                  std::string& difference) {
     const Type type = type_of_property(source.kind);
     const int default_type = type == Type::Texture2D ? whole_in(source.json, "m_DefaultType", 0, 0, 5) : 0;
@@ -154,14 +154,14 @@ void GraphMaker::declare_texture(GraphProperty& made, TextureUse& use, const Pro
     append(difference, use.renamed);
     append(difference, scope_difference(source));
     append(difference, hidden_difference(source));
-    if (flag_of(source.json, "useTilingAndOffset")) made.more.push_back({"tiling", patina::importers::flag(true)});
-    if (source.name != made.name && !source.name.empty()) made.more.push_back({"label", text(source.name)});
-    if (!source.group.empty()) made.more.push_back({"group", text(source.group)});
+    if (flag_of(source.json, "useTilingAndOffset")) made.more.push_back({"tiling", true});
+    if (source.name != made.name && !source.name.empty()) made.more.push_back({"label", source.name});
+    if (!source.group.empty()) made.more.push_back({"group", source.group});
 }
 
 void GraphMaker::finish_textures() {
     for (auto& [name, use] : textures_) {
-        const auto made = std::ranges::find(file_.properties, name, &GraphProperty::name);
+        const auto made = std::ranges::find(file_.properties, name, &ImportedProperty::name);
         if (made == file_.properties.end()) continue;
         std::string difference;
         const Property* source = nullptr;
@@ -171,7 +171,7 @@ void GraphMaker::finish_textures() {
         const bool has_settings = use.picture && use.picture->has_settings;
         const bool is_data = !has_settings && (use.is_linear || (use.is_data && !use.is_color));
         if (made->type == "texture2d" && (use.is_normal || is_data))
-            made->more.push_back({"usage", text(use.is_normal ? "normal" : "data")});
+            made->more.push_back({"usage", use.is_normal ? "normal" : "data"});
         if (use.picture) add_picture_settings(*made, *use.picture, use.is_normal, difference);
         if (!source && !difference.empty()) approximate(use.node, fmt::format("its picture: {}", difference));
         append(difference, (source ? source->misread : "") + take_misreads());

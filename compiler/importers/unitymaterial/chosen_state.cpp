@@ -6,6 +6,8 @@
 #include <cmath>
 #include <span>
 
+#include "compiler/importers/values.h"
+
 namespace patina::importers::unitymaterial {
 namespace {
 
@@ -98,19 +100,18 @@ private:
     bool is_lit_;
 };
 
-std::string render_text(const Json& render, const State& state, std::uint32_t begin, std::string_view text) {
-    std::vector<Member> members;
-    if (state.surface != "opaque") members.push_back({"surface", importers::text(state.surface)});
-    if (state.cull != "back") members.push_back({"cull", importers::text(state.cull)});
-    if (state.writes_depth != is_solid(state.surface)) members.push_back({"depthWrite", flag(state.writes_depth)});
-    if (state.test != "lessEqual") members.push_back({"depthTest", importers::text(state.test)});
+GraphValue render_of(const Json& render, const State& state) {
+    GraphMembers members;
+    if (state.surface != "opaque") members.push_back({"surface", state.surface});
+    if (state.cull != "back") members.push_back({"cull", state.cull});
+    if (state.writes_depth != is_solid(state.surface)) members.push_back({"depthWrite", state.writes_depth});
+    if (state.test != "lessEqual") members.push_back({"depthTest", state.test});
     for (const json::JsonMember& each : render.members) {
         const std::string_view key = each.key;
-        if (key == "surface" || key == "cull" || key == "depthWrite" || key == "depthTest") continue;
-        const Span at = each.value.span;
-        members.push_back({each.key, Value{std::string(text.substr(at.begin - begin, at.end - at.begin))}});
+        if (key != "surface" && key != "cull" && key != "depthWrite" && key != "depthTest")
+            members.push_back({each.key, value_of(each.value)});
     }
-    return object(members).json;
+    return GraphValue::object(std::move(members));
 }
 
 }  // namespace
@@ -124,7 +125,7 @@ std::optional<std::string> with_chosen_state(MaterialMaker& maker, const Json& r
     const State made = Reader(maker, own, word_of(root, "workflow", "") != "unlit").read();
     if (made == own) return {};
     std::string changed(text.substr(0, render->span.begin - begin));
-    changed += render_text(*render, made, begin, text);
+    changed += render_of(*render, made).json();
     changed += text.substr(render->span.end - begin);
     return in_canonical_form(std::move(changed));
 }

@@ -9,6 +9,7 @@
 #include "compiler/base/disk/disk.h"
 #include "compiler/base/letters.h"
 #include "compiler/importers/unitymaterial/chosen_state.h"
+#include "compiler/importers/values.h"
 #include "compiler/json/json.h"
 
 namespace patina::importers::unitymaterial {
@@ -27,7 +28,7 @@ class Values {
 public:
     explicit Values(MaterialMaker& maker) : maker_(maker) {}
 
-    std::vector<Member> members{};  // of "set"
+    GraphMembers members{};  // of "set"
 
     void read(const Json& property) {
         const std::string name(word(property, "name")), type(word(property, "type"));
@@ -42,41 +43,21 @@ public:
             if (!maker_.source().colors.contains(name)) return;
             const std::array<double, 4> all = maker_.color(name, {});
             std::vector<float> some(all.begin(), all.begin() + (type.back() - '0'));
-            add(name, list(some), otherwise);
+            add(name, list_of(some), otherwise);
         }
         if (type.starts_with("texture")) texture(name, property);
     }
 
 private:
-    Value number_of(const std::string& name) const { return number(static_cast<float>(maker_.number(name, 0))); }
+    GraphValue number_of(const std::string& name) const { return static_cast<float>(maker_.number(name, 0)); }
 
-    void add(const std::string& name, const Value& value, const Json* otherwise) {
-        if (is_same(value, otherwise)) {
+    void add(const std::string& name, const GraphValue& value, const Json* otherwise) {
+        if (otherwise && value_of(*otherwise) == value) {
             maker_.taken(name, "the default of the graph");
             return;
         }
         members.push_back({name, value});
         maker_.taken(name, fmt::format("the value of '{}' in the scene", name));
-    }
-
-    static std::string json_of(const Json* value) {
-        if (!value) return {};
-        switch (value->kind) {
-            case Json::Kind::Null: return {};
-            case Json::Kind::Bool: return flag(value->boolean).json;
-            case Json::Kind::Number: return number(static_cast<float>(value->number)).json;
-            case Json::Kind::String: return text(value->string).json;
-            case Json::Kind::Array: {
-                std::vector<float> numbers;
-                for (const Json& each : value->elements) numbers.push_back(static_cast<float>(each.number));
-                return list(numbers).json;
-            }
-            case Json::Kind::Object: return {};
-        }
-        return {};
-    }
-    static bool is_same(const Value& value, const Json* otherwise) {
-        return otherwise && json_of(otherwise) == value.json;
     }
 
     bool is_on(const std::string& keyword) const {
@@ -89,7 +70,7 @@ private:
         const bool is_keyword = bound == "variant" || bound == "specialization" || is_on(name);
         if (!is_keyword && !maker_.source().numbers.contains(name)) return;
         const bool value = is_keyword ? is_on(name) : maker_.number(name, 0) != 0;
-        add(name, flag(value), otherwise);
+        add(name, value, otherwise);
         maker_.note_keyword(name, Remark::Kind::Taken, fmt::format("the value of '{}'", name));
     }
 
@@ -106,7 +87,7 @@ private:
                 maker_.note_keyword(on.name, Remark::Kind::Taken, fmt::format("the value of '{}'", name));
             }
         }
-        add(name, text(chosen), otherwise);
+        add(name, chosen, otherwise);
     }
 
     void color_value(const std::string& name, const Json& property, const Json* otherwise) {
@@ -124,7 +105,7 @@ private:
         } else {
             const Picture& picture = maker_.picture(name);
             std::string difference = picture.missing;
-            if (!picture.file.empty()) members.push_back({name, text(picture.file)});
+            if (!picture.file.empty()) members.push_back({name, picture.file});
             for (const std::string& each : picture.differences) difference += (difference.empty() ? "" : "; ") + each;
             if (!picture.more.empty())
                 difference += (difference.empty() ? "" : "; ") + std::string("the graph's sampler counts");
@@ -140,22 +121,23 @@ private:
         const double down = 1 - moved.scale[1] - moved.offset[1];
         const std::vector<float> four = {static_cast<float>(moved.scale[0]), static_cast<float>(moved.scale[1]),
                                          static_cast<float>(moved.offset[0]), static_cast<float>(down)};
-        members.push_back({name + "_ST", list(four)});
+        members.push_back({name + "_ST", list_of(four)});
     }
 
     MaterialMaker& maker_;
 };
 
-std::string scene_of(const std::string& name, const std::string& graph, const std::vector<Member>& values) {
-    std::vector<Member> material = {{"name", text(name)}, {"graph", text(graph)}};
-    if (!values.empty()) material.push_back({"set", object(values)});
-    const std::vector<Member> ball = {{"id", text("ball")}, {"mesh", text("sphere")}, {"material", text(name)}};
-    const std::vector<Member> camera = {{"position", list({number(0.0), number(0.0), number(5.0)})}};
-    return write_scene("", std::vector<Member>{{"name", text(name)},
-                                               {"camera", object(camera)},
-                                               {"lights", default_lights()},
-                                               {"materials", list({object(material)})},
-                                               {"objects", list({object(ball)})}});
+std::string scene_of(const std::string& name, const std::string& graph, const GraphMembers& values) {
+    const std::string own = terms::identifier(name), word = own.empty() ? "material" : own;
+    GraphMembers material = {{"name", word}, {"graph", graph}};
+    if (!values.empty()) material.push_back({"set", GraphValue::object(values)});
+    return write_scene(
+        {{"name", name},
+         {"camera", GraphValue::object({{"position", GraphValue::list({0, 0, 5})}})},
+         {"lights", default_lights()},
+         {"materials", GraphValue::list({GraphValue::object(std::move(material))})},
+         {"objects",
+          GraphValue::list({GraphValue::object({{"id", "ball"}, {"mesh", "sphere"}, {"material", word}})})}});
 }
 
 // The text of the graph that the output folder has already.

@@ -49,52 +49,51 @@ public:
             mask_ = maker_.sample("_MaskMap", "mask", "data", "white", uv_);
         else
             maker_.idle({"_MaskMap"}, "the keyword _MASKMAP is off");
-        const std::string alpha =
-            state_.reads_alpha() ? remapped(maker_.alpha(main_, "_BaseColor", kWhite), "_AlphaRemap") : std::string();
-        const std::string color = base_color(alpha);
+        const Term alpha =
+            state_.reads_alpha() ? remapped(maker_.alpha(main_, "_BaseColor", kWhite), "_AlphaRemap") : number_term(1);
+        const Term color = base_color(alpha);
         reflection();
         smoothness();
         normal();
-        if (!mask_.empty()) maker_.set("occlusion", remapped(mask_ + ".g", "_AORemap"));
+        if (!mask_.is_constant()) maker_.set("occlusion", remapped(swizzled(mask_, "g"), "_AORemap"));
         emission(color);
         maker_.coverage(state_, alpha, "_AlphaCutoff");
         features();
     }
 
 private:
-    std::string channel(const std::string& property) {
+    Term channel(const std::string& property) {
         const double number = maker_.number(property, 0);
         if (number == 0 || number == 1) {
             maker_.taken(property, number == 1 ? "@uv1" : "@uv0");
-            return number == 1 ? "@uv1" : "@uv0";
+            return link(number == 1 ? "@uv1" : "@uv0", Type::Float2);
         }
         maker_.note(property, Remark::Kind::Changed, "@uv0: the graph reads no other coordinates");
-        return "@uv0";
+        return link("@uv0", Type::Float2);
     }
 
     // "lerp(min, max, value)" of the properties NAMEMin and NAMEMax.
-    std::string remapped(const std::string& value, const std::string& name) {
+    Term remapped(const Term& value, const std::string& name) {
         const std::string low = name + "Min", high = name + "Max";
         if (maker_.number(low, 0) == 0 && maker_.number(high, 1) == 1) {
             maker_.taken(low, "0: the texture alone");
             maker_.taken(high, "1: the texture alone");
             return value;
         }
-        const std::string from = maker_.number_property(low, 0, 0, 1), to = maker_.number_property(high, 1, 0, 1);
-        return fmt::format("lerp({}, {}, {})", from, to, value.empty() ? "1" : value);
+        const Term from = maker_.number_property(low, 0, 0, 1), to = maker_.number_property(high, 1, 0, 1);
+        return computed("lerp(a, b, c)", {from, to, value}, Type::Float);
     }
 
-    std::string base_color(const std::string& alpha) {
-        std::string color = maker_.tinted(main_, "_BaseColor", kWhite);
-        if (state_.is_weighted && !alpha.empty()) color = product({color, alpha});
+    Term base_color(const Term& alpha) {
+        const Term color = state_.weighted(maker_.tinted(main_, "_BaseColor", kWhite), alpha);
         if (!is_specular_) {
             maker_.set("baseColor", color);
             return color;
         }
-        std::string specular = maker_.color_property("_SpecularColor", kWhite) + ".rgb";
+        const Term tint = maker_.color_property("_SpecularColor", kWhite);
+        Term texel = white();
         if (maker_.keyword("_SPECULARCOLORMAP", "the input 'specular'", "_SpecularColorMap"))
-            specular =
-                product({maker_.sample("_SpecularColorMap", "specular", "color", "white", uv_) + ".rgb", specular});
+            texel = maker_.sample("_SpecularColorMap", "specular", "color", "white", uv_);
         else
             maker_.idle({"_SpecularColorMap"}, "the keyword _SPECULARCOLORMAP is off");
         const bool is_conserving = maker_.number("_EnergyConservingSpecularColor", 1) > 0;
@@ -102,7 +101,7 @@ private:
                     is_conserving ? "a bright highlight darkens the diffuse colour"
                                   : "a bright highlight darkens the diffuse colour, although this is off");
         maker_.set("baseColor", color);
-        maker_.set("specular", specular);
+        maker_.set("specular", computed("a.rgb * b.rgb", {texel, tint}, Type::Float3));
         return color;
     }
 
@@ -114,30 +113,31 @@ private:
         }
         maker_.idle({"_SpecularColor", "_SpecularColorMap", "_EnergyConservingSpecularColor"},
                     "the keyword _MATERIAL_FEATURE_SPECULAR_COLOR is off");
-        if (mask_.empty()) {
+        if (mask_.is_constant()) {
             maker_.idle({"_MetallicRemapMin", "_MetallicRemapMax"}, "there is no mask map");
             maker_.set("metallic", maker_.number_property("_Metallic", 0, 0, 1));
         } else if (maker_.source().has("_MetallicRemapMax")) {
             maker_.idle({"_Metallic"}, "there is a mask map");
-            maker_.set("metallic", remapped(mask_ + ".r", "_MetallicRemap"));
+            maker_.set("metallic", remapped(swizzled(mask_, "r"), "_MetallicRemap"));
         } else if (maker_.number("_Metallic", 0) == 1) {
             maker_.taken("_Metallic", "1: the texture alone");
-            maker_.set("metallic", mask_ + ".r");
+            maker_.set("metallic", swizzled(mask_, "r"));
         } else {
             // Before the remapping of metal, its number was a factor.
-            maker_.set("metallic", product({mask_ + ".r", maker_.number_property("_Metallic", 0, 0, 1)}));
+            maker_.set("metallic",
+                       computed("a.r * b", {mask_, maker_.number_property("_Metallic", 0, 0, 1)}, Type::Float));
         }
     }
 
     void smoothness() {
         const std::string input = is_specular_ ? "glossiness" : "smoothness";
-        if (mask_.empty()) {
+        if (mask_.is_constant()) {
             maker_.set(input, maker_.number_property("_Smoothness", 0.5, 0, 1));
             maker_.idle({"_SmoothnessRemapMin", "_SmoothnessRemapMax", "_AORemapMin", "_AORemapMax"},
                         "there is no mask map");
             return;
         }
-        maker_.set(input, remapped(mask_ + ".a", "_SmoothnessRemap"));
+        maker_.set(input, remapped(swizzled(mask_, "a"), "_SmoothnessRemap"));
         maker_.idle({"_Smoothness"}, "there is a mask map");
     }
 
@@ -146,7 +146,7 @@ private:
         const bool is_tangent =
             maker_.keyword("_NORMALMAP_TANGENT_SPACE", "a normal map in tangent space") || maker_.shader().is_guessed;
         if (has_normal && is_tangent && maker_.has_picture("_NormalMap")) {
-            std::string strength;
+            Term strength = number_term(1);
             if (maker_.number("_NormalScale", 1) == 1)
                 maker_.taken("_NormalScale", "1: the texture alone");
             else
@@ -160,33 +160,31 @@ private:
                     has_normal ? "there is no normal map in tangent space" : "the keyword _NORMALMAP is off");
     }
 
-    void emission(const std::string& color) {
+    void emission(const Term& color) {
         const std::array<double, 4> light = maker_.color("_EmissiveColor", {0, 0, 0, 1});
         if (light[0] == 0 && light[1] == 0 && light[2] == 0) {
             maker_.idle({"_EmissiveColor", "_EmissiveColorMap", "_AlbedoAffectEmissive", "_EmissiveExposureWeight"},
                         "the colour is black");
             return;
         }
-        std::vector<std::string> factors;
+        Term glow = white();
         if (maker_.keyword("_EMISSIVE_COLOR_MAP", "the input 'emission'", "_EmissiveColorMap") &&
             maker_.has_picture("_EmissiveColorMap")) {
-            const std::string uv = maker_.tiled("_EmissiveColorMap", channel("_UVEmissive"), "emissionUV");
-            factors.push_back(maker_.sample("_EmissiveColorMap", "glow", "color", "white", uv) + ".rgb");
+            const Term uv = maker_.tiled("_EmissiveColorMap", channel("_UVEmissive"), "emissionUV");
+            glow = maker_.sample("_EmissiveColorMap", "glow", "color", "white", uv);
         } else {
             maker_.taken("_EmissiveColorMap", "none: the colour alone");
         }
-        factors.push_back(maker_.light_property("_EmissiveColor", light,
-                                                "it is not multiplied by the camera's exposure, which a graph does "
-                                                "not have") +
-                          ".rgb");
+        const Term tint = maker_.light_property(
+            "_EmissiveColor", light, "it is not multiplied by the camera's exposure, which a graph does not have");
         const bool is_tinted = maker_.number("_AlbedoAffectEmissive", 0) != 0;
-        if (is_tinted) factors.push_back(color);
         maker_.taken("_AlbedoAffectEmissive", is_tinted ? "the base colour tints the light" : "the light alone");
         maker_.taken("_EmissiveExposureWeight", "it concerns the camera's exposure alone");
         for (const char* each :
              {"_EmissiveColorLDR", "_EmissiveIntensity", "_EmissiveIntensityUnit", "_UseEmissiveIntensity"})
             maker_.taken(each, "it concerns the inspector alone, which sets '_EmissiveColor' by it");
-        maker_.set("emission", product(factors));
+        maker_.set("emission",
+                   computed(is_tinted ? "a.rgb * b.rgb * c" : "a.rgb * b.rgb", {glow, tint, color}, Type::Float3));
     }
 
     void features() {
@@ -203,7 +201,8 @@ private:
     MaterialMaker& maker_;
     const RenderState& state_;
     bool is_specular_ = false;
-    std::string uv_{}, main_{}, mask_{};
+    Term uv_{};
+    Term main_ = white(), mask_ = main_;
 };
 
 }  // namespace

@@ -7,16 +7,13 @@
 
 #include "compiler/base/letters.h"
 #include "compiler/base/text.h"
+#include "compiler/importers/values.h"
 
 namespace patina::importers::unitymaterial {
 namespace {
 
-bool is_simple(std::string_view text) {
-    return text.find_first_of(" (!") == text.npos;
-}
-
-Value short_number(double value) {
-    return number(static_cast<float>(value));
+GraphValue short_number(double value) {
+    return static_cast<float>(value);
 }
 
 // "#ff8000", "#ff800080"; empty if a channel has no eight bits.
@@ -58,41 +55,24 @@ std::string listed(const std::vector<std::string>& names) {
 
 }  // namespace
 
-std::string product(const std::vector<std::string>& factors) {
-    std::string made;
-    for (const std::string& each : factors)
-        if (!each.empty()) made += (made.empty() ? "" : " * ") + each;
-    return made;
-}
-
-Value expression(const std::string& expression) {
-    double constant = 0;
-    if (read_finite(expression, constant)) return short_number(constant);
-    return text(is_simple(expression) ? expression : "= " + expression);
-}
-
-std::string words(double number) {
-    return shortest(static_cast<float>(number));
-}
-
 double decoded(double channel) {
     if (channel <= 0.04045) return channel / 12.92;
     // Beyond white, where sRGB has no meaning. The limit keeps the result within 32 bits.
     return channel < 1 ? std::pow((channel + 0.055) / 1.055, 2.4) : std::pow(std::min(channel, 1e15), 2.2);
 }
 
-Value shown_color(const std::array<double, 4>& color, bool is_hdr) {
+GraphValue shown_color(const std::array<double, 4>& color, bool is_hdr) {
     const std::string hex = is_hdr ? std::string() : hex_color(color);
-    if (!hex.empty()) return text(hex);
+    if (!hex.empty()) return hex;
     std::vector<float> channels;
     for (std::size_t i = 0; i < 3; ++i) channels.push_back(static_cast<float>(is_hdr ? color[i] : decoded(color[i])));
     if (color[3] != 1) channels.push_back(static_cast<float>(color[3]));
-    return list(channels);
+    return list_of(channels);
 }
 
 MaterialMaker::MaterialMaker(const MaterialFile& source, const Shader& shader, Pictures& pictures,
                              const std::string& name)
-    : graph{.name = name}, source_(source), shader_(shader), pictures_(pictures) {
+    : graph(name), source_(source), shader_(shader), pictures_(pictures) {
     for (const auto& [texture, saved] : source_.textures)
         if (!saved.picture.is_none() && !pictures_.find(saved.picture.guid, saved.picture.file).repeats)
             all_repeat_ = false;
@@ -145,52 +125,53 @@ void MaterialMaker::note_setting(const std::string& key, Remark::Kind kind, cons
 
 // --- parts of the graph
 
-std::string MaterialMaker::number_property(const std::string& name, double otherwise, double low, double high) {
+Term MaterialMaker::number_property(const std::string& name, double otherwise, double low, double high) {
     const double value = number(name, otherwise);
-    if (std::ranges::find(graph.properties, name, &GraphProperty::name) == graph.properties.end())
-        graph.properties.push_back(
-            {.name = name,
-             .type = "float",
-             .value = short_number(value),
-             .more = {{"range", list({short_number(std::min(low, value)), short_number(std::max(high, value))})}}});
+    if (std::ranges::find(graph.properties, name, &ImportedProperty::name) == graph.properties.end())
+        graph.properties.push_back({.name = name,
+                                    .type = "float",
+                                    .value = short_number(value),
+                                    .more = {{"range", GraphValue::list({short_number(std::min(low, value)),
+                                                                         short_number(std::max(high, value))})}}});
     properties_[name] = {Remark::Kind::Taken, fmt::format("the property '{}'", name)};
-    return "$" + name;
+    return link("$" + name, Type::Float);
 }
 
-std::string MaterialMaker::color_property(const std::string& name, std::array<double, 4> otherwise) {
+Term MaterialMaker::color_property(const std::string& name, std::array<double, 4> otherwise) {
     return add_color(name, color(name, otherwise), false, fmt::format("the property '{}'", name));
 }
 
-std::string MaterialMaker::light_property(const std::string& name, std::array<double, 4> color,
-                                          const std::string& difference) {
+Term MaterialMaker::light_property(const std::string& name, std::array<double, 4> color,
+                                   const std::string& difference) {
     color[3] = 1;
-    const std::string made = add_color(name, color, true, {});
+    const Term made = add_color(name, color, true, {});
     properties_[name] = {Remark::Kind::Changed, fmt::format("the property '{}': {}", name, difference)};
     return made;
 }
 
-std::string MaterialMaker::add_color(const std::string& name, std::array<double, 4> color, bool is_linear,
-                                     const std::string& remark) {
-    if (std::ranges::find(graph.properties, name, &GraphProperty::name) == graph.properties.end()) {
-        GraphProperty made{.name = name, .type = "color", .value = shown_color(color, is_linear)};
+Term MaterialMaker::add_color(const std::string& name, std::array<double, 4> color, bool is_linear,
+                              const std::string& remark) {
+    if (std::ranges::find(graph.properties, name, &ImportedProperty::name) == graph.properties.end()) {
+        ImportedProperty made{.name = name, .type = "color", .value = shown_color(color, is_linear)};
         for (std::size_t i = 0; i < 3 && !is_linear; ++i) color[i] = decoded(color[i]);
         const auto [least, most] = std::minmax_element(color.begin(), color.begin() + 3);
         if (*least < 0 || *most > 1)
-            made.more.push_back({"range", list({short_number(std::min(*least, 0.0)), short_number(*most)})});
+            made.more.push_back(
+                {"range", GraphValue::list({short_number(std::min(*least, 0.0)), short_number(*most)})});
         graph.properties.push_back(std::move(made));
     }
     properties_[name] = {Remark::Kind::Taken, remark};
-    return "$" + name;
+    return color_link("$" + name);
 }
 
-std::string MaterialMaker::tiled(const std::string& texture, const std::string& base, const std::string& id) {
+Term MaterialMaker::tiled(const std::string& texture, const Term& base, const std::string& id) {
     tiled_.insert(texture);
     const auto found = source_.textures.find(texture);
     if (found == source_.textures.end() || !found->second.is_moved()) return base;
     const SavedTexture& saved = found->second;
-    GraphNode made{.id = id, .node = "TilingOffset"};
-    if (base != "@uv0") made.inputs.push_back({"uv", text(base)});
-    const auto pair = [](double x, double y) { return list({short_number(x), short_number(y)}); };
+    ImportedNode made{.id = id, .node = "TilingOffset"};
+    if (base.text() != "@uv0") made.inputs.push_back({"uv", base.value()});
+    const auto pair = [](double x, double y) { return GraphValue::list({short_number(x), short_number(y)}); };
     if (saved.scale != std::array{1.0, 1.0}) made.inputs.push_back({"tiling", pair(saved.scale[0], saved.scale[1])});
     // Unity counts v from the bottom of the picture.
     double down = 1 - saved.scale[1] - saved.offset[1];
@@ -198,16 +179,16 @@ std::string MaterialMaker::tiled(const std::string& texture, const std::string& 
     if (saved.offset[0] != 0 || down != 0) made.inputs.push_back({"offset", pair(saved.offset[0], down)});
     if (made.inputs.empty()) return base;  // moved by whole pictures
     node(std::move(made));
-    return id;
+    return link(id, Type::Float2);
 }
 
-std::string MaterialMaker::sample(const std::string& texture, const std::string& id, std::string_view usage,
-                                  std::string_view fallback, const std::string& uv, const std::string& scale) {
+Term MaterialMaker::sample(const std::string& texture, const std::string& id, std::string_view usage,
+                           std::string_view fallback, const Term& uv, const Term& scale) {
     const bool is_normal = usage == "normal";
-    GraphProperty property{.name = texture, .type = "texture2d", .value = text(fallback)};
+    ImportedProperty property{.name = texture, .type = "texture2d", .value = fallback};
     std::string remark = fmt::format("the property '{}', read by the node '{}'", texture, id), difference;
     std::string_view own_usage = usage;
-    std::vector<Member> more;
+    GraphMembers more;
     if (has_picture(texture)) {
         const AssetId& asset = source_.textures.at(texture).picture;
         const Picture& picture = pictures_.find(asset.guid, asset.file);
@@ -215,46 +196,43 @@ std::string MaterialMaker::sample(const std::string& texture, const std::string&
             property.comment = fmt::format("The picture with the GUID {} was not found.", asset.guid);
             difference = fmt::format("{}: the texture is {}", picture.missing, fallback);
         } else {
-            property.value = text(picture.file);
+            property.value = picture.file;
             if (picture.has_settings && !is_normal) own_usage = picture.is_srgb ? "color" : "data";
             if (picture.has_settings && is_normal != picture.is_normal_map)
                 difference = is_normal ? "it is not imported as a normal map, and is read as one"
                                        : "it is imported as a normal map, and is not read as one";
             for (const std::string& each : picture.differences) difference += (difference.empty() ? "" : "; ") + each;
-            if (is_normal && picture.flips_green) more.push_back({"handedness", text("directx")});
+            if (is_normal && picture.flips_green) more.push_back({"handedness", "directx"});
             more.insert(more.end(), picture.more.begin(), picture.more.end());
         }
     }
-    property.more.push_back({"usage", text(own_usage)});
+    property.more.push_back({"usage", own_usage});
     property.more.insert(property.more.end(), more.begin(), more.end());
     graph.properties.push_back(std::move(property));
-    GraphNode made{.id = id,
-                   .node = is_normal ? "SampleNormalMap" : "SampleTexture2D",
-                   .inputs = {{"texture", text("$" + texture)}}};
-    if (uv != "@uv0") made.inputs.push_back({"uv", text(uv)});
-    if (!scale.empty()) made.inputs.push_back({"scale", expression(scale)});
+    ImportedNode made{
+        .id = id, .node = is_normal ? "SampleNormalMap" : "SampleTexture2D", .inputs = {{"texture", "$" + texture}}};
+    if (uv.text() != "@uv0") made.inputs.push_back({"uv", uv.value()});
+    if (!scale.is_all(1)) made.inputs.push_back({"scale", scale.value()});
     node(std::move(made));
     note(texture, difference.empty() ? Remark::Kind::Taken : Remark::Kind::Changed,
          difference.empty() ? remark : remark + ": " + difference);
-    return id;
+    return is_normal ? link(id, Type::Float3) : color_link(id);
 }
 
-std::string MaterialMaker::tinted(const std::string& sample, const std::string& name, std::array<double, 4> otherwise) {
-    if (sample.empty()) return color_property(name, otherwise) + ".rgb";
-    if (is_white(color(name, otherwise))) {
+Term MaterialMaker::tinted(const Term& sample, const std::string& name, std::array<double, 4> otherwise) {
+    if (!sample.is_constant() && is_white(color(name, otherwise))) {
         taken(name, "white: the texture alone");
-        return sample + ".rgb";
+        return swizzled(sample, "rgb");
     }
-    return product({sample + ".rgb", color_property(name, otherwise) + ".rgb"});
+    return computed("a.rgb * b.rgb", {sample, color_property(name, otherwise)}, Type::Float3);
 }
 
-std::string MaterialMaker::alpha(const std::string& sample, const std::string& name, std::array<double, 4> otherwise) {
-    const std::string texel = sample.empty() ? std::string() : sample + ".a";
-    if (color(name, otherwise)[3] == 1) return texel;
-    return product({texel, color_property(name, otherwise) + ".a"});
+Term MaterialMaker::alpha(const Term& sample, const std::string& name, std::array<double, 4> otherwise) {
+    if (color(name, otherwise)[3] == 1) return swizzled(sample, "a");
+    return computed("a.a * b.a", {sample, color_property(name, otherwise)}, Type::Float);
 }
 
-void MaterialMaker::emission(const std::string& uv, bool is_hdr) {
+void MaterialMaker::emission(const Term& uv, bool is_hdr) {
     const std::string why = "the keyword _EMISSION is off";
     if (!keyword("_EMISSION", "the input 'emission'", "_EmissionMap")) {
         idle({"_EmissionColor", "_EmissionMap"}, why);
@@ -266,27 +244,26 @@ void MaterialMaker::emission(const std::string& uv, bool is_hdr) {
         idle({"_EmissionColor", "_EmissionMap"}, "the colour is black");
         return;
     }
-    std::vector<std::string> factors;
+    Term glow = white(), tint = glow;
     if (has_picture("_EmissionMap"))
-        factors.push_back(sample("_EmissionMap", "glow", "color", "white", uv) + ".rgb");
+        glow = sample("_EmissionMap", "glow", "color", "white", uv);
     else
         taken("_EmissionMap", "none: the colour alone");
-    if (!factors.empty() && is_white(light)) {
+    if (!glow.is_constant() && is_white(light)) {
         taken("_EmissionColor", "white: the texture alone");
     } else {
         for (std::size_t i = 0; i < 3 && !is_hdr; ++i) light[i] = decoded(light[i]);
-        factors.push_back(add_color("_EmissionColor", light, true,
-                                    is_hdr ? "the property '_EmissionColor'"
-                                           : "the property '_EmissionColor', decoded as in linear colour space") +
-                          ".rgb");
+        tint = add_color("_EmissionColor", light, true,
+                         is_hdr ? "the property '_EmissionColor'"
+                                : "the property '_EmissionColor', decoded as in linear colour space");
     }
-    set("emission", product(factors));
+    set("emission", computed("a.rgb * b.rgb", {glow, tint}, Type::Float3));
 }
 
-void MaterialMaker::coverage(const RenderState& state, const std::string& alpha, const std::string& limit_name) {
+void MaterialMaker::coverage(const RenderState& state, const Term& alpha, const std::string& limit_name) {
     if (!state.is_clipped) taken(limit_name, "it has no effect: nothing is cut out");
     const bool has_use = state.is_clipped || state.kind == "fade" || state.kind == "transparent";
-    if (has_use && !alpha.empty()) set("alpha", alpha);
+    if (has_use && !alpha.is_all(1)) set("alpha", alpha);
     if (state.is_clipped) set("alphaClip", number_property(limit_name, 0.5, 0, 1));
 }
 
@@ -355,7 +332,7 @@ std::vector<Remark> MaterialMaker::finish() {
         }
         std::string text = found->second.text;
         const bool is_sampled =
-            std::ranges::find(graph.properties, name, &GraphProperty::name) != graph.properties.end();
+            std::ranges::find(graph.properties, name, &ImportedProperty::name) != graph.properties.end();
         if (texture && is_sampled && texture->is_moved() && !tiled_.contains(name))
             text += "; the shader does not read its tiling";
         const auto origin = source_.origins.find(name);

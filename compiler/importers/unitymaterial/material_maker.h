@@ -12,22 +12,19 @@
 #include <string>
 #include <vector>
 
-#include "compiler/importers/graph_writer.h"
+#include "compiler/importers/imported_graph.h"
 #include "compiler/importers/importer.h"
+#include "compiler/importers/patterns.h"
 #include "compiler/importers/unity_pictures.h"
 #include "compiler/importers/unitymaterial/material_file.h"
 #include "compiler/importers/unitymaterial/shaders.h"
 
 namespace patina::importers::unitymaterial {
 
-// An expression without "=" in front: "main.rgb * $_Color.rgb". Empty: nothing.
-std::string product(const std::vector<std::string>& factors);
-// As a graph writes it: a link or a property as it is, all else with "= " in front.
-Value expression(const std::string& expression);
-// A number of Unity's files, with the digits of its 32 bits.
-std::string words(double number);
+using namespace terms;
+
 // As a picker shows it: "#ff8000", or linear numbers if it has not eight bits a channel, or `is_hdr`.
-Value shown_color(const std::array<double, 4>& color, bool is_hdr);
+GraphValue shown_color(const std::array<double, 4>& color, bool is_hdr);
 // As Unity decodes a colour that is not HDR, in a project of linear colour space.
 double decoded(double channel);
 
@@ -39,13 +36,15 @@ struct RenderState {
 
     bool is_blended() const { return kind != "opaque" && kind != "cutout"; }
     bool reads_alpha() const { return kind != "opaque" || is_clipped; }
+    // What alpha does to a colour, if the surface is additive or multiplies.
+    Term weighted(const Term& color, const Term& alpha) const;
 };
 
 class MaterialMaker {
 public:
     MaterialMaker(const MaterialFile& source, const Shader& shader, Pictures& pictures, const std::string& name);
 
-    GraphFile graph{};
+    ImportedGraph graph;
 
     // --- what the material says
     const MaterialFile& source() const { return source_; }
@@ -71,29 +70,27 @@ public:
     void note_setting(const std::string& key, Remark::Kind kind, const std::string& text);
 
     // --- parts of the graph. Each gives what an expression reads.
-    std::string number_property(const std::string& name, double otherwise, double low, double high);
+    Term number_property(const std::string& name, double otherwise, double low, double high);
     // As a picker shows it.
-    std::string color_property(const std::string& name, std::array<double, 4> otherwise);
+    Term color_property(const std::string& name, std::array<double, 4> otherwise);
     // Of light: linear. `difference`: from what Unity makes of it.
-    std::string light_property(const std::string& name, std::array<double, 4> color, const std::string& difference);
+    Term light_property(const std::string& name, std::array<double, 4> color, const std::string& difference);
     // Texture coordinates with the tiling of the texture; `base` itself if that changes nothing.
-    std::string tiled(const std::string& texture, const std::string& base, const std::string& id);
+    Term tiled(const std::string& texture, const Term& base, const std::string& id);
     // A node that reads the texture. `usage`: that of a picture without import settings.
-    std::string sample(const std::string& texture, const std::string& id, std::string_view usage,
-                       std::string_view fallback, const std::string& uv, const std::string& scale = {});
-    void node(GraphNode made) { graph.nodes.push_back(std::move(made)); }
-    void set(const std::string& input, const std::string& value) {
-        graph.surface.push_back({input, expression(value)});
-    }
+    Term sample(const std::string& texture, const std::string& id, std::string_view usage, std::string_view fallback,
+                const Term& uv, const Term& scale = number_term(1));
+    void node(ImportedNode made) { graph.nodes.push_back(std::move(made)); }
+    void set(const std::string& input, const Term& term) { graph.surface.push_back({input, term.value()}); }
 
     // "$_Color.rgb", "main.rgb" or their product; a white colour with a texture is left out.
-    std::string tinted(const std::string& sample, const std::string& color, std::array<double, 4> otherwise);
+    Term tinted(const Term& sample, const std::string& color, std::array<double, 4> otherwise);
     // The same of alpha.
-    std::string alpha(const std::string& sample, const std::string& color, std::array<double, 4> otherwise);
+    Term alpha(const Term& sample, const std::string& color, std::array<double, 4> otherwise);
     // Emission, if its keyword is on. `is_hdr`: the colour is linear.
-    void emission(const std::string& uv, bool is_hdr);
+    void emission(const Term& uv, bool is_hdr);
     // The alpha of the surface, and where it is cut off.
-    void coverage(const RenderState& state, const std::string& alpha, const std::string& limit = "_Cutoff");
+    void coverage(const RenderState& state, const Term& alpha, const std::string& limit = "_Cutoff");
 
     // Reports all that the material has.
     std::vector<Remark> finish();
@@ -103,8 +100,7 @@ private:
         Remark::Kind kind = Remark::Kind::Taken;
         std::string text{};
     };
-    std::string add_color(const std::string& name, std::array<double, 4> color, bool is_linear,
-                          const std::string& remark);
+    Term add_color(const std::string& name, std::array<double, 4> color, bool is_linear, const std::string& remark);
     void report_settings(std::vector<Remark>& remarks);
 
     const MaterialFile& source_;

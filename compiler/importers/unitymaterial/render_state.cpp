@@ -63,12 +63,12 @@ public:
         else
             blending();
         if (state_.is_clipped && state_.kind == "opaque") state_.kind = "cutout";
-        if (state_.kind != "opaque") render_.push_back({"surface", text(state_.kind)});
+        if (state_.kind != "opaque") render_.push_back({"surface", state_.kind});
         faces();
         depth();
         queue();
         inspector();
-        if (!render_.empty()) maker_.graph.more.push_back({"render", object(render_)});
+        if (!render_.empty()) maker_.graph.more.push_back({"render", GraphValue::object(render_)});
         return state_;
     }
 
@@ -163,7 +163,7 @@ private:
         if (has_fixed_state_) return;
         const std::string_view cull = kWords[choice("_Cull", 2, 2)];
         maker_.taken("_Cull", fmt::format("\"cull\": \"{}\"", cull));
-        if (cull != "back") render_.push_back({"cull", text(cull)});
+        if (cull != "back") render_.push_back({"cull", cull});
     }
 
     // One of Unity's numbers, from 0 to the last one.
@@ -173,7 +173,7 @@ private:
         if (nearest != stated)
             maker_.note(
                 property, Remark::Kind::Changed,
-                fmt::format("{} is none of its numbers, which are 0 to {}: {} counts", words(stated), last, nearest));
+                fmt::format("{} is none of its numbers, which are 0 to {}: {} counts", digits(stated), last, nearest));
         return static_cast<std::size_t>(nearest);
     }
 
@@ -189,7 +189,7 @@ private:
                     cull != "off"  ? "it has no effect: back faces are not drawn"
                     : keeps_normal ? "the normals of back faces are turned to the viewer"
                                    : "the normals of back faces are turned to the viewer, as there");
-        if (cull != "back") render_.push_back({"cull", text(cull)});
+        if (cull != "back") render_.push_back({"cull", cull});
     }
 
     void depth() {
@@ -197,7 +197,7 @@ private:
         if (has_fixed_state_) return;
         const bool writes = maker_.number("_ZWrite", otherwise ? 1 : 0) != 0;
         maker_.taken("_ZWrite", fmt::format("\"depthWrite\": {}", writes));
-        if (writes != otherwise) render_.push_back({"depthWrite", flag(writes)});
+        if (writes != otherwise) render_.push_back({"depthWrite", writes});
     }
 
     void queue() {
@@ -217,7 +217,7 @@ private:
         maker_.note_setting("m_CustomRenderQueue", inside == queue ? Remark::Kind::Taken : Remark::Kind::Changed,
                             inside == queue ? fmt::format("\"queue\": {}", inside)
                                             : fmt::format("\"queue\": {}, the nearest one that exists", inside));
-        if (inside != usual) render_.push_back({"queue", number(inside)});
+        if (inside != usual) render_.push_back({"queue", inside});
     }
 
     void inspector() {
@@ -234,10 +234,16 @@ private:
     bool has_fixed_state_ = maker_.shader().family >= Family::UnlitTexture && !maker_.shader().is_guessed;
     bool is_high_definition_ = maker_.shader().family == Family::HighDefinitionLit;
     RenderState state_{};
-    std::vector<Member> render_{};
+    GraphMembers render_{};
 };
 
 }  // namespace
+
+Term RenderState::weighted(const Term& color, const Term& alpha) const {
+    const bool is_faded = is_alpha_modulated && !alpha.is_all(1);
+    const Term made = is_faded ? computed("lerp(float3(1), a, b)", {color, alpha}, Type::Float3) : color;
+    return is_weighted ? product({made, alpha}) : made;
+}
 
 RenderState make_render_state(MaterialMaker& maker) {
     return StateReader(maker).read();

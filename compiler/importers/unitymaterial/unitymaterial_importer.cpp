@@ -6,7 +6,6 @@
 #include <filesystem>
 
 #include "compiler/base/letters.h"
-#include "compiler/importers/refusals.h"
 #include "compiler/importers/unitymaterial/graph_instance.h"
 #include "compiler/importers/unitymaterial/material_maker.h"
 #include "compiler/importers/unitymaterial/parents.h"
@@ -31,8 +30,8 @@ void make_refused(MaterialMaker& maker) {
     maker.graph.workflow = "unlit";
     maker.node({.id = "refused",
                 .expression = "float3(1, 0, 1)",
-                .more = {{"note", text("The shader of the material is not known.")}}});
-    maker.set("color", "refused");
+                .more = {{"note", "The shader of the material is not known."}}});
+    maker.set("color", link("refused", Type::Float3));
 }
 
 void make(MaterialMaker& maker) {
@@ -52,21 +51,6 @@ void make(MaterialMaker& maker) {
         make_baked_lit(maker, state);
     else
         make_unlit(maker, state);
-}
-
-// What the compiler refuses becomes a constant. Empty, or what has no place for one.
-std::string refuse_what_is_invalid(GraphFile& graph, std::vector<Remark>& into) {
-    static constexpr std::string_view kVectors[] = {"baseColor", "color",         "emission",
-                                                    "specular",  "specularColor", "normalTS"};
-    return refuse_invalid(
-        graph, {},
-        [&](const Diagnostic& wrong) {
-            const bool is_vector = std::ranges::find(kVectors, wrong.port) != std::end(kVectors);
-            return has_constant(graph, wrong, is_vector ? terms::Type::Float3 : terms::Type::Float);
-        },
-        [&](const Diagnostic& wrong, const std::string& reason) {
-            into.push_back(remark(Remark::Kind::LeftOut, fmt::format("'{}.{}'", wrong.node, wrong.port), reason, {}));
-        });
 }
 
 void report_file(const MaterialFile& file, const Shader& shader, const std::string& what, Assets& assets,
@@ -115,9 +99,13 @@ Imported read(const Source& source, const Options& options) {
         what = fmt::format("'{}', a scene with the values of the material", made.scene);
     } else {
         make(maker);
-        const std::string error = refuse_what_is_invalid(maker.graph, made.remarks);
+        const std::string error =
+            maker.graph.refuse_invalid({}, [&](const Diagnostic& wrong, const std::string& reason) {
+                made.remarks.push_back(
+                    remark(Remark::Kind::LeftOut, fmt::format("'{}.{}'", wrong.node, wrong.port), reason, {}));
+            });
         if (!error.empty()) return {.error = fmt::format("{}: {}", source.path, error)};
-        const std::string json = write_graph(maker.graph);
+        const std::string json = maker.graph.text();
         if (json.empty()) return {.error = fmt::format("{}: a name in it is not UTF-8", source.path)};
         made.graphs.push_back({.name = name + ".graph.json", .text = json});
         what = fmt::format("the workflow '{}'", maker.graph.workflow);

@@ -9,6 +9,7 @@
 //   const patina::Result result = compiler.compile(graph);
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -62,6 +63,10 @@ public:
     const std::string& text() const { return text_; }                // of a text
     const std::vector<GraphValue>& items() const { return items_; }  // of a list; of an object: its values
     const std::vector<std::string>& keys() const { return keys_; }   // of an object, in the order of its values
+    // As the format writes it: [0, 1].
+    std::string json() const;
+
+    friend bool operator==(const GraphValue&, const GraphValue&) = default;
 
 private:
     Kind kind_;
@@ -72,10 +77,13 @@ private:
     std::vector<std::string> keys_{};
 };
 
-// A key of an object with its value; an input of a node with what it reads.
+// A key of an object with its value; an input of a node with what it reads. Of a property, an input or a node, the key
+// "//" is no key: its text is a comment above, which may have several lines.
 struct GraphMember {
     std::string key;   // as the format spells it: "range", or the name of an input
     GraphValue value;  // of the key
+
+    friend bool operator==(const GraphMember&, const GraphMember&) = default;
 };
 // An object, or a part of one, in its order.
 using GraphMembers = std::vector<GraphMember>;
@@ -87,10 +95,13 @@ public:
     // `path` names the graph in messages and output files; relative files are searched in its folder.
     explicit GraphBuilder(std::string path) : path_(std::move(path)) {}
 
-    // A key of the graph itself: "workflow", "lighting", "render", "precision", "kind".
+    // A key of the graph itself: "workflow", "lighting", "render", "precision", "kind". The text of the key "//"
+    // is a comment: above the graph if it is the first of all, else above the key that is set next.
     GraphBuilder& set(std::string key, GraphValue value);
-    // A property of the material with its default. `more`: further keys, as {"range", GraphValue::list({0, 1})}.
-    GraphBuilder& property(std::string name, PropertyType type, GraphValue value, GraphMembers more = {});
+    // A property of the material with its default, if it has one. `more`: further keys, as
+    // {"range", GraphValue::list({0, 1})}.
+    GraphBuilder& property(std::string name, PropertyType type, std::optional<GraphValue> value,
+                           GraphMembers more = {});
     // An input of a sub-graph. `type`: "float3", "floatN". `more`: further keys, as {"default", 0.5}.
     GraphBuilder& input(std::string name, std::string type, GraphMembers more = {});
     // A node of the library, or of a file. `in`: its inputs. `more`: further keys, as {"stage", "vertex"}.

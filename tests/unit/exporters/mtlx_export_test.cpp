@@ -82,7 +82,7 @@ void expect_same(const std::string& graph) {
     const importers::Source source{.path = document, .start = made.text.substr(0, importers::kStart)};
     const importers::Importer* const importer = importers::importer_of(source);
     ASSERT_TRUE(importer) << made.text;
-    const importers::Imported imported = importer->read(source, {.folder = folder().string()});
+    const importers::Imported imported = importers::read_verified(*importer, source, {.folder = folder().string()});
     ASSERT_EQ(imported.error, "") << made.text;
     ASSERT_GE(imported.graphs.size(), 1u);
     for (const importers::TextFile& each : imported.graphs) save(each.name, each.text);
@@ -181,7 +181,7 @@ TEST(MtlxExport, TexturesWithoutAPictureStayProperties) {
             const MtlxExport made = export_mtlx(compiler, graph, {.folder = folder().string()});
             ASSERT_TRUE(made.ok) << errors(made.diagnostics);
             const importers::Source source{.path = save("x.mtlx", made.text), .start = {}};
-            const importers::Imported imported = importers::importer_of(source)->read(source, {});
+            const importers::Imported imported = importers::read_verified(*importers::importer_of(source), source, {});
             ASSERT_GE(imported.graphs.size(), 1u) << imported.error;
             EXPECT_NE(imported.graphs[0].text.find(property), std::string::npos)
                 << property << made.text << imported.graphs[0].text;
@@ -332,7 +332,8 @@ TEST(MtlxExport, NoiseBecomesNoiseAgain) {
 <surfacematerial name="noisy" type="material"><input name="surfaceshader" type="surfaceshader" nodename="s"/></surfacematerial></materialx>)",
             nodes, inputs));
     const importers::Source source{.path = document, .start = "<materialx"};
-    const importers::Imported made = importers::importer_of(source)->read(source, {.folder = folder().string()});
+    const importers::Imported made =
+        importers::read_verified(*importers::importer_of(source), source, {.folder = folder().string()});
     for (const importers::TextFile& each : made.graphs) save(each.name, each.text);
     const std::string graph = (folder() / "noisy.graph.json").string();
     const MtlxExport again = export_mtlx(Compiler(), graph);

@@ -373,7 +373,7 @@ void make_custom_function(GraphMaker& maker, std::size_t index) {
     maker.keep_node_file(file, text);
     if (code.engine_values.find("engineLight") != code.engine_values.npos)
         maker.approximate(index, "its main light is '@light', the light of the library");
-    GraphNode made{.id = {}, .node = "./" + file};
+    ImportedNode made{.id = {}, .node = "./" + file};
     Term holds;
     const std::vector<const Slot*> slots = ordered(at);
     for (std::size_t i = 0; i < slots.size(); ++i) {

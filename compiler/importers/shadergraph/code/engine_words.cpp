@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "compiler/importers/expression_text.h"
+#include "compiler/importers/names.h"
 #include "compiler/importers/shadergraph/code/hlsl_text.h"
 
 namespace patina::importers::shadergraph {

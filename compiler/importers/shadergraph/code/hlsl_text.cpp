@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "compiler/base/text.h"
-#include "compiler/importers/expression_text.h"
+#include "compiler/importers/names.h"
 #include "compiler/importers/shadergraph/code/condition.h"
 #include "compiler/importers/shadergraph/code/engine_words.h"
 #include "compiler/importers/shadergraph/code/hlsl_tokens.h"

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "compiler/importers/expression_text.h"
+#include "compiler/importers/names.h"
 
 namespace patina::importers::shadergraph {
 namespace {

@@ -15,7 +15,7 @@ namespace {
 
 Imported import(const std::string& path, const Options& options = {}) {
     const Source source{.path = path, .start = {}};
-    return importer_of(source)->read(source, options);
+    return read_verified(*importer_of(source), source, options);
 }
 
 // The scene of the file, read as patina reads it.

@@ -16,7 +16,7 @@ namespace {
 Imported import(const std::string& path, const Options& options = {}) {
     const Source source{.path = path, .start = {}};
     const Importer* importer = importer_of(source);
-    return importer ? importer->read(source, options) : Imported{.error = "there is no importer"};
+    return importer ? read_verified(*importer, source, options) : Imported{.error = "there is no importer"};
 }
 
 const Compiler& compiler() {

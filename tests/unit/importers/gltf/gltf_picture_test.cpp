@@ -232,7 +232,7 @@ TEST(GltfPicture, TheImportedSceneDrawsTheSame) {
 
     const std::filesystem::path folder = std::filesystem::path(path).parent_path() / "imported";
     const Source source{.path = path, .start = {}};
-    const Imported made = importer_of(source)->read(source, {.folder = folder.string()});
+    const Imported made = read_verified(*importer_of(source), source, {.folder = folder.string()});
     std::vector<runtime::OutputFile> files;
     for (const TextFile& each : made.graphs)
         files.push_back({.path = (folder / each.name).string(), .bytes = each.text});

@@ -3,7 +3,6 @@
 #include <random>
 #include <regex>
 
-#include "compiler/importers/refusals.h"
 #include "tests/unit/importers/mtlx/mtlx_document.h"
 
 namespace patina::importers {
@@ -170,41 +169,6 @@ TEST(BrokenMtlx, ConnectionsOfOtherTypesAreSaid) {
         R"(<nodegraph name="NG"><input name="grey" type="float" value="0.5"/><constant name="c" type="color3"><input name="value" type="color3" interfacename="grey"/></constant><output name="out" type="color3" nodename="c"/></nodegraph>)"));
     EXPECT_EQ(remarks(interface, Remark::Kind::Changed),
               "NG/input 'value': it takes a color3 and reads 'grey', which is a float: it stands for each component\n");
-}
-
-// The last look at a graph, which all importers share.
-TEST(BrokenMtlx, WhatTheCompilerRefusesBecomesAConstant) {
-    const auto refused = [](GraphFile& graph) {
-        std::string said;
-        const std::string error = refuse_invalid(
-            graph, {},
-            [&](const Diagnostic& wrong) {
-                return has_constant(graph, wrong, wrong.node == "surface" ? terms::Type::Float : terms::Type::Float3);
-            },
-            [&](const Diagnostic& wrong, const std::string& reason) {
-                said += fmt::format("{}.{}: {}\n", wrong.node, wrong.port, reason);
-            });
-        return error.empty() ? said : "error: " + error;
-    };
-    GraphFile graph{.name = "x", .workflow = "metallic-roughness"};
-    graph.nodes.push_back({.id = "sum", .expression = "@positionWS + @uv0"});
-    graph.nodes.push_back({.id = "moved", .node = "TilingOffset", .inputs = {{"tiling", text("= sum.xy + nobody")}}});
-    graph.surface = {{"baseColor", text("sum")}, {"roughness", text("moved.x")}, {"metallic", text("= nothing * 2")}};
-    const std::string said = refused(graph);
-    for (const char* part : {"sum.expr: the graph would not be valid: ", "moved.tiling: ", "surface.metallic: "})
-        EXPECT_NE(said.find(part), std::string::npos) << part << "\n" << said;
-    EXPECT_EQ(graph.nodes[0].expression, "float3(1, 0, 1)");
-    EXPECT_NE(graph.nodes[0].more.at(0).value.json.find("not imported: the graph would not be valid: "),
-              std::string::npos);
-    EXPECT_EQ(graph.nodes[1].inputs[0].value.json, "1");
-    EXPECT_EQ(graph.surface[1].value.json, "\"moved.x\"");
-    EXPECT_EQ(refused(graph), "");
-    // No constant can stand for a property.
-    graph.properties.push_back({.name = "_Count", .type = "int", .value = number(0.5)});
-    const std::string error = refused(graph);
-    EXPECT_TRUE(error.starts_with("error: ")) << error;
-    EXPECT_NE(error.find("would not be valid: the default of an int must be a whole number"), std::string::npos)
-        << error;
 }
 
 TEST(BrokenMtlx, DefinitionsThatUseOneAnotherTwiceEnd) {

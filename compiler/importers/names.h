@@ -1,7 +1,6 @@
-// Expressions and names of imported graphs as text: brackets where operators need them, numbers as short as they can
-// be, identifiers from names that may be any text.
+// Text of imported graphs: numbers as short as they can be, identifiers from names that may be any text.
 //
-//   at_least("a + b", kProduct) + " * 2";   // "(a + b) * 2"
+//   camel_case("Tiling And Offset");   // "tilingAndOffset"
 #pragma once
 
 #include <map>
@@ -12,16 +11,7 @@
 
 namespace patina::importers::terms {
 
-enum Precedence { kChoice, kOr, kAnd, kEqual, kCompare, kSum, kProduct, kUnary, kPrimary };
-Precedence precedence_of(std::string_view expression);
-// In brackets, if it binds less strongly than that.
-std::string at_least(std::string_view expression, Precedence precedence);
-// In brackets, if an operator before or after it binds more strongly.
-std::string bracketed(const std::string& text, std::string_view before, std::string_view after);
 std::string digits(double number);  // "0.5"
-// The expression without what nobody writes: "x - (-1)" is "x + 1", "(1 - 0.5)" is "0.5", "(uv) / 2" is "uv / 2",
-// "-1 * x" is "-x".
-std::string folded(std::string expression);
 // The arguments of a call at the outer level: "a, f(b, c)" -> "a", "f(b, c)".
 std::vector<std::string> arguments_of(std::string_view list);
 
