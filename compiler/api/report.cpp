@@ -6,7 +6,7 @@
 
 #include "compiler/api/messages/source_line.h"
 #include "compiler/base/broken_text.h"
-#include "compiler/base/near_file.h"
+#include "compiler/base/disk/near_file.h"
 #include "compiler/base/text.h"
 #include "compiler/json/json_writer.h"
 

@@ -1,9 +1,9 @@
 // The room `importers` turns materials of other programs into graph files. It needs no GPU.
 //
 // The seam for importers. This folder holds this interface, the list of importers (importers.cpp), imported_graph.h
-// with terms.h and patterns.h, which all of them make graphs with, and unity_assets.h, unity_pictures.h and
-// unity_yaml.h, which those of Unity's formats share. To add one: write a folder with a function that returns its row,
-// and add the row to the list. No other file names a format.
+// with terms.h and patterns.h, which all of them make graphs with, and the folder unity/, which those of Unity's
+// formats share. To add one: write a folder with a function that returns its row, and add the row to the list. No other
+// file names a format.
 //
 // An importer reads the file that it is given and the files that this one names. It draws nothing and writes nothing:
 // `patina import` writes what it returns, all or nothing. Whatever it does not carry over is a remark; nothing is

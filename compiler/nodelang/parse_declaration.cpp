@@ -1,7 +1,7 @@
 // Parses declarations: everything in a file outside functions, and their types, attributes and parameters.
 #include <algorithm>
 
-#include "compiler/nodelang/jumps.h"
+#include "compiler/nodelang/hlsl/jumps.h"
 #include "compiler/nodelang/parser.h"
 
 namespace patina::nodelang {

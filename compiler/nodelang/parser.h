@@ -13,8 +13,8 @@
 
 #include "compiler/base/made_once.h"
 #include "compiler/base/precedence.h"
+#include "compiler/nodelang/hlsl/preprocessor.h"
 #include "compiler/nodelang/lex.h"
-#include "compiler/nodelang/preprocessor.h"
 
 namespace patina::nodelang {
 

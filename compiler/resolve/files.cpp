@@ -5,8 +5,8 @@
 #include <new>
 #include <stdexcept>
 
+#include "compiler/base/disk/near_file.h"
 #include "compiler/base/file_names.h"
-#include "compiler/base/near_file.h"
 #include "compiler/json/json.h"
 
 namespace patina::resolve {

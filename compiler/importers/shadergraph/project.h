@@ -10,8 +10,8 @@
 #include "compiler/importers/shadergraph/read/shader_graph.h"
 #include "compiler/importers/shadergraph/values/types.h"
 #include "compiler/importers/terms.h"
-#include "compiler/importers/unity_assets.h"
-#include "compiler/importers/unity_pictures.h"
+#include "compiler/importers/unity/assets.h"
+#include "compiler/importers/unity/pictures.h"
 #include "patina/patina.h"
 
 namespace patina::importers::shadergraph {

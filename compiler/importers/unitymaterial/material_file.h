@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "compiler/importers/unity_yaml.h"
+#include "compiler/importers/unity/yaml.h"
 
 namespace patina::importers::unitymaterial {
 

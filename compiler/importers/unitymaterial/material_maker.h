@@ -15,7 +15,7 @@
 #include "compiler/importers/imported_graph.h"
 #include "compiler/importers/importer.h"
 #include "compiler/importers/patterns.h"
-#include "compiler/importers/unity_pictures.h"
+#include "compiler/importers/unity/pictures.h"
 #include "compiler/importers/unitymaterial/material_file.h"
 #include "compiler/importers/unitymaterial/shaders.h"
 

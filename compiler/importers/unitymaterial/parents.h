@@ -1,7 +1,7 @@
 // A material and those that it is a variant of, as one: what the material does not say, the next one above says.
 #pragma once
 
-#include "compiler/importers/unity_assets.h"
+#include "compiler/importers/unity/assets.h"
 #include "compiler/importers/unitymaterial/material_file.h"
 
 namespace patina::importers::unitymaterial {

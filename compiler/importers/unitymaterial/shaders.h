@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "compiler/importers/unity_assets.h"
+#include "compiler/importers/unity/assets.h"
 #include "compiler/importers/unitymaterial/material_file.h"
 
 namespace patina::importers::unitymaterial {

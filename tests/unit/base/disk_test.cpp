@@ -16,7 +16,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "compiler/base/near_file.h"
+#include "compiler/base/disk/near_file.h"
 
 namespace patina {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "compiler/base/disk/disk.h"
 #include "compiler/importers/source_text.h"
-#include "compiler/importers/unity_assets.h"
+#include "compiler/importers/unity/assets.h"
 
 namespace patina::importers::shadergraph {
 namespace {

@@ -1,11 +1,11 @@
-#include "compiler/nodelang/preprocessor.h"
+#include "compiler/nodelang/hlsl/preprocessor.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "compiler/base/cancellation.h"
-#include "compiler/nodelang/condition.h"
+#include "compiler/nodelang/hlsl/condition.h"
 
 namespace patina::nodelang {
 namespace {

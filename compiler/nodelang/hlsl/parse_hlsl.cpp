@@ -1,7 +1,7 @@
 // Parses what only files of HLSL have: more statements, casts, assignments in expressions, qualifiers.
 #include <algorithm>
 
-#include "compiler/nodelang/jumps.h"
+#include "compiler/nodelang/hlsl/jumps.h"
 #include "compiler/nodelang/parser.h"
 
 namespace patina::nodelang {

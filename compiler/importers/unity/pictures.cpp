@@ -1,4 +1,4 @@
-#include "compiler/importers/unity_pictures.h"
+#include "compiler/importers/unity/pictures.h"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <charconv>
 
 #include "compiler/importers/source_text.h"
-#include "compiler/importers/unity_yaml.h"
+#include "compiler/importers/unity/yaml.h"
 
 namespace patina::importers {
 namespace {

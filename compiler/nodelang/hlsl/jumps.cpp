@@ -1,4 +1,4 @@
-#include "compiler/nodelang/jumps.h"
+#include "compiler/nodelang/hlsl/jumps.h"
 
 #include <fmt/format.h>
 

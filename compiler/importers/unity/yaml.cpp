@@ -1,4 +1,4 @@
-#include "compiler/importers/unity_yaml.h"
+#include "compiler/importers/unity/yaml.h"
 
 #include <fmt/format.h>
 #include <yaml-cpp/eventhandler.h>

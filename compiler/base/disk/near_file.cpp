@@ -1,4 +1,4 @@
-#include "compiler/base/near_file.h"
+#include "compiler/base/disk/near_file.h"
 
 #include <filesystem>
 #include <string_view>

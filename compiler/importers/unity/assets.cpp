@@ -1,4 +1,4 @@
-#include "compiler/importers/unity_assets.h"
+#include "compiler/importers/unity/assets.h"
 
 #include <algorithm>
 #include <filesystem>

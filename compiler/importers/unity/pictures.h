@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "compiler/importers/imported_graph.h"
-#include "compiler/importers/unity_assets.h"
+#include "compiler/importers/unity/assets.h"
 
 namespace patina::importers {
 

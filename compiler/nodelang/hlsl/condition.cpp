@@ -1,4 +1,4 @@
-#include "compiler/nodelang/condition.h"
+#include "compiler/nodelang/hlsl/condition.h"
 
 #include <algorithm>
 #include <iterator>
