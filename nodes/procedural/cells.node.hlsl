@@ -26,14 +26,14 @@ float2 CellPoint(int2 cell, int2 stepTo, float jitter) {
 ///
 /// formula: edge = min over the other points q of dot((a + b) / 2, b - a) / |b - a|, a and b: from here to the nearest point, to q
 /// source: Worley, "A Cellular Texture Basis Function", SIGGRAPH 1996; edge: Quilez, "Voronoi edges", 2012
-/// test: Worley(float2(0.3, 0.6), 4) == 0.3149179714649617
-/// test: Worley(float2(0.3, 0.6), 4).f2 == 0.4458198665285291
-/// test: Worley(float2(0.3, 0.6), 4).edge == 0.09619263841968548
-/// test: Worley(float2(0.3, 0.6), 4).random == 0.4471781655324572
-/// test: Worley(float2(0.3, 0.6), 4).toPoint == float2(0.2471781655324572, 0.19513145116975794)
-/// test: Worley(float2(0.3, 0.6), 4, 1, Manhattan).f2 == 0.6147079580963374
-/// test: Worley(float2(-1.3, 2.65), 1, 0.8, Chebyshev) == 0.14097907020267542
-/// test: Worley(float2(-1.3, 2.65), 1, 0.8).edge == 0.4912997818513122
+/// test: Worley(float2(0.3, 0.6), 4) == 0.3980660311555204
+/// test: Worley(float2(0.3, 0.6), 4).f2 == 0.46899629667704096
+/// test: Worley(float2(0.3, 0.6), 4).edge == 0.09747282158855752
+/// test: Worley(float2(0.3, 0.6), 4).random == 0.01066964864730835
+/// test: Worley(float2(0.3, 0.6), 4).toPoint == float2(-0.1893303513526916, -0.35015794038772574)
+/// test: Worley(float2(0.3, 0.6), 4, 1, Manhattan).f2 == 0.5641603589057922
+/// test: Worley(float2(-1.3, 2.65), 1, 0.8, Chebyshev) == 0.1275032520294188
+/// test: Worley(float2(-1.3, 2.65), 1, 0.8).edge == 0.14917368687283364
 /// test: Worley(float2(0.5, 0.75), 1, 0).edge == 0.25
 [node("Procedural/Noise/Worley")] [also("CellNoise", "Cellular", "F1F2", "WorleyNoise", "Worley2D")]
 float Worley(

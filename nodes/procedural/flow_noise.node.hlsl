@@ -1,7 +1,6 @@
 // Noise that is made from gradient noise: a flow that never gathers, and noise that bends itself.
 
-// Gradient noise and its slope: x the value, yz its change along x and y, per cell. The slopes at the lattice points are random in
-// the square from -1 to 1.
+// SignedGradientNoise and its slope: x the value, yz its change along x and y, per cell.
 float3 GradientNoiseSlope(float2 position) {
     float2 corner = floor(position);
     int2 cell = int2(corner);
@@ -30,9 +29,9 @@ float3 GradientNoiseSlope(float2 position) {
 ///
 /// formula: (dn/dv, -dn/du), n: gradient noise from -1 to 1, derivatives per cell
 /// source: Bridson et al., "Curl-Noise for Procedural Fluid Flow", SIGGRAPH 2007
-/// test: CurlNoise(float2(0.3, 0.45), 4) == float2(0.39485712801494627, 0.1878202437141473)
-/// test: CurlNoise(float2(-1.25, 2.75), 1) == float2(1.068433761153965, 0.9002011983026627)
-/// test: CurlNoise(float2(0.3, 0.45), 4).height == -0.09322168790741242 within 1e-4
+/// test: CurlNoise(float2(0.3, 0.45), 4) == float2(-1.2972534367217126, 0.8224859604000211)
+/// test: CurlNoise(float2(-1.25, 2.75), 1) == float2(-1.4324815910793374, -0.9575419542051654)
+/// test: CurlNoise(float2(0.3, 0.45), 4).height == 0.02649439725795888 within 1e-4
 [node("Procedural/Noise/Curl Noise")] [also("CurlNoise2D")]
 float2 CurlNoise(
     float2 uv = uv0,                  ///< texture coordinates
@@ -49,9 +48,9 @@ float2 CurlNoise(
 /// formula: f(p + strength q), q = 2 (f(p), f(p + (5.2, 1.3))) - 1, f: FractalNoise
 /// source: Perlin, "An Image Synthesizer", SIGGRAPH 1985 (marble); Quilez, "Domain warping", 2002 (the form, and the offset,
 /// source: which only keeps the two parts of q apart)
-/// test: WarpedNoise(float2(0.3, 0.45), 3, 1, 2) == 0.5269025447491302
-/// test: WarpedNoise(float2(-0.7, 0.2), 2, 2.5, 3) == 0.42193580179778967
-/// test: WarpedNoise(float2(0.3, 0.45), 3, 1, 2).moved == float2(-0.32113905982904734, -0.38723866767659176)
+/// test: WarpedNoise(float2(0.3, 0.45), 3, 1, 2) == 0.5060077477601247
+/// test: WarpedNoise(float2(-0.7, 0.2), 2, 2.5, 3) == 0.3963949144132639
+/// test: WarpedNoise(float2(0.3, 0.45), 3, 1, 2).moved == float2(0.3332952473949917, -0.1372331342130343)
 [node("Procedural/Noise/Warped Noise")] [also("DomainWarp", "DomainWarpedNoise", "WarpNoise")]
 float WarpedNoise(
     float2 uv = uv0,                      ///< texture coordinates

@@ -82,6 +82,17 @@ float GradientNoise4D(
     return PerlinNoise4D(position * scale) * 0.5 + 0.5;
 }
 
+// The sum of the layers' heights.
+float FractalTotal(const int octaves, float gain) {
+    float total = 0;
+    float amplitude = 1;
+    [unroll] for (int i = 0; i < min(octaves, 12); i++) {
+        total += amplitude;
+        amplitude *= gain;
+    }
+    return total;
+}
+
 /// Layers of ever finer gradient noise in space: clouds, rust, marble and mountains, from 0 to 1.
 ///
 /// formula: sum of gain^i f(noise(lacunarity^i p)) / sum of gain^i; Smooth: n, and the result from -1 to 1 is brought to 0 to 1;
@@ -92,7 +103,7 @@ float GradientNoise4D(
 /// test: FractalNoise3D(float3(0.3, 0.45, 0.7), 4, 3) == 0.5118343781555637
 /// test: FractalNoise3D(float3(0.3, 0.45, 0.7), 4, 3, 2, 0.5, Turbulence) == 0.08317063539443025
 /// test: FractalNoise3D(float3(0.3, 0.45, 0.7), 4, 3, 2.5, 0.6, Ridged) == 0.6791361320768433
-[node("Procedural/Noise/Fractal Noise 3D")] [also("Fbm3D", "Turbulence", "Billow", "RidgedNoise", "Ridged", "Noise3")]
+[node("Procedural/Noise/Fractal Noise 3D")] [also("Fbm3D", "Turbulence", "Billow", "RidgedNoise", "Ridged")]
 float FractalNoise3D(
     float3 position = positionOS,          ///< where
     [range(0, 100)] float scale = 4,       ///< lattice cells of the coarsest octave in one unit

@@ -1,6 +1,6 @@
 // Gradient noise in two, three and four dimensions: a random slope at each point of a lattice, interpolated smoothly. The slopes
 // are chosen by the hash of lookup3.node.hlsl. The nodes that MaterialX has too (PerlinNoise2D, PerlinFractal3D, ...) have its
-// values, from about -1 to 1. The nodes after them are made from them for graphs: from 0 to 1, with a scale.
+// values, from about -1 to 1.
 
 /// The height of a lattice point's slope, which is one of (+-1, +-2) and (+-2, +-1).
 ///
@@ -82,7 +82,7 @@ float PerlinChannel3(float3 position, uint shift) {
 /// source: Perlin, "Improving Noise", SIGGRAPH 2002; MaterialX 1.39, noise2d
 /// test: PerlinNoise2D(float2(0.3, 0.45)) == 0.162413265756003
 /// test: PerlinNoise2D(float2(-1.25, 7.75)) == -0.4147391876220703
-[node("Procedural/Noise/Perlin Noise 2D")] [also("Noise2D", "PerlinNoise", "Perlin")] [inFloat]
+[node("Procedural/Noise/Perlin Noise 2D")] [also("Noise2D")] [inFloat]
 float PerlinNoise2D(
     float2 position = uv0  ///< where; the cells of the lattice are one unit wide
 ) {
@@ -163,10 +163,10 @@ float PerlinNoise4D(
 /// test: PerlinFractal2D(float2(-1.25, 7.75), 1) == -0.4147391876220703
 [node("Procedural/Noise/Perlin Fractal 2D")] [also("Fractal2D")] [inFloat]
 float PerlinFractal2D(
-    float2 position = uv0,            ///< where; the cells of the coarsest lattice are one unit wide
-    [range(0, 16)] int octaves = 3,   ///< how many layers of noise, 16 at most
+    float2 position = uv0,               ///< where; the cells of the coarsest lattice are one unit wide
+    [range(0, 16)] int octaves = 3,      ///< how many layers of noise, 16 at most
     [range(1, 4)] float lacunarity = 2,  ///< how much finer each layer is than the previous one
-    [range(0, 1)] float gain = 0.5    ///< height of each layer as a fraction of the previous one; MaterialX's `diminish`
+    [range(0, 1)] float gain = 0.5       ///< height of each layer as a fraction of the previous one; MaterialX's `diminish`
 ) {
     float sum = 0;
     float amplitude = 1;
@@ -187,10 +187,10 @@ float PerlinFractal2D(
 /// test: PerlinFractal2DVector(float2(-1.25, 7.75), 1) == float3(-0.4147391876220703, -0.14888044281005858, -0.5882948593139649)
 [node("Procedural/Noise/Perlin Fractal 2D Vector")] [inFloat]
 float3 PerlinFractal2DVector(
-    float2 position = uv0,            ///< where; the cells of the coarsest lattice are one unit wide
-    [range(0, 16)] int octaves = 3,   ///< how many layers of noise, 16 at most
+    float2 position = uv0,               ///< where; the cells of the coarsest lattice are one unit wide
+    [range(0, 16)] int octaves = 3,      ///< how many layers of noise, 16 at most
     [range(1, 4)] float lacunarity = 2,  ///< how much finer each layer is than the previous one
-    [range(0, 1)] float gain = 0.5    ///< height of each layer as a fraction of the previous one
+    [range(0, 1)] float gain = 0.5       ///< height of each layer as a fraction of the previous one
 ) {
     float3 sum = 0;
     float amplitude = 1;
@@ -211,10 +211,10 @@ float3 PerlinFractal2DVector(
 /// test: PerlinFractal3D(float3(-1.25, 7.75, 2.5), 1) == -0.03380419921875
 [node("Procedural/Noise/Perlin Fractal 3D")] [also("Fractal3D")] [inFloat]
 float PerlinFractal3D(
-    float3 position = positionOS,     ///< where; the cells of the coarsest lattice are one unit wide
-    [range(0, 16)] int octaves = 3,   ///< how many layers of noise, 16 at most
+    float3 position = positionOS,        ///< where; the cells of the coarsest lattice are one unit wide
+    [range(0, 16)] int octaves = 3,      ///< how many layers of noise, 16 at most
     [range(1, 4)] float lacunarity = 2,  ///< how much finer each layer is than the previous one
-    [range(0, 1)] float gain = 0.5    ///< height of each layer as a fraction of the previous one; MaterialX's `diminish`
+    [range(0, 1)] float gain = 0.5       ///< height of each layer as a fraction of the previous one; MaterialX's `diminish`
 ) {
     float sum = 0;
     float amplitude = 1;
@@ -235,10 +235,10 @@ float PerlinFractal3D(
 /// test: PerlinFractal3DVector(float3(-1.25, 7.75, 2.5), 1) == float3(-0.03380419921875, -0.35291280555725096, 0.31253197765350343)
 [node("Procedural/Noise/Perlin Fractal 3D Vector")] [inFloat]
 float3 PerlinFractal3DVector(
-    float3 position = positionOS,     ///< where; the cells of the coarsest lattice are one unit wide
-    [range(0, 16)] int octaves = 3,   ///< how many layers of noise, 16 at most
+    float3 position = positionOS,        ///< where; the cells of the coarsest lattice are one unit wide
+    [range(0, 16)] int octaves = 3,      ///< how many layers of noise, 16 at most
     [range(1, 4)] float lacunarity = 2,  ///< how much finer each layer is than the previous one
-    [range(0, 1)] float gain = 0.5    ///< height of each layer as a fraction of the previous one
+    [range(0, 1)] float gain = 0.5       ///< height of each layer as a fraction of the previous one
 ) {
     float3 sum = 0;
     float amplitude = 1;

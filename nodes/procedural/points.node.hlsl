@@ -16,7 +16,8 @@ float3 NearestWith(float3 nearest, float another) {
 // The random point of a cell, from the corner of the lattice.
 [inFloat]
 float2 PointOf2(int2 cell, float jitter) {
-    return (RandomAt(cell) - 0.5) * jitter + 0.5;
+    float2 random = float2(RandomOf(int3(cell, 0)), RandomOf(int3(cell, 1)));
+    return (random - 0.5) * jitter + 0.5;
 }
 
 [inFloat]
@@ -38,9 +39,9 @@ float3 PointOf3(int3 cell, float jitter) {
 /// test: WorleyNoise2D(float2(0.3, 7.75), 1, CellVector) == float3(0.38090769373367256, 0.5039466476309921, 0.5404840853392342)
 [node("Procedural/Noise/Worley Noise 2D")] [inFloat]
 float3 WorleyNoise2D(
-    float2 position = uv0,               ///< where; the cells are one unit wide
-    [range(0, 1)] float jitter = 1,      ///< how far the points are from their cell's centre: 0 makes a grid
-    const WorleyStyle style = Distance   ///< what the numbers are
+    float2 position = uv0,              ///< where; the cells are one unit wide
+    [range(0, 1)] float jitter = 1,     ///< how far the points are from their cell's centre: 0 makes a grid
+    const WorleyStyle style = Distance  ///< what the numbers are
 ) {
     float2 corner = floor(position);
     int2 cell = int2(corner);
@@ -59,7 +60,7 @@ float3 WorleyNoise2D(
     int2 home = int2(floor(toPoint + position));
     if (style == Cell) { return FractionOf(HashOf2(home.x, home.y)); }
     if (style == CellVector) {
-        return float3(RandomAt(home), RandomOf(int3(home, 2)));
+        return float3(RandomOf(int3(home, 0)), RandomOf(int3(home, 1)), RandomOf(int3(home, 2)));
     }
     return sqrt(nearest);
 }
@@ -75,9 +76,9 @@ float3 WorleyNoise2D(
 /// test: WorleyNoise3D(float3(0.3, 7.75, -2.5), 1, CellVector) == float3(0.12254689659982615, 0.7362456612140512, 0.6532643236343899)
 [node("Procedural/Noise/Worley Noise 3D")] [inFloat]
 float3 WorleyNoise3D(
-    float3 position = positionOS,        ///< where; the cells are one unit wide
-    [range(0, 1)] float jitter = 1,      ///< how far the points are from their cell's centre: 0 makes a grid
-    const WorleyStyle style = Distance   ///< what the numbers are
+    float3 position = positionOS,       ///< where; the cells are one unit wide
+    [range(0, 1)] float jitter = 1,     ///< how far the points are from their cell's centre: 0 makes a grid
+    const WorleyStyle style = Distance  ///< what the numbers are
 ) {
     float3 corner = floor(position);
     int3 cell = int3(corner);

@@ -40,11 +40,11 @@ enum EdgeSmoothing {
 /// test: Rectangle(float2(0.5, 1), 0.5, 0.25, Nicest).measure == 0.75
 [node("Procedural/Shape/Rectangle")] [also("Box", "Square")] [range(0, 1)]
 float Rectangle(
-    float2 uv = uv0,                           ///< texture coordinates
-    [range(0, 1)] float width = 0.5,           ///< width as a share of the texture's
-    [range(0, 1)] float height = 0.5,          ///< height as a share of the texture's
-    const EdgeSmoothing smoothing = Fastest,   ///< how the edges are smoothed
-    out float measure                          ///< below 0 inside, 0 on the edge: the distance to the nearer edge, in half textures
+    float2 uv = uv0,                          ///< texture coordinates
+    [range(0, 1)] float width = 0.5,          ///< width as a share of the texture's
+    [range(0, 1)] float height = 0.5,         ///< height as a share of the texture's
+    const EdgeSmoothing smoothing = Fastest,  ///< how the edges are smoothed
+    out float measure                         ///< below 0 inside, 0 on the edge: the distance to the nearer edge, in half textures
 ) {
     float2 size = float2(width, height);
     float2 fromEdge = abs(uv * 2 - 1) - size;
@@ -163,11 +163,11 @@ float RoundedPolygon(
 /// test: CheckerboardUnity(float2(0.3, 0.6), 0, 1, float2(2, 3)).wave == -0.32
 [node("Procedural/Pattern/Checkerboard (Unity)")]
 float3 CheckerboardUnity(
-    float2 uv = uv0,             ///< texture coordinates
-    [color] float3 colorA = 0.2,  ///< of the squares where `wave` is below zero
-    [color] float3 colorB = 0.7,  ///< of the others
+    float2 uv = uv0,                       ///< texture coordinates
+    [color] float3 colorA = 0.2,           ///< of the squares where `wave` is below zero
+    [color] float3 colorB = 0.7,           ///< of the others
     [also("frequency")] float2 scale = 1,  ///< pairs of squares in one unit of u and v
-    out float wave               ///< from -1 to 1; its sign tells the two kinds of squares apart
+    out float wave                         ///< from -1 to 1; its sign tells the two kinds of squares apart
 ) {
     float2 position = (uv + 0.5) * scale;
     float2 right = ddx(position);

@@ -11,7 +11,7 @@
 /// test: TriplanarWeights(float3(0.6, 0, -0.8), 2) == float3(0.36, 0, 0.64)
 [node("UV/Triplanar Weights")]
 float3 TriplanarWeights(
-    float3 normal = normalWS,        ///< direction that the surface faces; not zero
+    float3 normal = normalWS,       ///< direction that the surface faces; not zero
     [range(1, 64)] float blend = 4  ///< 1: soft transitions; the larger, the sharper
 ) {
     float3 weights = pow(abs(normal), blend);
@@ -32,7 +32,7 @@ float4 Triplanar(
     Texture2D texture,                      ///< texture to read
     float3 position = positionWS,           ///< where, in any space
     float3 normal = normalWS,               ///< direction that the surface faces, in the same space; not zero
-    [also("tile")] float tiling = 1,          ///< textures in one unit of length
+    [also("tile")] float tiling = 1,        ///< textures in one unit of length
     [range(1, 64)] float blend = 1,         ///< 1: soft transitions; the larger, the sharper
     SamplerState sampler = texture.sampler  ///< how it is read; default: as the texture says
 ) {
@@ -53,7 +53,7 @@ float3 TriplanarNormal(
     [is("normalMap")] Texture2D texture,           ///< a normal map
     float3 position = positionWS,                  ///< where, in world space
     float3 normal = geometryNormalWS,              ///< unit normal of the surface, in world space
-    [also("tile")] float tiling = 1,                 ///< textures in one metre
+    [also("tile")] float tiling = 1,               ///< textures in one metre
     [range(1, 64)] float blend = 1,                ///< 1: soft transitions; the larger, the sharper
     [range(-2, 2)] float strength = 1,             ///< strength of the bumps
     const SurfaceSpace space = Tangent,            ///< the coordinate system of the result

@@ -162,10 +162,6 @@ def GradientNoise3D(p, scale=4):
 GradientNoise4D = GradientNoise3D
 
 
-def GradientNoise(p, scale=8):
-    return 0.5 + 0.5 * perlin(scaled(p, scale))
-
-
 def value(p, period=None):
     cell = cell_of(p)
     d = [a - b for a, b in zip(p, cell)]
@@ -182,34 +178,10 @@ def ValueNoise3D(p, scale=4):
 ValueNoise4D = ValueNoise3D
 
 
-# The random numbers of a plane are those of space at 0 and 1.
-def random2(cell):
-    return [fraction(*cell, 0), fraction(*cell, 1)]
-
-
-def ValueNoise(p, scale=8):
-    return value([*scaled(p, scale), 0])
-
-
-def Random(p):
-    made = Outputs(random2(cell_of(p))[0])
-    made.second = random2(cell_of(p))[1]
-    return made
-
-
-class Outputs(float):
-    pass
-
-
 def tiled(p, cells):
     cells = Vector([cells] * len(p)) if not isinstance(cells, tuple) else cells
     period = [max(round(each), 1) for each in cells]
     return [a * b for a, b in zip(p, period)], period
-
-
-def ValueNoiseTiled(p, scale=8):
-    at, period = tiled(p, scale)
-    return value([*at, 0], [*period, 2])
 
 
 def ValueNoise3DTiled(p, scale=4):
@@ -219,9 +191,6 @@ def ValueNoise3DTiled(p, scale=4):
 def GradientNoise3DTiled(p, scale=4):
     at, period = tiled(p, scale)
     return 0.5 + 0.5 * perlin(at, 0, period)
-
-
-GradientNoiseTiled = GradientNoise3DTiled
 
 
 Smooth, Turbulence, Ridged = range(3)
@@ -245,46 +214,12 @@ def FractalNoise3D(p, scale=4, octaves=4, lacunarity=2, gain=0.5, kind=Smooth):
     return layers([perlin(scaled(p, scale * lacunarity**i)) for i in range(octaves)], gain, kind)
 
 
-FractalNoise = FractalNoise4D = FractalNoise3D
+FractalNoise4D = FractalNoise3D
 
 
 def FractalNoise3DTiled(p, scale=4, octaves=4, gain=0.5, kind=Smooth):
     at, period = tiled(p, scale)
     return layers([perlin(scaled(at, 2**i), 0, scaled(period, 2**i)) for i in range(octaves)], gain, kind)
-
-
-FractalNoiseTiled = FractalNoise3DTiled
-
-
-def WarpedNoise(p, scale=3, strength=1, octaves=4):
-    at = Vector(scaled(p, scale))
-    moved = [2 * FractalNoise([at.x + x, at.y + y], 1, octaves) - 1 for x, y in ((0, 0), (5.2, 1.3))]
-    made = Outputs(FractalNoise([a + strength * b for a, b in zip(at, moved)], 1, octaves))
-    made.moved = Vector(moved)
-    return made
-
-
-def CurlNoise(p, scale=4):
-    """The derivatives of the interpolation by the product rule; slopes from -1 to 1."""
-    at = scaled(p, scale)
-    cell = cell_of(at)
-    d = [a - b for a, b in zip(at, cell)]
-    height, change = 0, [0, 0]
-    for corner in itertools.product((0, 1), repeat=2):
-        slope_here = [2 * each - 1 for each in random2([a + b for a, b in zip(cell, corner)])]
-        own = sum(s * (a - c) for s, a, c in zip(slope_here, d, corner))
-        share = [fade(t) if c else 1 - fade(t) for c, t in zip(corner, d)]
-        steep = [(1 if c else -1) * 30 * (t * (1 - t)) ** 2 for c, t in zip(corner, d)]
-        height += share[0] * share[1] * own
-        change[0] += steep[0] * share[1] * own + share[0] * share[1] * slope_here[0]
-        change[1] += share[0] * steep[1] * own + share[0] * share[1] * slope_here[1]
-    made = CurlOutputs((change[1], -change[0]))
-    made.height = height
-    return made
-
-
-class CurlOutputs(Vector):
-    pass
 
 
 # --- Perlin 2001, as Gustavson, "Simplex Noise Demystified", 2005, describes it
@@ -341,6 +276,10 @@ def worley(p, jitter=1, style=Distance):
 WorleyNoise2D = WorleyNoise3D = worley
 
 
+class Outputs(float):
+    pass
+
+
 def Worley3D(p, scale=4, jitter=1, metric=Euclidean, period=None):
     found = points(scaled(p, scale) if period is None else p, jitter, 1, metric, period)
     made = Outputs(found[0][0])
@@ -351,6 +290,100 @@ def Worley3D(p, scale=4, jitter=1, metric=Euclidean, period=None):
 def Worley3DTiled(p, scale=4, jitter=1, metric=Euclidean):
     at, period = tiled(p, scale)
     return Worley3D(at, 1, jitter, metric, period)
+
+
+# --- noise in the plane: Jarzynski and Olano, "Hash Functions for GPU Rendering", JCGT 9(3), 2020: pcg2d
+def random2(cell):
+    x, y = [(each * 1664525 + 1013904223) & MASK for each in cell]
+    for _ in range(2):
+        x = (x + y * 1664525) & MASK
+        y = (y + x * 1664525) & MASK
+        x, y = x ^ (x >> 16), y ^ (y >> 16)
+    return [(x >> 8) / 2**24, (y >> 8) / 2**24]
+
+
+def Random(p):
+    made = Outputs(random2(cell_of(p))[0])
+    made.second = random2(cell_of(p))[1]
+    return made
+
+
+def lattice2(p, height, period=None):
+    """What `height` gives for each corner of a cell and the way from it, interpolated."""
+    cell = cell_of(p)
+    d = [a - b for a, b in zip(p, cell)]
+    made = 0
+    for corner in itertools.product((0, 1), repeat=2):
+        at = wrapped([a + b for a, b in zip(cell, corner)], period)
+        share = math.prod(fade(t) if c else 1 - fade(t) for c, t in zip(corner, d))
+        made += share * height(random2(at), [a - b for a, b in zip(d, corner)])
+    return made
+
+
+def slope2(random, away):
+    return sum((2 * r - 1) * a for r, a in zip(random, away))
+
+
+def ValueNoise(p, scale=8):
+    return lattice2(scaled(p, scale), lambda random, away: random[0])
+
+
+def ValueNoiseTiled(p, scale=8):
+    at, period = tiled(p, scale)
+    return lattice2(at, lambda random, away: random[0], period)
+
+
+def GradientNoise(p, scale=8):
+    return 0.5 + 0.5 * lattice2(scaled(p, scale), slope2)
+
+
+def GradientNoiseTiled(p, scale=8):
+    at, period = tiled(p, scale)
+    return 0.5 + 0.5 * lattice2(at, slope2, period)
+
+
+def FractalNoise(p, scale=4, octaves=4, lacunarity=2, gain=0.5, kind=Smooth):
+    at, noises = scaled(p, scale), []
+    for _ in range(octaves):
+        noises.append(lattice2(at, slope2))
+        at = [a * lacunarity + b for a, b in zip(at, (37, 17))]
+    return layers(noises, gain, kind)
+
+
+def FractalNoiseTiled(p, scale=4, octaves=4, gain=0.5, kind=Smooth):
+    at, period = tiled(p, scale)
+    return layers([lattice2(scaled(at, 2**i), slope2, scaled(period, 2**i)) for i in range(octaves)], gain, kind)
+
+
+def WarpedNoise(p, scale=3, strength=1, octaves=4):
+    at = Vector(scaled(p, scale))
+    moved = [2 * FractalNoise([at.x + x, at.y + y], 1, octaves) - 1 for x, y in ((0, 0), (5.2, 1.3))]
+    made = Outputs(FractalNoise([a + strength * b for a, b in zip(at, moved)], 1, octaves))
+    made.moved = Vector(moved)
+    return made
+
+
+def CurlNoise(p, scale=4):
+    """The derivatives of the interpolation by the product rule; slopes from -1 to 1."""
+    at = scaled(p, scale)
+    cell = cell_of(at)
+    d = [a - b for a, b in zip(at, cell)]
+    height, change = 0, [0, 0]
+    for corner in itertools.product((0, 1), repeat=2):
+        slope_here = [2 * each - 1 for each in random2([a + b for a, b in zip(cell, corner)])]
+        own = sum(s * (a - c) for s, a, c in zip(slope_here, d, corner))
+        share = [fade(t) if c else 1 - fade(t) for c, t in zip(corner, d)]
+        steep = [(1 if c else -1) * 30 * (t * (1 - t)) ** 2 for c, t in zip(corner, d)]
+        height += share[0] * share[1] * own
+        change[0] += steep[0] * share[1] * own + share[0] * share[1] * slope_here[0]
+        change[1] += share[0] * steep[1] * own + share[0] * share[1] * slope_here[1]
+    made = CurlOutputs((change[1], -change[0]))
+    made.height = height
+    return made
+
+
+class CurlOutputs(Vector):
+    pass
 
 
 def Voronoi(p, scale=8, jitter=1, period=None, reach=1, metric=Euclidean):
