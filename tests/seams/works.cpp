@@ -27,7 +27,7 @@ std::string read(const std::string& path) {
 
 const std::string kChecker = "examples/graphs/checker.graph.json", kToon = "examples/graphs/toon.graph.json",
                   kBlend = "examples/graphs/height_blend.subgraph.json", kScene = "examples/scenes/beads.scene.json",
-                  kNode = "examples/graphs/wood.node.hlsl", kWrong = "wrong.graph.json", kModes = "modes.graph.json";
+                  kNode = "examples/graphs/noise3.node.hlsl", kWrong = "wrong.graph.json", kModes = "modes.graph.json";
 
 // Options that are made before allocations fail, as the others here are.
 const CompileOptions kUsual;
