@@ -55,10 +55,15 @@ std::optional<Ref> NodeWriter::called(ir::Value value) {
     const bool is_color = std::any_of(given.begin(), given.end(), [](const Ref& each) { return each.is_color(); });
     const std::string type = row->type.empty() ? type_word(width, is_color) : std::string(row->type);
     std::vector<Argument> arguments;
+    std::vector<std::pair<std::string, std::string>> words;
     std::size_t at = 0;
     for (const std::string_view text : split(row->inputs, " ")) {
         const Input input = input_of(text, type);
         Argument made{.name = std::string(input.name), .type = std::string(input.type)};
+        if (input.type == "string") {
+            words.emplace_back(input.name, input.number);
+            continue;
+        }
         if (!input.number.empty()) {
             for (const std::string_view each : split(input.number, ","))
                 made.value.numbers.push_back(read_number(each).value_or(0));
@@ -79,7 +84,7 @@ std::optional<Ref> NodeWriter::called(ir::Value value) {
         arguments.push_back(std::move(made));
     }
     current_ = value;
-    const Ref made = node(row->category, type, std::move(arguments));
+    const Ref made = node(row->category, type, std::move(arguments), std::move(words));
     return width == 1 && width_of(type) > 1 ? component(made, 0) : as(made, type_word(width, made.is_color()));
 }
 

@@ -367,6 +367,12 @@ std::optional<Ref> NodeWriter::parts(ir::Value value) {
     }
     if (inst.op == ir::Op::Extract && function_[args[0]].type.is_vector())
         return component(this->value(args[0]), inst.data);
+    if (inst.op == ir::Op::Index && function_[args[0]].op == ir::Op::Construct) {
+        const auto index = constant(args[1]);
+        const auto elements = function_.args(args[0]);
+        if (!index || function_[args[0]].type.kind != ir::Kind::Array) return std::nullopt;
+        return this->value(elements[std::min<std::size_t>(static_cast<std::size_t>((*index)[0]), elements.size() - 1)]);
+    }
     if (inst.op == ir::Op::Insert && inst.type.is_vector()) {
         const Ref whole = this->value(args[0]);
         std::vector<Ref> components;

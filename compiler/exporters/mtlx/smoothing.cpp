@@ -43,16 +43,23 @@ std::optional<Ref> least_width(NodeWriter& writer, ir::Value value) {
     return is_positive ? ref : writer.combine("max", ref, {.numbers = {kLeast}});
 }
 
+// Of "c - width" or "c + width", by the operation: c. Else the value itself.
+ir::Value without_width(const NodeWriter& writer, ir::Value value, ir::Op operation) {
+    if (writer[value].op != operation) return value;
+    const auto args = writer.function().args(value);
+    if (is_width(writer, args[1])) return args[0];
+    return operation == ir::Op::Add && is_width(writer, args[0]) ? args[1] : value;
+}
+
 std::optional<Ref> sharp_step(NodeWriter& writer, ir::Value value) {
     const auto args = writer.function().args(value);
-    const ir::Value low = args[0], high = args[1];
-    if (!writer[value].type.is_scalar() || writer[low].op != ir::Op::Sub || writer[high].op != ir::Op::Add)
-        return std::nullopt;
-    const auto below = writer.function().args(low), above = writer.function().args(high);
-    const std::size_t middle = above[0].index == below[0].index ? 0 : 1;
-    if (above[middle].index != below[0].index || !is_width(writer, below[1]) || !is_width(writer, above[1 - middle]))
-        return std::nullopt;
-    const Ref edge = writer.value(below[0]), in = writer.value(args[2]);
+    if (!writer[value].type.is_scalar()) return std::nullopt;
+    const ir::Value low = without_width(writer, args[0], ir::Op::Sub),
+                    high = without_width(writer, args[1], ir::Op::Add);
+    const bool has_width = low.index != args[0].index || high.index != args[1].index;
+    const auto number = writer.constant(low);
+    if (!has_width || (low.index != high.index && (!number || number != writer.constant(high)))) return std::nullopt;
+    const Ref edge = writer.value(low), in = writer.value(args[2]);
     return writer.node("ifgreatereq", "float",
                        {{.name = "value1", .value = in, .type = "float"},
                         {.name = "value2", .value = edge, .type = "float"},

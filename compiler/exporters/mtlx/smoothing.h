@@ -2,7 +2,7 @@
 // smoothing.
 //
 //   saturate(0.5 - d / max(fwidth(d), 1e-6))   ->  the same with 1e-6
-//   smoothstep(c - fwidth(x), c + fwidth(x), x)  ->  c <= x
+//   smoothstep(c - fwidth(x), c + fwidth(x), x)  ->  c <= x; either end may be c itself
 #pragma once
 
 #include <optional>

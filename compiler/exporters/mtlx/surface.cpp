@@ -130,7 +130,7 @@ private:
         const auto found = member(row.member);
         if (!found) return;
         writer_.set_reader(span_of(row.member), row.input);
-        if (row.form == Form::Normal && writer_.semantic(*found) == "geometryNormalWS") return;
+        if (row.form == Form::Normal && is_mesh_normal(*found)) return;
         Ref value = writer_.value(*found);
         if (row.form == Form::Inverse) value = inverse(value);
         if (row.form == Form::Unit) {
@@ -145,6 +145,10 @@ private:
         add({.name = std::string(row.input), .value = value, .type = std::string(row.type)});
     }
 
+    bool is_mesh_normal(ir::Value value) const {
+        return writer_.semantic(value) == "geometryNormalWS" || writer_.semantic(value) == "normalWS";
+    }
+
     Ref inverse(const Ref& value) {
         if (value.is_number()) return {.numbers = {1 - value.numbers[0]}};
         return writer_.combine("subtract", {.numbers = {1}}, value);
@@ -153,7 +157,7 @@ private:
     // The shader of USD takes a normal of a normal map, and no other one.
     void add_tangent_normal() {
         const auto found = member("normalWS");
-        if (!found || writer_.semantic(*found) == "geometryNormalWS") return;
+        if (!found || is_mesh_normal(*found)) return;
         writer_.set_reader(span_of("normalWS"), "normal");
         const auto tangent = writer_.tangent_normal(*found);
         if (!tangent) return writer_.refuse(*found, "a normal that is not in tangent space");

@@ -62,6 +62,9 @@ Values values_of(const Result& result, std::size_t point) {
     for (const Texture& each : result.reflection.textures)
         if (!each.tiling.empty()) fragment.set_value(each.tiling, each.tiling_default);
     for (const Property& each : result.reflection.properties) fragment.set_value(each.identifier, each.value);
+    // Turned by a right angle, and twice as long.
+    fragment.set_value("objectToWorld", std::vector<double>{0, -1, 0, 3, 2, 0, 0, 4, 0, 0, 1, 5, 0, 0, 0, 1});
+    fragment.set_value("worldToObject", std::vector<double>{0, 0.5, 0, -2, -1, 0, 0, 3, 0, 0, 1, -5, 0, 0, 0, 1});
     QuadInputs quad;
     for (std::vector<double>& lane : quad.lanes)
         for (const StageValue& each : fragment.inputs())
@@ -97,7 +100,7 @@ void expect_same(const std::string& graph) {
     // A document has no vertex stage.
     std::ifstream file(graph, std::ios::binary);
     const std::string text((std::istreambuf_iterator<char>(file)), {});
-    const std::string unpinned = std::regex_replace(text, std::regex(R"x(, "stage": "vertex")x"), "");
+    const std::string unpinned = std::regex_replace(text, std::regex(R"x(,\s*"stage": "vertex")x"), "");
     const Result before = compiler.compile_text(graph, unpinned, options),
                  after = compiler.compile_file(again, options);
     ASSERT_TRUE(before.ok) << graph << "\n" << errors(before.diagnostics);
@@ -348,14 +351,11 @@ TEST(MtlxExport, NodesThatMaterialXHasStayOneNode) {
         {"= float3(PerlinNoise2D(@uv0 * 3))", "noise2d"},
         {"= PerlinNoise3DVector(@positionOS)", "noise3d"},
         {"= float3(GradientNoise3D(@positionOS, 5))", "noise3d"},
-        {"= float3(FractalNoise(@uv0, 5, 3))", "fractal2d"},
+        {"= float3(PerlinFractal2D(@uv0 * 5, 3, 2.5))", "fractal2d"},
+        {"= float3(CellNoise2D(@uv0 * 8))", "cellnoise2d"},
         {"= float3(FractalNoise3D(@positionOS, 5, 3, 2, 0.5, Ridged))", "noise3d"},
         {"= float3(ValueNoise3D(@positionOS, 5))", "cellnoise3d"},
-        {"= float3(ValueNoise(@uv0, 5))", "cellnoise3d"},
-        {"= float3(Random(@uv0 * 8), Voronoi(@uv0, 4), Voronoi(@uv0, 4).random)", "cellnoise3d"},
-        {"= float3(Worley(@uv0, 4).f2)", "cellnoise3d"},
-        {"= float3(CurlNoise(@uv0, 4), 0)", "cellnoise3d"},
-        {"= float3(VoronoiTiled(@uv0, 4))", "cellnoise3d"},
+        {"= float3(ValueNoise3DTiled(@positionOS, 5))", "cellnoise3d"},
         {"= WorleyNoise2D(@uv0 * 4, 0.5)", "worleynoise2d"},
         {"= WorleyNoise3D(@positionOS, 1, Cell)", "worleynoise3d"},
         {"= WorleyNoise3D(@positionOS, 0.75, CellVector)", "worleynoise3d"},
@@ -421,7 +421,7 @@ TEST(MtlxExport, Examples) {
             }
         }
     }
-    EXPECT_GE(exported, 4 * (exported + refused) / 5) << refused << " are refused";
+    EXPECT_GE(5 * exported, 4 * (exported + refused)) << refused << " are refused";
     EXPECT_GE(refused, 5u);
 }
 
@@ -433,6 +433,7 @@ TEST(MtlxExport, EdgesThatAreOnePixelWideAreSharp) {
         {std::string(R"x({ "id": "mask", "node": "SdfMask", "in": { "value": "= length(@uv0 - 0.5) - 0.25" } })x"),
          std::string(R"x({ "id": "mask", "node": "Rectangle" })x"),
          std::string(R"x({ "id": "mask", "node": "CheckerboardUnity", "in": { "scale": 4 } })x"),
+         std::string(R"x({ "id": "mask", "expr": "smoothstep(0.5 - 2 * fwidth(@uv0.x), 0.5, @uv0.x)" })x"),
          std::string(
              R"x({ "id": "mask", "expr": "smoothstep(0.5 - 0.7 * length(float2(ddx(@uv0.x), ddy(@uv0.x))), 0.5 + 0.7 * length(float2(ddx(@uv0.x), ddy(@uv0.x))), @uv0.x)" })x")}) {
         SCOPED_TRACE(node);
