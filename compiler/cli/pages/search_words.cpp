@@ -73,7 +73,8 @@ std::string stem(std::string word) {
     drop(word, "at", 3);                                              // "pixelate", "saturated"
     if (word.size() >= 6 && word.ends_with("is")) word.back() = 'z';  // "posterise"
     const std::size_t size = word.size();
-    if (size > 3 && word[size - 1] == word[size - 2]) word.pop_back();  // "mapped"
+    const bool is_doubled = size > 3 && word[size - 1] == word[size - 2];
+    if (is_doubled && std::string_view("lsz").find(word.back()) == std::string_view::npos) word.pop_back();  // "mapped"
     return word;
 }
 
