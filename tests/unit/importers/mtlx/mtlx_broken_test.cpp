@@ -10,7 +10,7 @@ namespace {
 
 TEST(BrokenMtlx, BrokenFilesAreReportedAtTheirPlace) {
     const std::string good = material(R"(<gltf_pbr name="shader" type="surfaceshader"/>)");
-    const auto error = [&](const std::string& text) { return import_text(text).error; };
+    const auto error = [&](const std::string& text) { return import_mtlx(text).error; };
     for (const std::string& text : {good.substr(0, good.size() / 2), std::string("nonsense"), good + "</x>",
                                     std::string("<materialx version=\"1.38\"><a b=></materialx>")})
         EXPECT_TRUE(std::regex_search(error(text), std::regex("x\\.mtlx:[0-9]+:[0-9]+: "))) << error(text);
@@ -35,12 +35,12 @@ TEST(BrokenMtlx, EntitiesOfADocumentTypeAreNotExpanded) {
         "\"&b;&b;&b;&b;\">]>\n";
     const std::string good = material(
         R"(<gltf_pbr name="shader" type="surfaceshader"><input name="base_color" type="color3" value="&c;"/></gltf_pbr>)");
-    const Imported made = import_text(text + good.substr(good.find('\n') + 1));
+    const Imported made = import_mtlx(text + good.substr(good.find('\n') + 1));
     EXPECT_NE(remarks(made, Remark::Kind::LeftOut).find("'&c;' is no number"), std::string::npos) << made.error;
 }
 
 TEST(BrokenMtlx, WhatIsMissingIsSaid) {
-    Imported made = import_text(one_node(R"(<nodeofthefuture name="tested" type="color3"/>)", "color3"));
+    Imported made = import_mtlx(one_node(R"(<nodeofthefuture name="tested" type="color3"/>)", "color3"));
     EXPECT_NE(remarks(made, Remark::Kind::LeftOut).find("nodeofthefuture 'tested': 'nodeofthefuture' is no node"),
               std::string::npos)
         << remarks(made, Remark::Kind::LeftOut);
@@ -49,25 +49,25 @@ TEST(BrokenMtlx, WhatIsMissingIsSaid) {
         << text_of(made);
     EXPECT_TRUE(made.has_refused);
     expect_compiles(made, "future");
-    made = import_text(one_node("", "color3"));
+    made = import_mtlx(one_node("", "color3"));
     EXPECT_NE(remarks(made, Remark::Kind::LeftOut).find("it reads 'tested', which is not there"), std::string::npos);
-    made = import_text(one_node(
+    made = import_mtlx(one_node(
         R"(<constant name="tested" type="float"><input name="value" type="float" value="nan"/></constant>)", "float"));
     EXPECT_NE(remarks(made, Remark::Kind::LeftOut).find("'nan' is no number"), std::string::npos);
-    made = import_text(
+    made = import_mtlx(
         one_node(R"(<constant name="tested" type="float"/><constant name="tested" type="float"/>)", "float"));
     EXPECT_NE(remarks(made, Remark::Kind::LeftOut).find("a second element has this name"), std::string::npos);
-    made = import_text(document(R"(<gltf_pbr name="paint" type="surfaceshader"/>)", "version=\"2.5\""));
+    made = import_mtlx(document(R"(<gltf_pbr name="paint" type="surfaceshader"/>)", "version=\"2.5\""));
     EXPECT_NE(remarks(made, Remark::Kind::Changed).find("it is 2.5"), std::string::npos);
-    made = import_text(one_node(
+    made = import_mtlx(one_node(
         R"(<image name="tested" type="color3"><input name="file" type="filename" value="no.png"/></image>)", "color3"));
     EXPECT_NE(remarks(made, Remark::Kind::Changed).find("the picture 'no.png' is not there"), std::string::npos);
-    made = import_text(
+    made = import_mtlx(
         material(R"(<gltf_pbr name="shader" type="surfaceshader"/>)",
                  R"(<xi:include href="standard_surface_gold.mtlx"/><xi:include href="stdlib/stdlib_defs.mtlx"/>)"));
     EXPECT_EQ(remarks(made, Remark::Kind::LeftOut),
               "include 'standard_surface_gold.mtlx': the file is not there: what it defines is missing\n");
-    made = import_text(material(R"(<lama_surface name="shader" type="surfaceshader"/>)"));
+    made = import_mtlx(material(R"(<lama_surface name="shader" type="surfaceshader"/>)"));
     EXPECT_NE(remarks(made, Remark::Kind::LeftOut).find("'lama_surface' is no surface shader"), std::string::npos);
     expect_compiles(made, "unknown shader");
 }
@@ -75,7 +75,7 @@ TEST(BrokenMtlx, WhatIsMissingIsSaid) {
 // The report says which octaves there are, and the graph has these.
 TEST(BrokenMtlx, OctavesAreWhatTheReportSays) {
     const auto fractal = [](const std::string& octaves) {
-        return import_text(one_node(
+        return import_mtlx(one_node(
             fmt::format(
                 R"(<fractal3d name="tested" type="float"><input name="octaves" type="{}" value="{}"/></fractal3d>)",
                 octaves == "-2.5" ? "float" : "integer", octaves),
@@ -98,7 +98,7 @@ TEST(BrokenMtlx, OctavesAreWhatTheReportSays) {
     expect_compiles(made, "no octaves");
     // A property of an interface.
     const auto with_interface = [](const std::string& octaves) {
-        return import_text(material(
+        return import_mtlx(material(
             R"(<gltf_pbr name="shader" type="surfaceshader"><input name="roughness" type="float" nodegraph="NG" output="out"/></gltf_pbr>)",
             fmt::format(
                 R"(<nodegraph name="NG"><input name="layers" type="integer" value="{}"/><fractal3d name="f" type="float"><input name="octaves" type="integer" interfacename="layers"/></fractal3d><output name="out" type="float" nodename="f"/></nodegraph>)",
@@ -114,7 +114,7 @@ TEST(BrokenMtlx, OctavesAreWhatTheReportSays) {
 TEST(BrokenMtlx, LiteralsThatAreNotOfTheirTypeAreSaid) {
     const auto said = [](Remark::Kind kind, const std::string& type, const std::string& value) {
         return remarks(
-            import_text(one_node(
+            import_mtlx(one_node(
                 fmt::format(
                     R"(<constant name="tested" type="{0}"><input name="value" type="{0}" value="{1}"/></constant>)",
                     type, value),
@@ -142,7 +142,7 @@ TEST(BrokenMtlx, LiteralsThatAreNotOfTheirTypeAreSaid) {
 
 TEST(BrokenMtlx, ConnectionsOfOtherTypesAreSaid) {
     const auto said = [](const std::string& type, const std::string& source) {
-        const Imported made = import_text(one_node(
+        const Imported made = import_mtlx(one_node(
             sources() +
                 fmt::format(
                     R"(<add name="tested" type="{0}"><input name="in1" type="{0}" nodename="source_{1}"/><input name="in2" type="{0}" nodename="source_{0}"/></add>)",
@@ -164,7 +164,7 @@ TEST(BrokenMtlx, ConnectionsOfOtherTypesAreSaid) {
               "count\n");
     // The same numbers.
     EXPECT_EQ(said("color3", "vector3"), "");
-    const Imported interface = import_text(material(
+    const Imported interface = import_mtlx(material(
         R"(<gltf_pbr name="shader" type="surfaceshader"><input name="base_color" type="color3" nodegraph="NG" output="out"/></gltf_pbr>)",
         R"(<nodegraph name="NG"><input name="grey" type="float" value="0.5"/><constant name="c" type="color3"><input name="value" type="color3" interfacename="grey"/></constant><output name="out" type="color3" nodename="c"/></nodegraph>)"));
     EXPECT_EQ(remarks(interface, Remark::Kind::Changed),
@@ -178,7 +178,7 @@ TEST(BrokenMtlx, DefinitionsThatUseOneAnotherTwiceEnd) {
             R"(<nodedef name="ND_{0}" node="level{0}"><input name="in" type="float" value="0"/><output name="out" type="float"/></nodedef>
 <nodegraph name="NG_{0}" nodedef="ND_{0}"><level{1} name="a" type="float"><input name="in" type="float" interfacename="in"/></level{1}><level{1} name="b" type="float"><input name="in" type="float" nodename="a"/></level{1}><output name="out" type="float" nodename="b"/></nodegraph>)",
             i, i + 1);
-    const Imported made = import_text(one_node(text + R"(<level0 name="tested" type="float"/>)", "float"));
+    const Imported made = import_mtlx(one_node(text + R"(<level0 name="tested" type="float"/>)", "float"));
     EXPECT_TRUE(made.has_refused);
     EXPECT_LT(made.graphs.empty() ? 0 : made.graphs[0].text.size(), 8u << 20);
 }
@@ -226,7 +226,7 @@ TEST(BrokenMtlx, MutationsDoNotCrash) {
                     break;
             }
         }
-        const Imported made = import_text(text);
+        const Imported made = import_mtlx(text);
         EXPECT_EQ(made.error.empty(), !made.graphs.empty());
         if (made.error.empty()) ++imported;
     }

@@ -27,7 +27,7 @@ inline void save(const std::string& name, const std::string& text) {
     std::ofstream(folder() / name, std::ios::binary) << text;
 }
 
-inline Imported import_text(const std::string& text) {
+inline Imported import_mtlx(const std::string& text) {
     save("x.mtlx", text);
     const Source source{.path = (folder() / "x.mtlx").string(), .start = {}};
     return importer_of(source)->read(source, {});

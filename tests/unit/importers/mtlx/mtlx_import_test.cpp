@@ -15,7 +15,7 @@ namespace {
 
 TEST(MtlxImport, ChainsOfNodesAreExpressions) {
     save("planks.png", "no picture");
-    const Imported made = import_text(material(R"(<gltf_pbr name="shader" type="surfaceshader">
+    const Imported made = import_mtlx(material(R"(<gltf_pbr name="shader" type="surfaceshader">
   <input name="base_color" type="color3" nodegraph="grain" output="color"/>
   <input name="roughness" type="float" nodegraph="grain" output="gloss"/>
   <input name="metallic" type="float" value="0"/></gltf_pbr>)",
@@ -45,7 +45,7 @@ TEST(MtlxImport, ChainsOfNodesAreExpressions) {
 
 TEST(MtlxImport, ANormalMapIsSampledAsOne) {
     save("bumps.png", "no picture");
-    const Imported made = import_text(material(
+    const Imported made = import_mtlx(material(
         R"(<standard_surface name="shader" type="surfaceshader"><input name="normal" type="vector3" nodename="bumps"/></standard_surface>)",
         R"(<image name="texels" type="vector3"><input name="file" type="filename" value="bumps.png"/></image>
 <normalmap name="bumps" type="vector3"><input name="in" type="vector3" nodename="texels"/><input name="scale" type="float" value="0.5"/></normalmap>)"));
@@ -60,7 +60,7 @@ TEST(MtlxImport, ANormalMapIsSampledAsOne) {
 TEST(MtlxImport, CoordinatesAreCountedFromTheTop) {
     save("t.png", "no picture");
     const auto coordinates = [&](const std::string& node, const std::string& inputs) {
-        return text_of(import_text(one_node(
+        return text_of(import_mtlx(one_node(
             fmt::format(
                 R"(<{0} name="tested" type="color3"><input name="file" type="filename" value="t.png"/>{1}</{0}>)", node,
                 inputs),
@@ -80,7 +80,7 @@ TEST(MtlxImport, CoordinatesAreCountedFromTheTop) {
 
 // A product of two calls is no call.
 TEST(MtlxImport, ProductsOfVectorsStayProducts) {
-    const Imported made = import_text(one_node(
+    const Imported made = import_mtlx(one_node(
         R"(<combine2 name="a" type="vector2"><input name="in1" type="float" nodename="s"/><input name="in2" type="float" nodename="c"/></combine2>
 <position name="place" type="vector3"/><extract name="s" type="float"><input name="in" type="vector3" nodename="place"/></extract>
 <sin name="c" type="float"><input name="in" type="float" nodename="s"/></sin>
@@ -94,7 +94,7 @@ TEST(MtlxImport, ProductsOfVectorsStayProducts) {
 
 TEST(MtlxImport, ColoursBecomeLinear) {
     const auto color = [&](const std::string& space) {
-        return text_of(import_text(material(fmt::format(
+        return text_of(import_mtlx(material(fmt::format(
             R"(<gltf_pbr name="shader" type="surfaceshader"><input name="base_color" type="color3" value="0.5, 1, 0" colorspace="{}"/></gltf_pbr>)",
             space))));
     };
@@ -110,7 +110,7 @@ TEST(MtlxImport, ColoursBecomeLinear) {
 }
 
 TEST(MtlxImport, DefinitionsInTheDocumentAreReplacedByWhatImplementsThem) {
-    const Imported made = import_text(one_node(R"(
+    const Imported made = import_mtlx(one_node(R"(
 <nodedef name="ND_twice" node="twice"><input name="in" type="float" value="0.25"/><input name="more" type="float" value="0.125"/><output name="out" type="float"/></nodedef>
 <nodegraph name="NG_twice" nodedef="ND_twice">
   <multiply name="product" type="float"><input name="in1" type="float" interfacename="in"/><input name="in2" type="float" value="2"/></multiply>
@@ -128,7 +128,7 @@ TEST(MtlxImport, DefinitionsInTheDocumentAreReplacedByWhatImplementsThem) {
 }
 
 TEST(MtlxImport, EachMaterialIsAGraph) {
-    const Imported made = import_text(document(R"(
+    const Imported made = import_mtlx(document(R"(
 <gltf_pbr name="a" type="surfaceshader"/><open_pbr_surface name="b" type="surfaceshader"/>
 <surfacematerial name="one" type="material"><input name="surfaceshader" type="surfaceshader" nodename="a"/></surfacematerial>
 <surfacematerial name="two" type="material"><input name="surfaceshader" type="surfaceshader" nodename="b"/></surfacematerial>)"));
@@ -137,7 +137,7 @@ TEST(MtlxImport, EachMaterialIsAGraph) {
 }
 
 TEST(MtlxImport, Version136) {
-    const Imported made = import_text(document(R"(
+    const Imported made = import_mtlx(document(R"(
 <nodegraph name="g"><constant name="c" type="color3"><parameter name="value" type="color3" value="0.25, 0.5, 0.75"/></constant><output name="out" type="color3" nodename="c"/></nodegraph>
 <material name="paint"><shaderref name="s" node="standard_surface">
   <bindinput name="base_color" type="color3" nodegraph="g" output="out"/><bindinput name="metalness" type="float" value="1"/></shaderref></material>)",
@@ -151,9 +151,9 @@ TEST(MtlxImport, AnIncludedFileIsAPart) {
     save("part.mtlx",
          document(
              R"(<constant name="tested" type="float"><input name="value" type="float" value="0.375"/></constant>)"));
-    const Imported made = import_text(one_node("<xi:include href=\"part.mtlx\"/>", "float"));
+    const Imported made = import_mtlx(one_node("<xi:include href=\"part.mtlx\"/>", "float"));
     EXPECT_NE(text_of(made).find("\"roughness\": 0.375"), std::string::npos) << text_of(made);
-    const Imported without = import_text(one_node("<xi:include href=\"nothing.mtlx\"/>", "float"));
+    const Imported without = import_mtlx(one_node("<xi:include href=\"nothing.mtlx\"/>", "float"));
     EXPECT_NE(remarks(without, Remark::Kind::LeftOut).find("include 'nothing.mtlx': the file is not there"),
               std::string::npos);
     EXPECT_TRUE(without.has_refused);
@@ -260,7 +260,7 @@ TEST(MtlxImport, EachRowOfTheTableCompiles) {
                 if (row.outputs.starts_with("outx")) output = "outy";
                 const std::string result = output == "out" ? each.type : "float";
                 const Imported made =
-                    import_text(one_node(sources() + fmt::format("<{0} name=\"tested\" type=\"{1}\">{2}</{0}>",
+                    import_mtlx(one_node(sources() + fmt::format("<{0} name=\"tested\" type=\"{1}\">{2}</{0}>",
                                                                  row.category, each.type, each.inputs),
                                          result, output));
                 const std::string what = fmt::format("{} {} '{}'", row.category, each.type, row.condition);
@@ -283,7 +283,7 @@ TEST(MtlxImport, EachRowOfTheTableCompilesWithItsDefaults) {
         for (const std::string& type : types_of(row)) {
             if (type == "float" || type == "boolean" || type == "matrix33") continue;
             // A component of the result: a number that stands for a vector has none.
-            const Imported made = import_text(
+            const Imported made = import_mtlx(
                 one_node(fmt::format("<{0} name=\"whole\" type=\"{1}\"/><absval name=\"one\" type=\"{1}\"><input "
                                      "name=\"in\" type=\"{1}\" nodename=\"whole\"/></absval><extract name=\"tested\" "
                                      "type=\"float\"><input name=\"in\" type=\"{1}\" nodename=\"one\"/><input "
@@ -300,7 +300,7 @@ TEST(MtlxImport, CoordinatesMayBeNumbers) {
     for (const auto& [node, type] :
          {std::pair("checkerboard", "color3"), std::pair("grid", "color3"), std::pair("tiledcircles", "color3"),
           std::pair("ramp4", "color3"), std::pair("circle", "float"), std::pair("line", "float")}) {
-        const Imported made = import_text(one_node(
+        const Imported made = import_mtlx(one_node(
             fmt::format(
                 R"(<{0} name="tested" type="{1}"><input name="texcoord" type="vector2" value="0.5,0.5"/></{0}>)", node,
                 type),
@@ -376,7 +376,7 @@ TEST(MtlxImport, NodesWithFunctionsOfTheirOwnCompile) {
     std::set<std::string, std::less<>> tested;
     for (const Special& each : all) {
         const std::string result = each.output == "out" ? each.type : each.output.size() == 1 ? "float" : "color3";
-        const Imported made = import_text(one_node(
+        const Imported made = import_mtlx(one_node(
             sources() + fmt::format("<{0} name=\"tested\" type=\"{1}\">{2}</{0}>", each.node, each.type, each.inputs),
             result, each.output));
         EXPECT_FALSE(made.has_refused) << each.node << remarks(made, Remark::Kind::LeftOut);
@@ -396,7 +396,7 @@ TEST(MtlxImport, NoiseIsANodeOfTheLibrary) {
     for (const auto& [noise, node] : noises) {
         for (const std::string type : {"float", "vector3"}) {
             const Imported made =
-                import_text(one_node(fmt::format("<{0} name=\"tested\" type=\"{1}\"/>", noise, type), type));
+                import_mtlx(one_node(fmt::format("<{0} name=\"tested\" type=\"{1}\"/>", noise, type), type));
             EXPECT_EQ(made.graphs.size(), 1u) << noise;
             EXPECT_NE(text_of(made).find("\"node\": \"" + node), std::string::npos) << text_of(made);
             EXPECT_EQ(remarks(made, Remark::Kind::Changed), "") << noise;
@@ -407,7 +407,7 @@ TEST(MtlxImport, NoiseIsANodeOfTheLibrary) {
 // Its style asks for the random numbers of cells; a float has another one than a vector.
 TEST(MtlxImport, WorleyNoiseHasNumbersOfCells) {
     for (const auto& [type, word] : {std::pair<std::string, std::string>{"float", "Cell"}, {"vector3", "CellVector"}}) {
-        const Imported made = import_text(one_node(
+        const Imported made = import_mtlx(one_node(
             fmt::format(
                 R"(<worleynoise2d name="tested" type="{}"><input name="style" type="integer" value="1"/></worleynoise2d>)",
                 type),
@@ -450,7 +450,7 @@ TEST(MtlxImport, ColourTransformsAreThoseOfTheLibrary) {
         {"srgb_displayp3", {0.250741934, 0.0440135947, -0.00650520334}},
     };
     for (const auto& [name, wanted] : transforms) {
-        const Imported made = import_text(one_node(
+        const Imported made = import_mtlx(one_node(
             fmt::format(
                 R"(<{0}_to_lin_rec709 name="tested" type="color3"><input name="in" type="color3" value="0.5, 0.25, 0.02"/></{0}_to_lin_rec709>)",
                 name),
@@ -488,7 +488,7 @@ TEST(MtlxImport, PatternsAreThoseOfTheLibrary) {
         {"tiledcircles", "color3", staggered, {0.77, 0.41}, 1},
     };
     for (const Case& each : cases) {
-        const Imported made = import_text(one_node(
+        const Imported made = import_mtlx(one_node(
             fmt::format(R"(<{0} name="tested" type="{1}">{2}</{0}>)", each.node, each.type, each.inputs), each.type));
         const std::vector<double> values =
             computed(made, each.type == "float" ? "roughness" : "baseColor", {each.at[0], 1 - each.at[1]});
@@ -501,7 +501,7 @@ TEST(MtlxImport, PatternsAreThoseOfTheLibrary) {
 TEST(MtlxImport, UnifiedNoiseIsOneOfTheOthers) {
     const auto import = [](const std::string& node, const std::string& inputs) {
         const Imported made =
-            import_text(one_node(fmt::format(R"(<{0} name="tested" type="float">{1}</{0}>)", node, inputs), "float"));
+            import_mtlx(one_node(fmt::format(R"(<{0} name="tested" type="float">{1}</{0}>)", node, inputs), "float"));
         EXPECT_FALSE(made.has_refused) << remarks(made, Remark::Kind::LeftOut);
         EXPECT_EQ(remarks(made, Remark::Kind::Changed), "");
         expect_compiles(made, node + inputs);
@@ -535,7 +535,7 @@ TEST(MtlxImport, UnifiedNoiseIsOneOfTheOthers) {
 // 0.6 is not below 0.3, so it is the second value. Versions before 1.37 had this node.
 TEST(MtlxImport, CompareHasTheSecondValueFromTheCutoffOn) {
     for (const auto& [tested, wanted] : {std::pair(0.6, 0.75), std::pair(0.3, 0.75), std::pair(0.2, 0.25)}) {
-        const Imported made = import_text(one_node(
+        const Imported made = import_mtlx(one_node(
             fmt::format(
                 R"(<compare name="tested" type="float"><input name="intest" type="float" value="{}"/><parameter name="cutoff" type="float" value="0.3"/><input name="in1" type="float" value="0.25"/><input name="in2" type="float" value="0.75"/></compare>)",
                 tested),
@@ -546,7 +546,7 @@ TEST(MtlxImport, CompareHasTheSecondValueFromTheCutoffOn) {
 
 // sqrt(1 - 0.75) is 0.5: 0.36 is 0.72 along the tangent, and 0.18 across it.
 TEST(MtlxImport, RoughnessAnisotropyStretches) {
-    const Imported made = import_text(one_node(
+    const Imported made = import_mtlx(one_node(
         R"(<roughness_anisotropy name="both" type="vector2"><input name="roughness" type="float" value="0.6"/><input name="anisotropy" type="float" value="0.75"/></roughness_anisotropy>
 <convert name="tested" type="color3"><input name="in" type="vector2" nodename="both"/></convert>)",
         "color3"));
@@ -569,7 +569,7 @@ TEST(MtlxImport, EachInputOfASurfaceShaderIsCarriedOver) {
         }
         if (shader == "gltf_pbr") inputs += R"(<input name="alpha_mode" type="integer" value="1"/>)";
         const std::string category(shader.substr(0, shader.find(' ')));
-        const Imported made = import_text(
+        const Imported made = import_mtlx(
             material(fmt::format(R"(<{0} name="shader" type="surfaceshader">{1}</{0}>)", category, inputs), sources()));
         EXPECT_FALSE(made.has_refused) << shader << remarks(made, Remark::Kind::LeftOut);
         for (const mtlx::Statement& each : rule.rule.statements) {
@@ -579,7 +579,7 @@ TEST(MtlxImport, EachInputOfASurfaceShaderIsCarriedOver) {
         }
         expect_compiles(made, std::string(shader));
         for (const mtlx::SurfaceRule::Ignored& each : rule.ignored) {
-            const Imported other = import_text(material(fmt::format(
+            const Imported other = import_mtlx(material(fmt::format(
                 R"(<{0} name="shader" type="surfaceshader">{1}<input name="{2}" type="float" value="0.75"/></{0}>)",
                 category, is_specular ? inputs.substr(0, inputs.find("/>") + 2) : "", each.input)));
             EXPECT_NE(remarks(other, Remark::Kind::Changed).find(each.text), std::string::npos)

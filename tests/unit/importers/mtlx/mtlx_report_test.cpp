@@ -7,7 +7,7 @@ namespace patina::importers {
 namespace {
 
 std::string changed(const std::string& nodes, const std::string& type = "color3") {
-    const Imported made = import_text(one_node(nodes, type));
+    const Imported made = import_mtlx(one_node(nodes, type));
     EXPECT_EQ(remarks(made, Remark::Kind::LeftOut), "");
     return remarks(made, Remark::Kind::Changed);
 }
@@ -55,7 +55,7 @@ TEST(MtlxReport, InputsThatANodeDoesNotHaveAreSaid) {
 }
 
 TEST(MtlxReport, AnInterfaceThatIsNotThereIsRefused) {
-    const Imported made = import_text(material(
+    const Imported made = import_mtlx(material(
         R"(<surface_unlit name="shader" type="surfaceshader"><input name="emission_color" type="color3" interfacename="missing"/></surface_unlit>)"));
     EXPECT_EQ(remarks(made, Remark::Kind::LeftOut),
               "input 'emission_color': it reads 'missing', which is no input of the node graph around: the default "
@@ -66,7 +66,7 @@ TEST(MtlxReport, AnInterfaceThatIsNotThereIsRefused) {
 
 TEST(MtlxReport, WhatAlphaBecomesIsSaid) {
     const auto import = [](const std::string& mode) {
-        return import_text(material(fmt::format(
+        return import_mtlx(material(fmt::format(
             R"(<gltf_pbr name="shader" type="surfaceshader"><input name="alpha_mode" type="integer" value="{}"/><input name="alpha" type="float" value="0.25"/><input name="alpha_cutoff" type="float" value="0.75"/></gltf_pbr>)",
             mode)));
     };
@@ -86,14 +86,14 @@ TEST(MtlxReport, WhatAlphaBecomesIsSaid) {
     made = import("2");
     expect_line(made, "gltf_pbr input 'alpha_mode': the surface is 'fade'");
     expect_line(made, "gltf_pbr input 'alpha_cutoff': the surface is 'fade'");
-    made = import_text(material(
+    made = import_mtlx(material(
         R"(<UsdPreviewSurface name="shader" type="surfaceshader"><input name="opacity" type="float" value="0.5"/><input name="opacityMode" type="string" value="presence"/></UsdPreviewSurface>)"));
     expect_line(made, "UsdPreviewSurface input 'opacityMode': the surface is 'fade'");
 }
 
 TEST(MtlxReport, AConstantNormalIsTheMeshsOwn) {
     const auto import = [](const std::string& normal) {
-        return import_text(material(fmt::format(
+        return import_mtlx(material(fmt::format(
             R"(<gltf_pbr name="shader" type="surfaceshader"><input name="normal" type="vector3" value="{}"/></gltf_pbr>)",
             normal)));
     };
@@ -105,7 +105,7 @@ TEST(MtlxReport, AConstantNormalIsTheMeshsOwn) {
 }
 
 TEST(MtlxReport, WhatNothingReadsIsSaid) {
-    const Imported made = import_text(material(
+    const Imported made = import_mtlx(material(
         R"(<gltf_pbr name="shader" type="surfaceshader"><input name="roughness" type="float" nodegraph="NG" output="out"/></gltf_pbr>)",
         R"(<nodegraph name="NG"><input name="hot" type="float" value="2" uimin="0" uimax="1"/><input name="flag" type="boolean" value="true"/><output name="out" type="float" interfacename="hot"/></nodegraph>
 <variantset name="colours"><variant name="red"><input name="hot" type="float" value="1"/></variant></variantset>)"));
@@ -118,7 +118,7 @@ TEST(MtlxReport, WhatNothingReadsIsSaid) {
 }
 
 TEST(MtlxReport, WhatARefusedNodeReadStays) {
-    Imported made = import_text(
+    Imported made = import_mtlx(
         one_node(sources() +
                      R"(<sin name="wave" type="float"><input name="in" type="float" nodename="source_float"/></sin>
 <curveadjust name="tested" type="float"><input name="in" type="float" nodename="wave"/><input name="knots" type="float" value="1"/></curveadjust>)",
@@ -131,7 +131,7 @@ TEST(MtlxReport, WhatARefusedNodeReadStays) {
         << remarks(made, Remark::Kind::Taken);
     expect_compiles(made, "a refused node");
     // A whole surface.
-    made = import_text(material(
+    made = import_mtlx(material(
         R"(<foggy name="shader" type="surfaceshader"><input name="tint" type="color3" nodename="source_color3"/><input name="file" type="filename" value="a.png"/></foggy>)",
         sources()));
     EXPECT_NE(text_of(made).find("It read tint = "), std::string::npos) << text_of(made);
@@ -140,7 +140,7 @@ TEST(MtlxReport, WhatARefusedNodeReadStays) {
 
 // What an output without a connection says is reported at its place, and not at an element that is gone.
 TEST(MtlxReport, OutputsThatReadNothing) {
-    const Imported made = import_text(R"(<materialx version="1.39">
+    const Imported made = import_mtlx(R"(<materialx version="1.39">
 <nodedef name="ND_a" node="a" type="float"><output name="out" type="float"/></nodedef>
 <nodegraph name="NG_a" nodedef="ND_a"><texcoord name="t" type="vector2"/>
 <output/></nodegraph>

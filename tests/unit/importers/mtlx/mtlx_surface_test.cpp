@@ -7,7 +7,7 @@ namespace {
 
 // Its inputs are of the graph's interface, if `value` names none of them.
 Imported surface(const std::string& shader, const std::string& inputs, const std::string& before = {}) {
-    return import_text(
+    return import_mtlx(
         material(fmt::format(R"(<{0} name="shader" type="surfaceshader">{1}</{0}>)", shader, inputs), before));
 }
 std::string number(const std::string& name, const std::string& value, const std::string& more = {}) {

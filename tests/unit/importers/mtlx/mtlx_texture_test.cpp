@@ -11,7 +11,7 @@ bool has(const Imported& made, const std::string& part) {
 // The nodes of a normal map, and of a surface that reads it.
 Imported normal_map(const std::string& words) {
     save("bumps.png", "no picture");
-    return import_text(material(
+    return import_mtlx(material(
         R"(<gltf_pbr name="shader" type="surfaceshader"><input name="normal" type="vector3" nodename="bumps"/></gltf_pbr>)",
         fmt::format(
             R"(<image name="texels" type="vector3"><input name="file" type="filename" value="bumps.png"/>{}</image>
@@ -31,7 +31,7 @@ TEST(MtlxTexture, NormalMapsKeepWrapAndFilter) {
     EXPECT_FALSE(has(normal_map(""), "sampler"));
     // That of USD, whose surface takes what the texture has decoded.
     save("bumps.png", "no picture");
-    made = import_text(material(
+    made = import_mtlx(material(
         R"(<UsdPreviewSurface name="shader" type="surfaceshader"><input name="normal" type="vector3" nodename="texels" output="rgb"/></UsdPreviewSurface>)",
         R"(<UsdUVTexture name="texels" type="multioutput"><input name="file" type="filename" value="bumps.png"/><input name="wrapS" type="string" value="mirror"/><input name="wrapT" type="string" value="mirror"/><input name="scale" type="vector4" value="2,2,2,1"/><input name="bias" type="vector4" value="-1,-1,-1,0"/></UsdUVTexture>)"));
     EXPECT_TRUE(has(made, R"("sampler": { "wrap": "mirror" })")) << text_of(made);
@@ -40,7 +40,7 @@ TEST(MtlxTexture, NormalMapsKeepWrapAndFilter) {
 
 TEST(MtlxTexture, PropertiesKeepTheirDescription) {
     save("a.png", "no picture");
-    const Imported made = import_text(material(
+    const Imported made = import_mtlx(material(
         R"(<gltf_pbr name="shader" type="surfaceshader"><input name="base_color" type="color3" nodegraph="NG" output="out"/></gltf_pbr>)",
         R"(<nodegraph name="NG"><input name="one" type="filename" value="a.png" uiname="One" uifolder="Pictures" doc="the first"/><input name="two" type="filename" value="a.png" uiname="Two"/>
 <image name="i1" type="color3"><input name="file" type="filename" interfacename="one"/></image><image name="i2" type="color3"><input name="file" type="filename" interfacename="two"/></image>
@@ -55,7 +55,7 @@ TEST(MtlxTexture, PropertiesKeepTheirDescription) {
 // A texture slot without a picture, which stays one.
 TEST(MtlxTexture, APropertyMayNameNoPicture) {
     const auto import = [](const std::string& otherwise, const std::string& type = "color3") {
-        return import_text(material(
+        return import_mtlx(material(
             R"(<gltf_pbr name="shader" type="surfaceshader"><input name="base_color" type="color3" nodegraph="NG" output="out"/></gltf_pbr>)",
             fmt::format(
                 R"(<nodegraph name="NG"><input name="slot" type="filename" value="" uiname="Slot" colorspace="srgb_texture"/><image name="picture" type="{0}"><input name="file" type="filename" interfacename="slot"/>{1}</image><convert name="three" type="color3"><input name="in" type="{0}" nodename="picture"/></convert><output name="out" type="color3" nodename="three"/></nodegraph>)",
@@ -81,7 +81,7 @@ TEST(MtlxTexture, APropertyMayNameNoPicture) {
     EXPECT_TRUE(has(red, R"("baseColor": [1, 0, 0])")) << text_of(red);
     EXPECT_EQ(remarks(red, Remark::Kind::Changed),
               "NG/image 'picture': 'surface.baseColor': it names no picture: its default value\n");
-    const Imported normal = import_text(material(
+    const Imported normal = import_mtlx(material(
         R"(<gltf_pbr name="shader" type="surfaceshader"><input name="normal" type="vector3" nodegraph="NG" output="out"/></gltf_pbr>)",
         R"(<nodegraph name="NG"><input name="slot" type="filename" value=""/><image name="picture" type="vector3"><input name="file" type="filename" interfacename="slot"/></image><normalmap name="bumps" type="vector3"><input name="in" type="vector3" nodename="picture"/></normalmap><output name="out" type="vector3" nodename="bumps"/></nodegraph>)"));
     EXPECT_TRUE(has(normal, R"("usage": "normal", "default": "bump")")) << text_of(normal);
@@ -91,7 +91,7 @@ TEST(MtlxTexture, APropertyMayNameNoPicture) {
 // The order of the document, not that in which the surface reads them.
 TEST(MtlxTexture, PropertiesKeepTheirOrder) {
     save("a.png", "no picture");
-    const Imported made = import_text(material(
+    const Imported made = import_mtlx(material(
         R"(<gltf_pbr name="shader" type="surfaceshader"><input name="base_color" type="color3" nodegraph="NG" output="color"/><input name="roughness" type="float" nodegraph="NG" output="r"/><input name="metallic" type="float" nodegraph="NG" output="m"/></gltf_pbr>)",
         R"(<nodegraph name="NG"><input name="rough" type="float" value="1"/><input name="metal" type="float" value="0"/><input name="picture" type="filename" value="a.png"/>
 <image name="image" type="color3"><input name="file" type="filename" interfacename="picture"/></image>
@@ -104,7 +104,7 @@ TEST(MtlxTexture, PropertiesKeepTheirOrder) {
 // "wood_[age].png" has the text of the nearest token of that name.
 TEST(MtlxTexture, NamesOfFilesHaveTokens) {
     save("wood_old_2k.png", "no picture");
-    const Imported made = import_text(material(
+    const Imported made = import_mtlx(material(
         R"(<gltf_pbr name="shader" type="surfaceshader"><input name="base_color" type="color3" nodegraph="wood" output="out"/></gltf_pbr>)",
         R"(<token name="age" type="string" value="new"/><token name="size" type="string" value="2k"/>
 <token name="idle" type="string" value="x"/>

@@ -30,7 +30,7 @@ Imported import_lit(const std::string& data, std::vector<BlockText> blocks, std:
     graph.more_objects = "\n\n" + fmt::format(R"({{"m_Type":"x.HDLitData","m_ObjectId":"lit",{}}})", data);
     std::string source = graph.new_layout();
     source.replace(source.find("UniversalTarget"), 15, "HDTarget");
-    return import_text(source);
+    return import_shadergraph(source);
 }
 
 TEST(ShaderGraphBlocks, ASpecularColourIsTheOtherWorkflow) {
@@ -164,7 +164,7 @@ TEST(ShaderGraphBlocks, OfOldMasterNodesHaveOtherNames) {
                               old_slot(1, "ColorRGB", "Emissive", red) + "," + old_slot(2, "Vector1", "Alpha", "0.5") +
                               "," + old_slot(3, "Vector1", "Coat Mask", "0.5") + "," +
                               old_slot(4, "Vector1", "Subsurface Mask", "1.0");
-    const Imported made = import_text(old_master("HDLitMasterNode", R"(\"m_MaterialType\":4)", slots));
+    const Imported made = import_shadergraph(old_master("HDLitMasterNode", R"(\"m_MaterialType\":4)", slots));
     EXPECT_NE(text_of(made).find(R"("specular": [1, 0, 0], "emission": [1, 0, 0])"), std::string::npos)
         << text_of(made) << made.error;
     EXPECT_TRUE(says(made, Remark::Kind::Changed, "block 'CoatMask'"));

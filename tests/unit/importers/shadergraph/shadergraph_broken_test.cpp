@@ -13,20 +13,20 @@ namespace {
 
 TEST(BrokenShaderGraph, BrokenFilesAreReportedAtTheirPlace) {
     const std::string good = painted().new_layout();
-    EXPECT_TRUE(std::regex_search(import_text(good.substr(0, good.size() - 10)).error,
+    EXPECT_TRUE(std::regex_search(import_shadergraph(good.substr(0, good.size() - 10)).error,
                                   std::regex("x\\.shadergraph:[0-9]+:[0-9]+: ")));
-    EXPECT_NE(import_text("").error.find("the file is empty"), std::string::npos);
-    EXPECT_NE(import_text("nonsense").error.find("x.shadergraph:1:1: "), std::string::npos);
-    EXPECT_NE(import_text("\n{}").error.find("x.shadergraph:2:1: it is no shader graph"), std::string::npos);
+    EXPECT_NE(import_shadergraph("").error.find("the file is empty"), std::string::npos);
+    EXPECT_NE(import_shadergraph("nonsense").error.find("x.shadergraph:1:1: "), std::string::npos);
+    EXPECT_NE(import_shadergraph("\n{}").error.find("x.shadergraph:2:1: it is no shader graph"), std::string::npos);
     const std::string old = R"({"m_SerializableNodes":[]})";
-    EXPECT_NE(import_text(old).error.find(":1:24: it has neither a master node"), std::string::npos);
-    EXPECT_NE(import_text(old + "\n{}").error.find(":2:1: objects follow the graph"), std::string::npos);
-    EXPECT_NE(import_text(good + "\n\n<<<<<<< HEAD\n").error.find("begins with '{'"), std::string::npos);
+    EXPECT_NE(import_shadergraph(old).error.find(":1:24: it has neither a master node"), std::string::npos);
+    EXPECT_NE(import_shadergraph(old + "\n{}").error.find(":2:1: objects follow the graph"), std::string::npos);
+    EXPECT_NE(import_shadergraph(good + "\n\n<<<<<<< HEAD\n").error.find("begins with '{'"), std::string::npos);
     std::string nan = good;
     nan.replace(nan.find("0.25"), 4, "NaN");
-    EXPECT_TRUE(std::regex_search(import_text(nan).error, std::regex("x\\.shadergraph:[0-9]+:[0-9]+: ")))
-        << import_text(nan).error;
-    EXPECT_NE(import_text(std::string(5000, '{') + good).error, "");
+    EXPECT_TRUE(std::regex_search(import_shadergraph(nan).error, std::regex("x\\.shadergraph:[0-9]+:[0-9]+: ")))
+        << import_shadergraph(nan).error;
+    EXPECT_NE(import_shadergraph(std::string(5000, '{') + good).error, "");
     ShaderGraphText twice = painted();
     twice.nodes.push_back(twice.nodes[0]);
     EXPECT_NE(import_graph(twice).error.find("a second object has the id"), std::string::npos);
@@ -87,7 +87,7 @@ TEST(BrokenShaderGraph, LostObjectsAreRefused) {
          "edge from the node 'product' (slot 2) to 'Lerp' (S0): the node at its beginning does not exist\n"},
         {with(old, R"(\\\"x\\\":0.5)", R"(\\\"x\\\":NaN)"), "node 'Lerp': the JSON of its slot cannot be read (1:"}};
     for (const auto& [file, reason] : broken) {
-        const Imported made = import_text(file);
+        const Imported made = import_shadergraph(file);
         EXPECT_TRUE(made.has_refused) << reason;
         EXPECT_NE(remarks(made, Remark::Kind::LeftOut).find(reason), std::string::npos)
             << reason << "\n"
@@ -140,14 +140,14 @@ TEST(BrokenShaderGraph, WrongValuesAreSaid) {
          R"(node 'Lerp': .*m_Position.x' .* is 1e\+308, not .*m_Position.y' .* is a list)"},
         {R"("m_SlotType":0)", R"("m_SlotType":5)", R"(node 'Sample Texture 2D': .*is 5, not a number from 0 to 1)"}};
     for (const auto& each : values) {
-        const Imported made = import_text(with(text, each.from, each.to));
+        const Imported made = import_shadergraph(with(text, each.from, each.to));
         EXPECT_TRUE(std::regex_search(remarks(made, Remark::Kind::Changed), std::regex(each.said)))
             << each.to << "\n"
             << remarks(made, Remark::Kind::Changed) << made.error;
         EXPECT_FALSE(made.has_refused) << each.to;
         expect_compiles(made, each.to);
     }
-    const Imported made = import_text(with(old, R"(\"m_AlphaMode\":0)", R"(\"m_AlphaMode\":9)"));
+    const Imported made = import_shadergraph(with(old, R"(\"m_AlphaMode\":0)", R"(\"m_AlphaMode\":9)"));
     EXPECT_TRUE(std::regex_search(remarks(made, Remark::Kind::Changed),
                                   std::regex(R"('m_AlphaMode' \(1:\d+\) is 9, not a number from 0 to 3)")))
         << remarks(made, Remark::Kind::Changed);
@@ -167,14 +167,15 @@ TEST(BrokenShaderGraph, BrokenListsAndIdsAreErrors) {
         {with(old, R"("m_SerializableEdges":[)", R"("m_SerializableEdges":{},"more":[)"),
          R"(:1:\d+: 'm_SerializableEdges' is an object, not a list)"}};
     for (const auto& [file, said] : broken)
-        EXPECT_TRUE(std::regex_search(import_text(file).error, std::regex(said))) << said << "\n"
-                                                                                  << import_text(file).error;
+        EXPECT_TRUE(std::regex_search(import_shadergraph(file).error, std::regex(said)))
+            << said << "\n"
+            << import_shadergraph(file).error;
 }
 
 TEST(BrokenShaderGraph, NewerVersionsAreSaid) {
     ShaderGraphText graph = painted();
     graph.nodes.back().version = 7;
-    const Imported made = import_text(with(graph.new_layout(), R"("m_SGVersion":3)", R"("m_SGVersion":9)"));
+    const Imported made = import_shadergraph(with(graph.new_layout(), R"("m_SGVersion":3)", R"("m_SGVersion":9)"));
     const std::string changed = remarks(made, Remark::Kind::Changed);
     EXPECT_NE(changed.find("the file: it is of version 9; 3 is the newest that is known: read as that\n"),
               std::string::npos)
@@ -444,7 +445,7 @@ TEST(BrokenShaderGraph, MutationsDoNotCrash) {
                     break;
             }
         }
-        const Imported made = import_text(text);
+        const Imported made = import_shadergraph(text);
         EXPECT_EQ(made.error.empty(), !made.graphs.empty());
         if (!made.error.empty()) continue;
         ++imported;

@@ -18,11 +18,11 @@ inline Imported import(const std::string& path) {
     const Source source{.path = path, .start = {}};
     return importer_of(source)->read(source, {});
 }
-inline Imported import_text(const std::string& text) {
+inline Imported import_shadergraph(const std::string& text) {
     return import(save_shader_graph("x.shadergraph", text));
 }
 inline Imported import_graph(const ShaderGraphText& graph) {
-    return import_text(graph.new_layout());
+    return import_shadergraph(graph.new_layout());
 }
 
 inline const std::string& text_of(const Imported& made, const std::string& name = "x.graph.json") {

@@ -31,7 +31,7 @@ constexpr std::string_view kPainted = R"({
 TEST(ShaderGraphImport, BothLayoutsBecomeTheSameGraph) {
     const Imported made = import_graph(painted());
     EXPECT_EQ(text_of(made), kPainted);
-    EXPECT_EQ(text_of(import_text(painted().old_layout())), kPainted);
+    EXPECT_EQ(text_of(import_shadergraph(painted().old_layout())), kPainted);
     EXPECT_EQ(remarks(made, Remark::Kind::Changed), "");
     EXPECT_FALSE(made.has_refused);
     expect_compiles(made, "painted");
@@ -511,7 +511,7 @@ TEST(ShaderGraphImport, MaterialsChangeTheSettings) {
         std::string source = graph.new_layout();
         const std::string target = "UniversalTarget";
         if (graph.material.starts_with("BuiltIn")) source.replace(source.find(target), target.size(), "BuiltInTarget");
-        const Imported made = import_text(source);
+        const Imported made = import_shadergraph(source);
         const std::string text = text_of(made), lost = each.lost;
         EXPECT_NE(text.find(std::string(R"("render": )") + each.expected), std::string::npos) << each.target << text;
         const std::string changed = remarks(made, Remark::Kind::Changed);
@@ -554,7 +554,7 @@ TEST(ShaderGraphImport, BlocksWithoutAnInputAreSaid) {
             text.replace(at, from.size(), to);
     for (std::size_t at = 0; (at = text.find("SurfaceDescription.BaseColor", at)) != text.npos; at += 10)
         text.replace(at, 28, "SurfaceDescription.BentNormal");
-    const Imported made = import_text(text);
+    const Imported made = import_shadergraph(text);
     EXPECT_NE(remarks(made, Remark::Kind::Changed).find("block 'BentNormal': the workflow has no such input"),
               std::string::npos)
         << remarks(made, Remark::Kind::Changed) << remarks(made, Remark::Kind::Taken);

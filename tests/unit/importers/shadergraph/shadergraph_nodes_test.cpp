@@ -356,7 +356,7 @@ TEST(ShaderGraphTable, UnknownNodesHaveTheirReasons) {
         std::string text = one_node({.id = "it", .kind = kind, .slots = {out(0, "Vector1")}}, 0).new_layout();
         const std::string full = "UnityEditor.ShaderGraph." + kind;
         text.replace(text.find(full), full.size(), name_space + "." + kind);
-        return remarks(import_text(text), Remark::Kind::LeftOut);
+        return remarks(import_shadergraph(text), Remark::Kind::LeftOut);
     };
     EXPECT_NE(reason("HDSceneColorNode").find("the buffers of the high definition pipeline"), std::string::npos);
     EXPECT_NE(reason("PackVertexData_Water").find("the water of the high definition pipeline"), std::string::npos);

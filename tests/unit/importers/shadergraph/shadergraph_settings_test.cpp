@@ -106,7 +106,7 @@ Imported import_for(const std::string& target, const std::string& material, cons
     graph.more_objects = fmt::format("\n\n{{\"m_Type\":\"x.SystemData\",\"m_ObjectId\":\"system\",{}}}", data);
     std::string source = graph.new_layout();
     source.replace(source.find("UniversalTarget"), 15, target);
-    return import_text(source);
+    return import_shadergraph(source);
 }
 
 TEST(ShaderGraphSettings, OfTheHighDefinitionPipeline) {
@@ -149,7 +149,7 @@ TEST(ShaderGraphSettings, OfEffects) {
     EXPECT_TRUE(has(import_for("VFXTarget", "None", R"("m_Lit":false)"), R"("workflow": "unlit")"));
 
     // Of 2020.1 and before: a master node.
-    const Imported old = import_text(
+    const Imported old = import_shadergraph(
         R"({"m_SerializedProperties":[],"m_SerializableEdges":[],"m_SerializableNodes":[{"typeInfo":{"fullName":"UnityEditor.ShaderGraph.VfxMasterNode"},"JSONnodeData":"{\"m_GuidSerialized\":\"m\",\"m_Name\":\"Effect\",\"m_Lit\":false,\"m_AlphaTest\":true,\"m_SerializableSlots\":[{\"typeInfo\":{\"fullName\":\"UnityEditor.ShaderGraph.Vector1MaterialSlot\"},\"JSONnodeData\":\"{\\\"m_Id\\\":4,\\\"m_DisplayName\\\":\\\"Alpha Threshold\\\",\\\"m_SlotType\\\":0,\\\"m_Value\\\":0.25}\"}]}"}]})");
     EXPECT_TRUE(has(old, R"("alphaClip": 0.25)")) << text_of(old) << old.error;
     EXPECT_TRUE(has(old, R"("surface": "cutout")")) << text_of(old);

@@ -29,7 +29,7 @@ std::string replaced(std::string text, const std::string& from, const std::strin
 }
 
 void expect_error(const std::string& text, const std::string& pattern) {
-    const Imported made = import_text(text);
+    const Imported made = import_material(text);
     EXPECT_TRUE(std::regex_search(made.error, std::regex(pattern))) << pattern << "\n" << made.error;
     EXPECT_TRUE(made.graphs.empty());
 }
@@ -56,7 +56,7 @@ TEST(BrokenUnityMaterial, HostileFilesAreRefused) {
     for (const char* bracket : {"[", "{", "{a: ", "- ", "? "}) {
         std::string deep = "Material: \n  m_Floats: ";
         for (int i = 0; i < 20000; ++i) deep += bracket;
-        const Imported made = import_text(deep);
+        const Imported made = import_material(deep);
         EXPECT_NE(made.error, "") << bracket;
     }
     expect_error("Material:\n  m_Name: [" + std::string(40, '[') + std::string(41, ']'),
@@ -67,12 +67,12 @@ TEST(BrokenUnityMaterial, CutOffFilesAreRefusedOrImported) {
     const std::string good = painted().text();
     std::size_t imported = 0;
     for (std::size_t size = 0; size < good.size(); size += 7) {
-        const Imported made = import_text(good.substr(0, size));
+        const Imported made = import_material(good.substr(0, size));
         EXPECT_EQ(made.error.empty(), !made.graphs.empty());
         if (made.error.empty()) ++imported;
     }
     EXPECT_GT(imported, 50u);
-    const Imported made = import_text(good.substr(0, good.find("  m_SavedProperties")));
+    const Imported made = import_material(good.substr(0, good.find("  m_SavedProperties")));
     EXPECT_NE(remarks(made, Remark::Kind::Changed).find("setting 'm_SavedProperties': it is missing"),
               std::string::npos)
         << remarks(made, Remark::Kind::Changed);
@@ -102,9 +102,9 @@ TEST(BrokenUnityMaterial, ValuesThatAreNoNumbersAreSaid) {
 
 TEST(BrokenUnityMaterial, NewerVersionsAreSaid) {
     const std::string good = painted().text();
-    EXPECT_EQ(remarks(import_text(good), Remark::Kind::Changed).find("newest"), std::string::npos);
-    const Imported made = import_text(replaced(replaced(good, "serializedVersion: 8", "serializedVersion: 800"),
-                                               "    serializedVersion: 3", "    serializedVersion: 99"));
+    EXPECT_EQ(remarks(import_material(good), Remark::Kind::Changed).find("newest"), std::string::npos);
+    const Imported made = import_material(replaced(replaced(good, "serializedVersion: 8", "serializedVersion: 800"),
+                                                   "    serializedVersion: 3", "    serializedVersion: 99"));
     const std::string changed = remarks(made, Remark::Kind::Changed);
     EXPECT_NE(changed.find("the file: it is of version 800; 8 is the newest that is known: read as that"),
               std::string::npos)
@@ -119,7 +119,7 @@ TEST(BrokenUnityMaterial, NewerVersionsAreSaid) {
 // Unity always writes the lists of textures, numbers and colours, and the three parts of a texture.
 TEST(BrokenUnityMaterial, WhatACutOffFileLacksIsSaid) {
     const std::string good = painted().text();
-    const auto changed = [](const std::string& text) { return remarks(import_text(text), Remark::Kind::Changed); };
+    const auto changed = [](const std::string& text) { return remarks(import_material(text), Remark::Kind::Changed); };
     std::string said = changed(good.substr(0, good.find("        m_Scale: {x: 1, y: 1}")));
     for (const char* expected : {"property '_MainTex': it has no m_Scale; the file may be cut off",
                                  "property '_MainTex': it has no m_Offset; the file may be cut off",
@@ -172,7 +172,7 @@ TEST(BrokenUnityMaterial, PropertiesAreReadOnce) {
         remarks(made, Remark::Kind::Changed).find("property '_Glossiness': it is there twice: the first one counts"),
         std::string::npos);
     EXPECT_NE(graph_of(made).find(R"("default": 0.25)"), std::string::npos) << graph_of(made);
-    const Imported several = import_text(painted().text() + "--- !u!21 &2100002\nMaterial:\n  m_Name: y\n");
+    const Imported several = import_material(painted().text() + "--- !u!21 &2100002\nMaterial:\n  m_Name: y\n");
     EXPECT_NE(remarks(several, Remark::Kind::Changed).find("material: there are several: the first one counts"),
               std::string::npos);
 }

@@ -18,11 +18,11 @@ inline Imported import_file(const std::string& path) {
     const Source source{.path = path, .start = {}};
     return importer_of(source)->read(source, {});
 }
-inline Imported import_text(const std::string& text) {
+inline Imported import_material(const std::string& text) {
     return import_file(MaterialFolder().save("x.mat", text));
 }
 inline Imported import(const MaterialText& material) {
-    return import_text(material.text());
+    return import_material(material.text());
 }
 inline Imported import_in(const MaterialFolder& folder, const MaterialText& material) {
     return import_file(folder.save("x.mat", material.text()));

@@ -40,7 +40,7 @@ TEST(UnityMaterial, BothFormsBecomeTheSameGraph) {
     EXPECT_EQ(graph_of(made), kPainted);
     EXPECT_EQ(remarks(made, Remark::Kind::Changed), "");
     EXPECT_FALSE(made.has_refused);
-    const Imported old = import_text(painted().old_text());
+    const Imported old = import_material(painted().old_text());
     EXPECT_EQ(graph_of(old), kPainted);
     EXPECT_EQ(remarks(old, Remark::Kind::Changed), "");
     expect_compiles(made, "painted");
