@@ -231,7 +231,7 @@ foreach(folder IN LISTS folders)
   get_filename_component(importer ${folder} NAME)
   file(GLOB_RECURSE files ${folder}/*.h ${folder}/*.cpp)
   foreach(file IN LISTS files)
-    check_includes(${file} "^compiler/(json|base)/|^compiler/importers/([a-z_]+\\.h$|unity/|${importer}/)|^patina/|^runtime/((picture|lighting|gltf|mesh)/|outcome\\.h$)")
+    check_includes(${file} "^compiler/(json|base|nodelang)/|^compiler/importers/([a-z_]+\\.h$|unity/|${importer}/)|^patina/|^runtime/((picture|lighting|gltf|mesh)/|outcome\\.h$)")
   endforeach()
 endforeach()
 

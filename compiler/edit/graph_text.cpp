@@ -87,6 +87,7 @@ bool is_same(const Expr& a, const Expr& b, const Renaming& renaming) {
         case Expr::Kind::Object:
         case Expr::Kind::Assign:
         case Expr::Kind::AssignLater:
+        case Expr::Kind::Sequence:
             if (a.text != b.text) return false;
     }
     for (std::size_t i = 0; i < a.args.size(); ++i) {

@@ -81,7 +81,8 @@ std::optional<double> constant_value(const Known& known, const Expr& expr, const
         case Expr::Kind::File:
         case Expr::Kind::Object:
         case Expr::Kind::Assign:
-        case Expr::Kind::AssignLater: return {};
+        case Expr::Kind::AssignLater:
+        case Expr::Kind::Sequence: return {};
     }
     return {};
 }

@@ -232,6 +232,10 @@ Typed expression(Emitter& emitter, const Expr& expr, Scope& scope) {
         case Expr::Kind::Object: return object_value(emitter, expr, scope);
         case Expr::Kind::Assign:
         case Expr::Kind::AssignLater: return assignment(emitter, expr, scope);
+        case Expr::Kind::Sequence: {
+            expression(emitter, *expr.args[0], scope);
+            return expression(emitter, *expr.args[1], scope);
+        }
     }
     return {};
 }

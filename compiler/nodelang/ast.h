@@ -37,6 +37,7 @@ struct Expr {
         // Of HLSL alone:
         Assign,       // args[0] text args[1]; its value is what was assigned. text: = += ...
         AssignLater,  // the same, but its value is that of before: x++
+        Sequence,     // (args[0], args[1]): its value is that of the second
     };
     Kind kind = Kind::Number;
     NumberKind number_kind = NumberKind::Int;

@@ -104,8 +104,10 @@ Lexer::Lexer(Text text, Dialect dialect, Diagnostics& diagnostics)
 Token Lexer::next() {
     Cancellation::step();
     Token token;
+    const std::size_t before = here_;
     skip_space(token);
     token.begin = here_;
+    token.follows_space = here_ > before;
     const char c = at(here_);
     if (here_ >= text_.text.size()) {
         token.kind = Token::Kind::End;

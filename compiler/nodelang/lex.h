@@ -10,6 +10,7 @@
 #pragma once
 
 #include "compiler/base/diagnostics.h"
+#include "compiler/base/precedence.h"
 #include "compiler/nodelang/ast.h"
 #include "compiler/nodelang/parse.h"
 
@@ -31,6 +32,7 @@ struct Token {
     std::size_t begin = 0;  // offsets into Text::text
     std::size_t end = 0;
     bool begins_line = false;
+    bool follows_space = false;  // or a comment
     std::string_view text;
     double number = 0;
     std::string_view doc;           // whole lines, slashes included; empty if there are none
@@ -42,6 +44,11 @@ struct Token {
     }
     bool is_word(std::string_view word) const { return kind == Kind::Word && text == word; }
 };
+
+// Of an operator with two operands; Any: the token is none.
+inline Precedence precedence(const Token& token) {
+    return token.kind == Token::Kind::Punctuation ? binary_precedence(token.text) : Precedence::Any;
+}
 
 class Lexer {
 public:

@@ -201,7 +201,10 @@ bool Parser::declaration() {
     }
     const std::size_t begin = now().begin;
     bool is_const = false;
-    if (is_hlsl() ? !qualifiers(is_const) : (is_const = take_word("const"), false)) return false;
+    if (is_hlsl())
+        qualifiers(is_const);
+    else
+        is_const = take_word("const");
     TypeName type;
     Token word;
     if (!type_name(type, "a declaration") || !name("a name", word)) return false;
@@ -259,11 +262,13 @@ bool Parser::type_name(TypeName& into, std::string_view what) {
 
 // The [4] behind the name of an array.
 bool Parser::array_size(TypeName& into) {
-    if (!now().is("[")) return true;
-    const Token open = take();
-    const Node size = expression();
-    if (!size || !expect_close("]", open)) return false;
-    into.array_size = size.expr;
+    while (now().is("[") && (is_hlsl() || !into.array_size)) {
+        if (into.array_size) lacks(span(now()), "an array of arrays: write one with the product of the sizes");
+        const Token open = take();
+        const Node size = expression();
+        if (!size || !expect_close("]", open)) return false;
+        into.array_size = size.expr;
+    }
     return true;
 }
 

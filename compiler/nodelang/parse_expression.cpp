@@ -74,11 +74,10 @@ Node Parser::expression() {
 Node Parser::binary(Precedence lowest) {
     Node left = unary();
     while (left) {
-        const bool is_operator = now().kind == Token::Kind::Punctuation;
-        const Precedence precedence = is_operator ? binary_precedence(now().text) : Precedence::Any;
-        if (precedence == Precedence::Any || precedence < lowest) return left;
+        const Precedence own = precedence(now());
+        if (own == Precedence::Any || own < lowest) return left;
         const Token op = take();
-        const Node right = binary(above(precedence));
+        const Node right = binary(above(own));
         if (!right) return {};
         left = make({.kind = Expr::Kind::Binary, .name_span = span(op), .text = op.text}, left.begin, {left, right});
     }
@@ -173,6 +172,13 @@ Node Parser::bracketed() {
     const Token open = take();
     if (is_hlsl() && now().kind == Token::Kind::Word && after().is(")")) return cast(open);
     Node inner = expression();
+    while (inner && is_hlsl() && now().is(",")) {
+        const Token comma = take();
+        const Node next = expression();
+        if (!next) return {};
+        inner = make({.kind = Expr::Kind::Sequence, .name_span = span(comma), .text = comma.text}, inner.begin,
+                     {inner, next});
+    }
     if (!inner || !expect_close(")", open)) return {};
     inner.begin = open.begin;
     return inner;

@@ -79,7 +79,10 @@ bool Parser::declaration_statement(Statements& into) {
     std::size_t begin = now().begin;
     bool is_const = false;
     TypeName type;
-    if (is_hlsl() ? !qualifiers(is_const) : (is_const = take_word("const"), false)) return false;
+    if (is_hlsl())
+        qualifiers(is_const);
+    else
+        is_const = take_word("const");
     if (!type_name(type, "a statement")) return false;
     for (;;) {
         Stmt stmt{.kind = Stmt::Kind::Declare, .type = type, .is_const = is_const};

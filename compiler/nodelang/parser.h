@@ -144,7 +144,8 @@ private:
     Node stepped(const Node& target, const Token& op, bool is_before);
     Node cast(const Token& open);
     bool begins_declaration() const;
-    bool qualifiers(bool& is_const);
+    void qualifiers(bool& is_const);
+    void lacks(Span at, std::string_view what);
     bool hlsl_parameter(ParamDecl& into);
     void skip_semantic();
 

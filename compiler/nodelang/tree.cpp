@@ -132,6 +132,7 @@ Precedence precedence_of(const Expr& expr) {
         case Expr::Kind::Unary: return Precedence::Unary;
         case Expr::Kind::Binary: return binary_precedence(expr.text);
         case Expr::Kind::Ternary: return Precedence::Ternary;
+        case Expr::Kind::Sequence:
         case Expr::Kind::Assign:
         case Expr::Kind::AssignLater: return Precedence::Any;
     }
@@ -167,6 +168,7 @@ std::string printed(const Expr& expr) {
         case Expr::Kind::Ternary:
             return at_least(Precedence::LogicalOr, *expr.args[0]) + " ? " + printed(*expr.args[1]) + " : " +
                    at_least(Precedence::Ternary, *expr.args[2]);
+        case Expr::Kind::Sequence: return printed(*expr.args[0]) + ", " + printed(*expr.args[1]);
         case Expr::Kind::Assign:
         case Expr::Kind::AssignLater:
             return at_least(Precedence::Unary, *expr.args[0]) + " " + text + " " + printed(*expr.args[1]);

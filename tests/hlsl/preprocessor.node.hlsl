@@ -27,6 +27,16 @@ float4 Macros(float x) {
     return float4(PI_TWICE, NAME(7), LERP(1, x, 0.5), KNOWN);
 }
 
+#define WEIGHED(weight, ...) (weight * max(__VA_ARGS__))
+#define FIRST(...) FIRST_OF(__VA_ARGS__)
+#define FIRST_OF(a, ...) a
+/// Macros that take any number of arguments.
+/// test: AnyNumber(3) == float2(6, 3)
+[node("Test/AnyNumber")]
+float2 AnyNumber(float x) {
+    return float2(WEIGHED(2, 1, x), FIRST(x, 5));
+}
+
 #undef SQUARE
 #define SQUARE(x) (x + 0)
 #define AGAIN SQUARE

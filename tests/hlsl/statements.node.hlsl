@@ -282,6 +282,14 @@ float3 Struct(float x) {
     return float3(shape.center.x, shape.size.x, shape.angle);
 }
 
+/// The value of a list of expressions is that of the last.
+/// test: Listed(3) == float2(8, 4)
+[node("Test/Listed")]
+float2 Listed(float x) {
+    float y = (x += 1, 2 * x);
+    return float2(y, x);
+}
+
 void bounded(float x, out float made) {
     made = 0;
     if (x < 0) return;

@@ -1,20 +1,9 @@
 #include "compiler/nodelang/hlsl/condition.h"
 
-#include <algorithm>
-#include <iterator>
-
 namespace patina::nodelang {
 namespace {
 
 constexpr int kDeepest = 200;
-
-struct Operator {
-    std::string_view text;
-    int level;
-};
-constexpr Operator kOperators[] = {{"||", 1}, {"&&", 2}, {"|", 3}, {"^", 4},  {"&", 5},  {"==", 6},
-                                   {"!=", 6}, {"<", 7},  {">", 7}, {"<=", 7}, {">=", 7}, {"<<", 8},
-                                   {">>", 8}, {"+", 9},  {"-", 9}, {"*", 10}, {"/", 10}, {"%", 10}};
 
 struct Number {
     std::int64_t value = 0;
@@ -26,7 +15,7 @@ public:
     Reader(std::span<const Token> tokens, const std::set<std::string_view>& zeros) : tokens_(tokens), zeros_(zeros) {}
 
     Decision run() {
-        const Number made = binary(1);
+        const Number made = binary(Precedence::LogicalOr);
         if (made_.error.empty() && next_ < tokens_.size()) fail("an operator or the end of the condition");
         made_.holds = made_.error.empty() && made.value != 0;
         return made_;
@@ -44,17 +33,16 @@ private:
         return false;
     }
 
-    Number binary(int lowest) {
+    Number binary(Precedence lowest) {
         Number left = unary();
         while (made_.error.empty()) {
             const Token op = now();
-            const auto row = std::find_if(std::begin(kOperators), std::end(kOperators),
-                                          [&](const Operator& each) { return op.is(each.text); });
-            if (row == std::end(kOperators) || row->level < lowest) return left;
+            const Precedence own = precedence(op);
+            if (own == Precedence::Any || own < lowest) return left;
             ++next_;
-            const Number right = binary(row->level + 1);
-            if (row->level > 2 && (!is_known(left) || !is_known(right))) return {};
-            left = {.value = result(row->text, left.value, right.value)};
+            const Number right = binary(above(own));
+            if (own > Precedence::LogicalAnd && (!is_known(left) || !is_known(right))) return {};
+            left = {.value = result(op.text, left.value, right.value)};
         }
         return left;
     }
@@ -104,7 +92,7 @@ private:
         }
         if (token.is("(")) {
             ++next_;
-            const Number made = binary(1);
+            const Number made = binary(Precedence::LogicalOr);
             if (!now().is(")")) fail("')'");
             ++next_;
             return made;

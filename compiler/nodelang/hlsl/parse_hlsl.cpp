@@ -46,8 +46,8 @@ bool Parser::begins_declaration() const {
     return after().kind == Token::Kind::Word || (after().is("<") && now().text.starts_with("Texture"));
 }
 
-// "static const": "static" alone would be a variable that keeps its value between calls.
-bool Parser::qualifiers(bool& is_const) {
+// "static const": the first of them alone would be a variable that keeps its value between calls.
+void Parser::qualifiers(bool& is_const) {
     bool is_static = false;
     const Token first = now();
     for (;;) {
@@ -60,10 +60,13 @@ bool Parser::qualifiers(bool& is_const) {
             break;
         }
     }
-    if (!is_static || is_const || braces_ == 0) return true;
-    diagnostics_.report(Code::Syntax, span(first), "'static const'", "'static'")
-        .note("no variable keeps its value between two calls");
-    return false;
+    if (is_static && !is_const && braces_ > 0)
+        lacks(span(first), "no variable keeps its value between two calls: write 'static const'");
+}
+
+// HLSL that the node language does not have. It is parsed all the same.
+void Parser::lacks(Span at, std::string_view what) {
+    diagnostics_.report(Code::NotYet, at, what);
 }
 
 bool Parser::hlsl_parameter(ParamDecl& into) {
@@ -135,9 +138,18 @@ bool Parser::hlsl_statement(Statements& into) {
         const Stmt* made = finish({.kind = is_break ? Stmt::Kind::Break : Stmt::Kind::Continue}, begin);
         return end_of_statement() && add(made);
     }
-    if (now().is_word("discard") || now().is_word("struct") || now().is_word("typedef") || now().is_word("else")) {
-        DiagnosticRecord& record = expected("a statement");
-        if (now().is_word("discard")) record.note("a function leaves out no pixel: use the alpha clip of the surface");
+    if (now().is_word("discard")) {
+        const Node word = leaf(Expr::Kind::Call, take());
+        lacks(word.expr->span, "a function leaves out no pixel: use the alpha clip of the surface");
+        into.push_back(finish({.kind = Stmt::Kind::Evaluate, .value = word.expr}, begin));
+        return end_of_statement();
+    }
+    if (now().is_word("struct")) {
+        lacks(span(now()), "a struct inside of a function: declare it before the function");
+        return structure({}, {});
+    }
+    if (now().is_word("typedef") || now().is_word("else")) {
+        expected("a statement");
         return false;
     }
     return begins_declaration() ? declaration_statement(into) : expressions(into) && end_of_statement();

@@ -37,7 +37,7 @@ Token Preprocessor::next() {
             made_.pop_front();
             return token;
         }
-        const Token token = raw();
+        Token token = raw();
         if (token.is("#") && token.begins_line) {
             directive(token);
         } else if (token.kind == Token::Kind::End) {
@@ -46,7 +46,12 @@ Token Preprocessor::next() {
             return token;
         } else if (is_open()) {
             Tokens list;
-            if (!replace(token, list, nullptr, {})) return token;
+            begins_line_ = begins_line_ || token.begins_line;
+            const bool is_replaced = replace(token, list, nullptr, {});
+            if (is_replaced && list.empty()) continue;
+            (is_replaced ? list.front() : token).begins_line = begins_line_;
+            begins_line_ = false;
+            if (!is_replaced) return token;
             made_.assign(list.begin(), list.end());
         }
     }
@@ -101,6 +106,14 @@ void Preprocessor::define(const Tokens& line) {
         macro.has_parameters = true;
         for (i = 2; i < line.size() && !line[i].is(")"); ++i) {
             if (line[i].is(",")) continue;
+            // "..."
+            if (line[i].is(".") && i + 3 < line.size() && line[i + 1].is(".") && line[i + 2].is(".") &&
+                line[i + 3].is(")")) {
+                macro.takes_more = true;
+                macro.parameters.push_back("__VA_ARGS__");
+                i += 2;
+                continue;
+            }
             if (line[i].kind != Token::Kind::Word) return wrong(line[i], "a parameter or ')'", described(line[i]));
             macro.parameters.push_back(line[i].text);
         }
@@ -184,7 +197,7 @@ bool Preprocessor::replace(const Token& name, Tokens& into, Rest* rest, const Ac
     if (made_count_ > kMostMade) return true;  // reported
     std::vector<Tokens> given;
     if (macro.has_parameters) {
-        if (!arguments(name, rest, given)) return false;
+        if (!arguments(name, rest, macro.takes_more ? macro.parameters.size() : kMostMade, given)) return false;
         if (given.size() != macro.parameters.size() &&
             !(macro.parameters.empty() && given.size() == 1 && given[0].empty())) {
             diagnostics_.report(Code::ArgumentCount, span(name), name.text, macro.parameters.size(), given.size());
@@ -218,7 +231,8 @@ void Preprocessor::replace_by(const Macro& macro, const Token& name, Tokens& int
         }
         const std::size_t k = parameter(macro.body[i]);
         if (k < given.size()) {
-            const Tokens argument = joins ? given[k] : replaced(given[k], active);
+            Tokens argument = joins ? given[k] : replaced(given[k], active);
+            if (!argument.empty()) argument.front().follows_space = macro.body[i].follows_space;
             list.insert(list.end(), argument.begin(), argument.end());
         } else {
             list.push_back(macro.body[i]);
@@ -240,12 +254,15 @@ void Preprocessor::replace_by(const Macro& macro, const Token& name, Tokens& int
         token.begins_line = false;
         token.doc = token.trailing_doc = {};
     }
-    if (!list.empty()) list.front().doc = name.doc;
+    if (!list.empty()) {
+        list.front().doc = name.doc;
+        list.front().follows_space = name.follows_space;
+    }
     into.insert(into.end(), list.begin(), list.end());
 }
 
-// False if no bracket follows: then the name is an ordinary word.
-bool Preprocessor::arguments(const Token& name, Rest* rest, std::vector<Tokens>& into) {
+// False if no bracket follows: then the name is an ordinary word. The last of the `most` arguments has all that follow.
+bool Preprocessor::arguments(const Token& name, Rest* rest, std::size_t most, std::vector<Tokens>& into) {
     const auto take = [&] {
         if (!rest) return raw();
         if (rest->empty()) return Token{};
@@ -275,7 +292,7 @@ bool Preprocessor::arguments(const Token& name, Rest* rest, std::vector<Tokens>&
         if (token.is("(") || token.is("[")) ++depth;
         if (token.is(")") || token.is("]")) --depth;
         if (depth == 0) return true;
-        if (depth == 1 && token.is(","))
+        if (depth == 1 && token.is(",") && into.size() < most)
             into.emplace_back();
         else
             into.back().push_back(token);

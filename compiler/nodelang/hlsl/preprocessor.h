@@ -36,6 +36,7 @@ public:
 private:
     struct Macro {
         bool has_parameters = false;
+        bool takes_more = false;  // its last parameter is "..."
         std::vector<std::string_view> parameters{};
         std::vector<Token> body{};
     };
@@ -60,7 +61,7 @@ private:
     bool replace(const Token& name, Tokens& into, Rest* rest, const Active& active);
     void replace_by(const Macro& macro, const Token& name, Tokens& into, const std::vector<Tokens>& given,
                     const Active& active);
-    bool arguments(const Token& name, Rest* rest, std::vector<Tokens>& into);
+    bool arguments(const Token& name, Rest* rest, std::size_t most, std::vector<Tokens>& into);
     Tokens replaced(const Tokens& list, const Active& active);
     Token pasted(const Token& left, const Token& right);
 
@@ -73,6 +74,7 @@ private:
     std::vector<Branch> branches_{};
     std::deque<Token> ahead_{};   // of the lexer
     std::deque<Token> made_{};    // of macros: they are not replaced again
+    bool begins_line_ = false;    // what comes next, behind a macro that stands for nothing
     std::size_t made_count_ = 0;  // of all macros so far
     int depth_ = 0;               // of macros in arguments and in macros
 };

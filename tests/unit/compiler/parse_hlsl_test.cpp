@@ -19,6 +19,7 @@ TEST(ParseHlsl, StatementsAndExpressions) {
               "{ float a = 1; float b; a = (= b 2); a += 1; b -= 1; a += (-= b 1); c = (later += d 1); }");
     EXPECT_EQ(hlsl("void f() { x = (float3)y * (int)-z; w = (a) * (b); v = (S)0; }"),
               "{ x = (* (float3() y) (int() (- z))); w = (* a b); v = (S() 0); }");
+    EXPECT_EQ(hlsl("void f() { x = (a = 1, b, c) + F(d, e); }"), "{ x = (+ (, (, (= a 1) b) c) (F() d e)); }");
     EXPECT_EQ(hlsl("void f() { for (int i = 9; i >= 0; i -= 3, j++) G(i); do H(); while (c); }"),
               "{ { int i = 9; while (>= i 0){ (G() i); }{ i -= 3; j += 1; } } do c{ (H()); } }");
     EXPECT_EQ(hlsl("void f() { switch (x) { case 0: case 1: a = 1; break; default: a = 2; } }"),
@@ -40,10 +41,25 @@ TEST(ParseHlsl, JumpsBecomeBranches) {
               "if (! skipped){ e = 1; } else{ } } }");
 }
 
+// What the language lacks is parsed all the same, so that the rest of the function is.
+TEST(ParseHlsl, WhatTheLanguageLacks) {
+    const auto parsed = parse(As::File,
+                              "#pragma hlsl\nvoid f() { static float a = 1; float b[2][3]; if (c) discard; "
+                              "struct S { float x; }; d = 1; }");
+    EXPECT_EQ(parsed->errors(), (Errors{"[static] no variable keeps its value between two calls: write 'static const'",
+                                        "[[] an array of arrays: write one with the product of the sizes",
+                                        "[discard] a function leaves out no pixel: use the alpha clip of the surface",
+                                        "[struct] a struct inside of a function: declare it before the function"}));
+    EXPECT_EQ(show(parsed->ast.functions[0].body),
+              "{ float a = 1; float b[3]; if c{ (discard()); } else{ } d = 1; }");
+}
+
 TEST(ParseHlsl, Preprocessor) {
     EXPECT_EQ(hlsl("#define TWO 2\n#define ADD(a, b) ((a) + (b))\n#define GLUE(a) x##a\n"
                    "void f() { a = ADD(TWO, GLUE(1)); }"),
               "{ a = (+ 2 x1); }");
+    EXPECT_EQ(hlsl("#define G(a, ...) H(__VA_ARGS__)\n#define N(...) 1\nvoid f() { a = G(1, 2, (3)) + N(); }"),
+              "{ a = (+ (H() 2 3) 1); }");
     EXPECT_EQ(hlsl("void f() {\n#if defined(A) || !B\na = 1;\n#elif 1\na = 2;\n#else\n'\n#endif\n}"), "{ a = 1; }");
     const auto errors = [](const std::string& text) { return parse(As::File, "#pragma hlsl\n" + text)->errors(); };
     EXPECT_EQ(errors("#if A == 1\n#endif\n"),

@@ -35,7 +35,8 @@ inline std::string show(const Expr* expr) {
         case Expr::Kind::Unary:
         case Expr::Kind::Binary:
         case Expr::Kind::Ternary:
-        case Expr::Kind::Assign: return "(" + text + parts + ")";
+        case Expr::Kind::Assign:
+        case Expr::Kind::Sequence: return "(" + text + parts + ")";
         case Expr::Kind::AssignLater: return "(later " + text + parts + ")";
     }
     return {};

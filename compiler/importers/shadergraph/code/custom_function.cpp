@@ -4,14 +4,14 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <memory>
+#include <ranges>
 
 #include "compiler/base/text.h"
 #include "compiler/importers/shadergraph/code/engine_words.h"
-#include "compiler/importers/shadergraph/code/hlsl_grammar.h"
-#include "compiler/importers/shadergraph/code/hlsl_text.h"
 #include "compiler/importers/shadergraph/code/includes.h"
-#include "compiler/importers/shadergraph/code/texture_reads.h"
-#include "compiler/importers/shadergraph/code/unknown_words.h"
+#include "compiler/importers/shadergraph/code/reads.h"
+#include "compiler/importers/shadergraph/code/source.h"
 #include "compiler/importers/shadergraph/graph_maker.h"
 #include "compiler/importers/source_text.h"
 
@@ -23,14 +23,23 @@ std::string port_of(const Slot& slot) {
     return name.empty() ? identifier(slot.name) : name;
 }
 
+using nodelang::FunctionDecl;
+
+// Before where it is not.
+const std::string kNoHlsl = "its code is neither the node language nor HLSL: ";
+
 struct Code {
-    std::vector<HlslFunction> helpers{};  // in the order of their file
-    HlslFunction main{};
-    std::vector<HlslMacro> macros{};   // that the functions use
-    std::string engine_values{};       // more parameters of the node, hidden ones
-    std::vector<std::string> ports{};  // of the node's inputs, then of its outputs
+    std::unique_ptr<Source> source{};
+    std::vector<const FunctionDecl*> functions{};  // of the node, then those that it reaches
+    std::vector<const nodelang::StructDecl*> structs{};
+    std::vector<const nodelang::VariableDecl*> constants{};
+    std::set<const EngineValue*> engine_values{};  // in the order of their table
+    std::set<std::string_view> assigned{};         // variables of the node's function
+    std::vector<std::string> ports{};              // of the node's inputs, then of its outputs
     std::string error{};
     bool is_missing = false;  // its file is not there
+
+    const FunctionDecl& main() const { return *functions[0]; }
 };
 
 // Functions that are known by their names.
@@ -91,97 +100,119 @@ std::string signature(GraphMaker& maker, std::size_t index) {
     return made;
 }
 
-std::string indented(std::string_view body) {
-    std::string made;
-    std::size_t depth = 1;
-    std::string line;
-    for (std::size_t i = 0; i <= body.size(); ++i) {
-        if (i < body.size() && body[i] != '\n') {
-            line += body[i];
-            continue;
-        }
-        const std::size_t first = line.find_first_not_of(" \t");
-        if (first != line.npos) {
-            line = line.substr(first);
-            if (line.starts_with("}") && depth > 1) --depth;
-            made += std::string(depth * 4, ' ') + line + "\n";
-            for (std::size_t j = line.starts_with("}") ? 1 : 0; j < line.size(); ++j) {
-                if (line[j] == '{') ++depth;
-                if (line[j] == '}' && depth > 1) --depth;
+// --- which parts of the code are needed
+
+// Those of the functions with a name that a call in the code may mean: by the count of its arguments; and of a pair for
+// both precisions the one for full precision.
+std::vector<const FunctionDecl*> overloads(const Source& source, std::string_view name, const Reads& reads) {
+    std::vector<const FunctionDecl*> made;
+    const bool is_own = source.is_own(source.function(name)->span);
+    for (const FunctionDecl& each : source.ast().functions)
+        if (each.name == name && source.is_own(each.span) == is_own) made.push_back(&each);
+    const auto is_half = [](const FunctionDecl* each) {
+        return std::ranges::any_of(each->params, [](const auto& param) { return param.type.name.starts_with("half"); });
+    };
+    if (const auto count = std::ranges::count_if(made, is_half); count > 0 && count < std::ssize(made))
+        std::erase_if(made, is_half);
+    if (made.size() < 2) return made;
+    std::erase_if(made, [&](const FunctionDecl* each) {
+        return std::ranges::none_of(reads.words, [&](const Word& word) {
+            return word.kind == Word::Kind::Call && word.text == name && word.arguments == each->params.size();
+        });
+    });
+    return made;
+}
+
+// The declaration with the name, if it was not needed before.
+template <class Decl>
+const Decl* newly_needed(const StableList<Decl>& all, std::string_view name, std::vector<const Decl*>& needed) {
+    const auto found = std::find_if(all.begin(), all.end(), [&](const Decl& each) { return each.name == name; });
+    if (found == all.end() || std::ranges::find(needed, &*found) != needed.end()) return nullptr;
+    return needed.emplace_back(&*found);
+}
+
+// Adds what the function of the node reaches. Returns why it cannot have it.
+std::string find_needed(Code& code) {
+    const nodelang::Ast& ast = code.source->ast();
+    std::vector<Reads> reads(1);
+    std::vector<const FunctionDecl*> readers = code.functions;  // null: a constant or a struct
+    reads[0].add(*readers[0]);
+    code.assigned = reads[0].assigned;
+    const auto add = [&](const auto& from, const FunctionDecl* reader) {
+        reads.emplace_back().add(from);
+        readers.push_back(reader);
+    };
+    for (std::size_t i = 0; i < reads.size(); ++i) {
+        const Reads now = reads[i];
+        for (const Word& word : now.words) {
+            const bool is_name = word.kind == Word::Kind::Name;
+            if (is_name && now.declared.contains(word.text)) continue;
+            if (is_name) {
+                const nodelang::VariableDecl* constant = newly_needed(ast.variables, word.text, code.constants);
+                if (constant && code.source->is_constant(*constant)) {
+                    add(constant->type, nullptr);
+                    add(constant->value, nullptr);
+                } else if (constant) {
+                    code.constants.pop_back();
+                }
+            } else if (const nodelang::StructDecl* type = newly_needed(ast.structs, word.text, code.structs)) {
+                for (const nodelang::MemberDecl& member : type->members) add(member.type, nullptr);
+            }
+            const auto value = std::ranges::find(kEngineValues, word.text, &EngineValue::name);
+            if (is_name && value != std::end(kEngineValues)) {
+                if (readers[i] != &code.main())
+                    return fmt::format("it {}, which reads values of the engine",
+                                       readers[i] ? fmt::format("calls '{}'", readers[i]->name) : "has a constant");
+                code.engine_values.insert(&*value);
+            }
+            const bool is_new =
+                word.kind == Word::Kind::Call && code.source->function(word.text) &&
+                std::ranges::find(code.functions, word.text, &FunctionDecl::name) == code.functions.end();
+            if (!is_new) continue;
+            const std::vector<const FunctionDecl*> fitting = overloads(*code.source, word.text, now);
+            if (fitting.empty())
+                return fmt::format("it calls '{}' with a count of arguments that no function of its file has",
+                                   word.text);
+            for (const FunctionDecl* each : fitting) {
+                code.functions.push_back(each);
+                add(*each, each);
             }
         }
-        line.clear();
     }
-    return made;
-}
-
-// The names of parameters: "float3 Normal : NORMAL, out float Out" -> "Normal", "Out".
-std::vector<std::string> names_in(std::string_view parameters) {
-    std::vector<std::string> made;
-    for (const std::string& each : arguments_of(parameters)) {
-        const std::string_view head = std::string_view(each).substr(0, each.find_first_of(":=["));
-        const std::size_t last = head.find_last_not_of(' ');
-        const std::size_t begin = last == head.npos ? last : head.find_last_of(" \t", last);
-        made.emplace_back(begin == head.npos ? "" : head.substr(begin + 1, last - begin));
-    }
-    return made;
-}
-
-// "[hidden] float engineTime = time, ..." -> "engineTime", ...
-std::vector<std::string> hidden_names_in(std::string_view parameters) {
-    std::vector<std::string> made;
-    for (const std::string& each : arguments_of(parameters)) {
-        const std::vector<std::string_view> words = split(each, " ");
-        if (words.size() > 2) made.emplace_back(words[2]);
-    }
-    return made;
+    std::ranges::sort(code.functions.begin() + 1, code.functions.end(), {},
+                      [](const FunctionDecl* each) { return each->span.begin; });
+    return {};
 }
 
 // The first output that the code leaves as it is.
-std::string unassigned(const Node& node, const Code& code, std::string_view body) {
+std::string unassigned(const Node& node, const Code& code) {
     const std::vector<const Slot*> slots = ordered(node);
     for (std::size_t i = 0; i < slots.size(); ++i)
-        if (!slots[i]->is_input && !assigns(body, code.ports[i]))
+        if (!slots[i]->is_input && !code.assigned.contains(code.ports[i]))
             return fmt::format("its code never assigns its output '{}'", code.ports[i]);
     return {};
 }
 
 Code from_string(GraphMaker& maker, std::size_t index) {
-    for (const Slot& slot : maker.node(index).slots)
+    std::set<std::string, std::less<>> samplers;
+    for (const Slot& slot : maker.node(index).slots) {
         if (port_of(slot).empty())
             return {.error = fmt::format("its {} '{}' has a name without any letter of English",
                                          slot.is_input ? "input" : "output", slot.name)};
-    HlslText body = in_node_language(text_of(maker.node(index).json, "m_FunctionBody"));
-    if (!body.error.empty()) return {.error = body.error};
-    std::set<std::string, std::less<>> samplers;
-    for (const Slot& slot : maker.node(index).slots)
         if (maker.type_of(index, slot) == Type::Sampler) samplers.insert(port_of(slot));
-    body.code = with_texture_reads(std::move(body.code), std::move(samplers));
-    Code made{.main = {.parameters = signature(maker, index), .body = body.code},
-              .macros = std::move(body.macros),
-              .engine_values = body.parameters};
+    }
+    constexpr std::string_view kName = "Main";
+    Code made;
+    made.source =
+        std::make_unique<Source>(std::string(text_of(maker.node(index).json, "m_FunctionBody")),
+                                 fmt::format("void {}({})", kName, signature(maker, index)), std::move(samplers));
+    made.error = made.source->error();
+    if (made.error.empty() && !made.source->mistake().empty()) made.error = kNoHlsl + made.source->mistake();
+    if (!made.error.empty()) return made;
+    made.functions = {made.source->function(kName)};
     for (const Slot* slot : ordered(maker.node(index))) made.ports.push_back(port_of(*slot));
-    made.error = unassigned(maker.node(index), made, body.code);
-    return made;
-}
-
-// Those of the functions with a name that a call in the code may mean: by the count of its arguments; and of a pair for
-// both precisions the one for full precision.
-std::vector<const HlslFunction*> overloads(const std::vector<HlslFunction>& functions, const std::string& name,
-                                           std::string_view body) {
-    std::vector<const HlslFunction*> made;
-    for (const HlslFunction& each : functions)
-        if (each.name == name) made.push_back(&each);
-    const auto is_half = [](const HlslFunction* each) {
-        return each->parameters.find("half") != each->parameters.npos;
-    };
-    if (const auto count = std::ranges::count_if(made, is_half); count > 0 && count < std::ssize(made))
-        std::erase_if(made, is_half);
-    if (made.size() < 2) return made;
-    const std::vector<std::size_t> counts = argument_counts(body, name);
-    std::erase_if(made, [&](const HlslFunction* each) {
-        return std::ranges::find(counts, arguments_of(each->parameters).size()) == counts.end();
-    });
+    made.error = find_needed(made);
+    if (made.error.empty()) made.error = unassigned(maker.node(index), made);
     return made;
 }
 
@@ -200,118 +231,166 @@ Code from_file(GraphMaker& maker, std::size_t index, std::string_view own) {
     std::string why;
     const std::optional<std::string> text = read_named_text(found->path, kIncludes, why);
     if (!text) return {.error = std::move(why)};
-    const Included whole = with_includes(found->path, *text, maker.project().assets.searched());
-    HlslText code = in_node_language(whole.text);
-    if (!code.error.empty())
-        return {.error = code.error + (whole.count > 0 ? ", counted with the files that it includes" : "")};
-    code.code = with_texture_reads(std::move(code.code), {});
-    const std::vector<HlslFunction> functions = functions_in(code.code);
-    const auto main = std::ranges::find(functions, own, &HlslFunction::name);
-    if (main == functions.end()) return {.error = fmt::format("'{}' has no function '{}_float'", found->path, own)};
-    std::vector<const HlslFunction*> needed = {&*main};
-    for (std::size_t i = 0; i < needed.size(); ++i)
-        for (const HlslFunction& each : functions) {
-            // A type or a variable may have the name, too.
-            if (each.name == needed[i]->name || argument_counts(needed[i]->body, each.name).empty()) continue;
-            if (std::ranges::find(needed, each.name, &HlslFunction::name) != needed.end()) continue;
-            const std::vector<const HlslFunction*> fitting = overloads(functions, each.name, needed[i]->body);
-            if (fitting.empty())
-                return {.error = fmt::format("it calls '{}' with a count of arguments that no function of its file has",
-                                             each.name)};
-            needed.insert(needed.end(), fitting.begin(), fitting.end());
-        }
-    Code made{.main = *main, .ports = names_in(main->parameters)};
-    for (const HlslMacro& each : code.macros) {
-        const bool is_used =
-            std::ranges::any_of(
-                needed, [&](const HlslFunction* function) { return has_identifier(function->body, each.name); }) ||
-            std::ranges::any_of(code.macros, [&](const HlslMacro& other) {
-                return other.name != each.name && has_identifier(other.text, each.name);
-            });
-        if (is_used) made.macros.push_back(each);
+    Included whole = with_includes(found->path, *text, maker.project().assets.searched());
+    Code made;
+    made.source = std::make_unique<Source>(std::move(whole.text), "", std::set<std::string, std::less<>>());
+    const std::string_view counted = whole.count > 0 ? ", counted with the files that it includes" : "";
+    made.error = made.source->error();
+    if (!made.error.empty()) {
+        made.error += counted;
+        return made;
     }
-    // Of the whole file; only what these functions read is a parameter.
-    const std::vector<std::string> names = hidden_names_in(code.parameters), values = arguments_of(code.parameters);
-    for (std::size_t i = 0; i < names.size(); ++i) {
-        for (std::size_t j = 1; j < needed.size(); ++j)
-            if (has_identifier(needed[j]->body, names[i]))
-                return {.error = fmt::format("it calls '{}', which reads values of the engine", needed[j]->name)};
-        if (has_identifier(main->body, names[i]))
-            made.engine_values += (made.engine_values.empty() ? "" : ", ") + values[i];
+    const FunctionDecl* main = made.source->function(own);
+    if (!main || !made.source->is_own(main->span)) {
+        made.error = fmt::format("'{}' has no function '{}_float'", found->path, own);
+        if (const std::string& mistake = made.source->mistake(); !mistake.empty())
+            made.error += fmt::format(" that can be read: {}{}", mistake, counted);
+        return made;
     }
+    made.functions = {main};
+    for (const nodelang::ParamDecl& param : main->params) made.ports.emplace_back(param.name);
+    made.error = find_needed(made);
+    if (!made.error.empty()) return made;
     const std::size_t slots = maker.node(index).slots.size();
-    if (made.ports.size() != slots)
-        return {.error = fmt::format("its function '{}' has {} parameters, and the node has {} inputs and outputs", own,
-                                     made.ports.size(), slots)};
-    made.error = unassigned(maker.node(index), made, main->body);
-    for (const HlslFunction& each : functions)
-        if (&each != needed[0] && std::ranges::find(needed, &each) != needed.end()) made.helpers.push_back(each);
+    made.error = made.ports.size() == slots
+                     ? unassigned(maker.node(index), made)
+                     : fmt::format("its function '{}' has {} parameters, and the node has {} inputs and outputs", own,
+                                   made.ports.size(), slots);
     return made;
 }
 
-std::string node_file(const Code& code, std::string_view name, std::string_view own, bool is_foreign) {
+// --- the node file
+
+struct NodeText {
+    std::string text{};
+    std::vector<int> lines{};  // of the code, for each line of the text
+
+    void add(std::string_view part, int line = 0) {
+        text += part;
+        lines.insert(lines.end(), static_cast<std::size_t>(std::ranges::count(part, '\n')), line);
+    }
+};
+
+void add_body(const Source& source, const FunctionDecl& function, NodeText& into) {
+    const std::string_view body = source.body(function);
+    std::ptrdiff_t number = source.line_of(body);
+    const char* counted = body.data();
+    std::size_t depth = 1;
+    for (std::string_view line : split(body, "\n")) {
+        number += std::count(counted, line.data(), '\n');
+        counted = line.data();
+        line.remove_prefix(std::min(line.find_first_not_of(' '), line.size()));
+        if (line.empty()) continue;
+        const bool closes = line.starts_with("}");
+        if (closes && depth > 1) --depth;
+        into.add(fmt::format("{}{}\n", std::string(depth * 4, ' '), line), static_cast<int>(number));
+        for (const char c : line.substr(closes ? 1 : 0)) {
+            if (c == '{') ++depth;
+            if (c == '}' && depth > 1) --depth;
+        }
+    }
+}
+
+std::string declared(const Source& source, const nodelang::TypeName& type, std::string_view name) {
+    return fmt::format("{} {}{}", type.name, name,
+                       type.array_size ? fmt::format("[{}]", source.text(type.array_size->span)) : "");
+}
+
+std::string parameters(const Source& source, const FunctionDecl& function) {
+    std::string made;
+    for (const nodelang::ParamDecl& each : function.params)
+        made += fmt::format("{}{}{}{}", made.empty() ? "" : ", ",
+                            each.is_inout ? "inout "
+                            : each.is_out ? "out "
+                                          : "",
+                            declared(source, each.type, each.name),
+                            each.initial ? fmt::format(" = {}", source.text(each.initial->span)) : "");
+    return made;
+}
+
+NodeText node_file(const Code& code, std::string_view name, std::string_view own, bool is_foreign) {
+    const Source& source = *code.source;
     const std::string_view mark = is_foreign ? "[foreign]\n" : "";
-    std::string made = is_foreign ? "" : "#pragma hlsl\n\n";
-    for (const HlslMacro& each : code.macros) made += each.text + "\n";
-    if (!code.macros.empty()) made += "\n";
-    for (const HlslFunction& each : code.helpers)
-        made +=
-            fmt::format("{}{} {}({}) {{\n{}}}\n\n", mark, each.result, each.name, each.parameters, indented(each.body));
-    return made + fmt::format(
-                      "/// The custom function '{0}' of the shader graph.\n[node(\"Custom/{1}\")]\n{2}"
-                      "void {1}({3}{4}{5}) {{\n{6}}}\n",
-                      own, name, mark, code.main.parameters,
-                      code.main.parameters.empty() || code.engine_values.empty() ? "" : ", ", code.engine_values,
-                      indented(code.main.body));
+    NodeText made;
+    if (!is_foreign) made.add(fmt::format("{}\n\n", nodelang::kHlslMark));
+    for (const nodelang::StructDecl* each : code.structs) {
+        made.add(fmt::format("struct {} {{\n", each->name));
+        for (const nodelang::MemberDecl& member : each->members)
+            made.add(fmt::format("    {};\n", declared(source, member.type, member.name)));
+        made.add("};\n\n");
+    }
+    for (const nodelang::VariableDecl* each : code.constants)
+        made.add(fmt::format("static const {} = {};\n", declared(source, each->type, each->name),
+                             source.text(each->value->span)),
+                 source.line_of(source.text(each->span)));
+    if (!code.constants.empty()) made.add("\n");
+    const auto add = [&](const FunctionDecl& each, std::string_view before, std::string_view called,
+                         std::string_view more) {
+        made.add(before);
+        made.add(fmt::format("{} {}({}{}) {{\n", each.result.name, called, parameters(source, each), more),
+                 source.line_of(source.text(each.span)));
+        add_body(source, each, made);
+        made.add("}\n");
+    };
+    for (const FunctionDecl* each : code.functions | std::views::drop(1)) {
+        add(*each, mark, each->name, "");
+        made.add("\n");
+    }
+    std::string more;
+    for (const EngineValue* each : code.engine_values)
+        more += fmt::format("{}{}", more.empty() && code.main().params.empty() ? "" : ", ", each->parameter);
+    add(code.main(),
+        fmt::format("/// The custom function '{}' of the shader graph.\n[node(\"Custom/{}\")]\n{}", own, name, mark),
+        name, more);
+    return made;
 }
 
 // A word that is declared outside of the functions: by the engine, or as a constant of the file. Empty: there is none.
 std::string engine_word(const Code& code) {
-    std::vector<std::string> functions;
-    for (const HlslFunction& each : code.helpers) functions.push_back(each.name);
-    for (std::string& each : hidden_names_in(code.engine_values)) functions.push_back(std::move(each));
-    const auto unknown = [&](const HlslFunction& function) {
-        std::vector<std::string> known = functions;
-        for (std::string& each : names_in(function.parameters)) known.push_back(std::move(each));
-        return unknown_word(function.body, known);
-    };
-    for (const HlslFunction& each : code.helpers)
-        if (std::string word = unknown(each); !word.empty()) return word;
-    return unknown(code.main);
+    for (std::size_t i = 1; i <= code.functions.size(); ++i) {  // that of the node is the last one
+        Reads reads;
+        reads.add(*code.functions[i % code.functions.size()]);
+        for (const Word& word : reads.words) {
+            const bool is_known =
+                word.kind == Word::Kind::Name
+                    ? reads.declared.contains(word.text) ||
+                          std::ranges::find(code.engine_values, word.text, &EngineValue::name) !=
+                              code.engine_values.end()
+                    : is_of_hlsl(word.text) ||
+                          std::ranges::find(code.functions, word.text, &FunctionDecl::name) != code.functions.end();
+            if (!is_known) return std::string(word.text);
+        }
+    }
+    return {};
 }
 
-// The first place where the code is no HLSL; empty: it is well-formed.
-std::string grammar_mistake(const Code& code, bool is_file) {
-    const auto said = [&](const HlslFunction& function) -> std::string {
-        const std::optional<SyntaxError> wrong = syntax_error(function.body);
-        if (!wrong) return {};
-        std::string_view line = function.body;
-        for (int i = 1; i < wrong->line; ++i) line.remove_prefix(std::min(line.find('\n') + 1, line.size()));
-        line = line.substr(0, line.find('\n'));
-        line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
-        return fmt::format("line {} of its {}: {}, in '{}'", wrong->line,
-                           is_file ? fmt::format("function '{}'", function.name) : "code", wrong->text,
-                           line.substr(0, 80));
-    };
-    for (const HlslFunction& each : code.helpers)
-        if (std::string wrong = said(each); !wrong.empty()) return wrong;
-    return said(code.main);
-}
-
-// What is wrong with the node file; empty: nothing.
-std::string mistake(const std::string& file, const std::string& text) {
+struct Mistake {
+    std::string text{};
+    bool is_no_hlsl = false;
+};
+// What is wrong with the node file; nothing: it is valid.
+std::optional<Mistake> mistake(const Source& source, const std::string& file, const NodeText& made) {
     CompileOptions options;
     options.files.read = [&](const std::string& path) -> std::optional<std::string> {
-        if (path == file) return text;
+        if (path == file) return made.text;
         return std::nullopt;
     };
     const NodeFileResult result = library().check_node_file(file, options);
+    if (result.ok) return {};
+    nodelang::Ast ast;
+    Diagnostics wrong;
+    nodelang::parse_file({.text = made.text}, ast, wrong);
+    const auto line = [&](std::size_t number) { return number < made.lines.size() ? made.lines[number] : 0; };
+    for (const DiagnosticRecord& each : wrong.records()) {
+        const std::string_view before = std::string_view(made.text).substr(0, each.span.begin);
+        const int at = line(static_cast<std::size_t>(std::ranges::count(before, '\n')));
+        if (is_no_hlsl(each.code)) return Mistake{source.at_line(at, each.message), true};
+    }
     for (const Diagnostic& each : result.diagnostics)
-        if (each.severity == Severity::Error) {
-            const std::size_t begin = std::min(each.source_line.find_first_not_of(' '), each.source_line.size());
-            return fmt::format("{}, in '{}'", each.message, as_written(each.source_line.substr(begin)).substr(0, 80));
-        }
-    return result.ok ? "" : "it is not valid";
+        if (each.severity == Severity::Error)
+            return Mistake{each.message +
+                           source.quoted(each.line > 0 ? line(static_cast<std::size_t>(each.line) - 1) : 0)};
+    return Mistake{"it is not valid"};
 }
 
 }  // namespace
@@ -340,11 +419,11 @@ void make_custom_function(GraphMaker& maker, std::size_t index) {
         maker.refuse(index, code.error);
         return;
     }
-    std::string text = node_file(code, name, own, false);
+    NodeText text = node_file(code, name, own, false);
     const std::string any_file = name + ".node.hlsl";
-    if (const std::string wrong = mistake(any_file, text); !wrong.empty()) {
-        if (const std::string no_hlsl = grammar_mistake(code, is_file); !no_hlsl.empty()) {
-            maker.refuse(index, "its code is neither the node language nor HLSL: " + no_hlsl);
+    if (const std::optional<Mistake> wrong = mistake(*code.source, any_file, text)) {
+        if (wrong->is_no_hlsl) {
+            maker.refuse(index, kNoHlsl + wrong->text);
             return;
         }
         const std::string word = engine_word(code);
@@ -357,21 +436,21 @@ void make_custom_function(GraphMaker& maker, std::size_t index) {
         if (!word.empty()) {
             maker.refuse(index, fmt::format("its code is not valid in the node language: {}. Nor is it whole as HLSL: "
                                             "the engine, or another part of its file, declares '{}'",
-                                            wrong, as_written(word)));
+                                            wrong->text, word));
             return;
         }
         text = node_file(code, name, own, true);
-        if (!code.macros.empty() || !mistake(any_file, text).empty()) {
-            maker.refuse(index, fmt::format("its code is not valid in the node language: {}", wrong));
+        if (mistake(*code.source, any_file, text)) {
+            maker.refuse(index, fmt::format("its code is not valid in the node language: {}", wrong->text));
             return;
         }
         maker.approximate(index, fmt::format("only HLSL takes its code, the text of a [foreign] function, because it "
                                              "is not valid in the node language: {}",
-                                             wrong));
+                                             wrong->text));
     }
-    const std::string file = maker.node_file(name, text);
-    maker.keep_node_file(file, text);
-    if (code.engine_values.find("engineLight") != code.engine_values.npos)
+    const std::string file = maker.node_file(name, text.text);
+    maker.keep_node_file(file, text.text);
+    if (code.engine_values.contains(&kEngineValues[0]))
         maker.approximate(index, "its main light is '@light', the light of the library");
     ImportedNode made{.id = {}, .node = "./" + file};
     Term holds;

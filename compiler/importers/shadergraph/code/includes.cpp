@@ -10,6 +10,7 @@
 #include "compiler/base/disk/disk.h"
 #include "compiler/importers/source_text.h"
 #include "compiler/importers/unity/assets.h"
+#include "compiler/nodelang/lex.h"
 
 namespace patina::importers::shadergraph {
 namespace {
@@ -17,21 +18,16 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kDeepest = 8;
+constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
 constexpr std::size_t kLongest = 4'000'000;  // characters of all files together
 
 // #include "NAME"
 std::string_view included(std::string_view line) {
-    const auto skip = [&] { line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size())); };
-    skip();
-    if (!line.starts_with("#")) return {};
-    line.remove_prefix(1);
-    skip();
-    if (!line.starts_with("include")) return {};
-    line.remove_prefix(7);
-    skip();
-    if (!line.starts_with("\"")) return {};
-    line.remove_prefix(1);
-    return line.substr(0, line.find('"'));
+    Diagnostics unread;
+    nodelang::Lexer lexer({.text = line}, nodelang::Lexer::Place::Hlsl, unread);
+    if (!lexer.next().is("#") || !lexer.next().is_word("include")) return {};
+    const nodelang::Token name = lexer.next();
+    return name.kind == nodelang::Token::Kind::String ? name.text : std::string_view();
 }
 
 class Expander {
@@ -41,6 +37,7 @@ public:
     void add(const fs::path& path, std::string_view text, int depth) {
         std::error_code ignored;
         taken_.insert(fs::weakly_canonical(path, ignored));
+        if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
         while (!text.empty()) {
             const std::size_t end = std::min(text.find('\n'), text.size() - 1) + 1;
             const std::string_view line = text.substr(0, end);

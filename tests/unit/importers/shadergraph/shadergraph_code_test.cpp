@@ -77,15 +77,15 @@ TEST(ShaderGraphCode, CodeThatTheNodeLanguageCannotSayBecomesForeign) {
 // Code with a mistake is no HLSL either, so it does not become the text of a [foreign] function.
 TEST(ShaderGraphCode, CodeThatIsNoHlslIsRefusedAtItsLine) {
     const std::pair<const char*, const char*> mistakes[] = {
-        {R"(float3 C = A;\nOut = C * ;)", "line 2 of its code: a value is missing before ';', in 'Out = C * ;'"},
-        {R"(Out = A * B\nfloat x = 1;)", "line 1 of its code: a ';' is missing before 'float', in 'Out = A * B'"},
-        {R"(Out = A * (B + 1;)", "line 1 of its code: "},
-        {R"(Out = A;\nwhile B > 1 { Out = A; })", "line 2 of its code: a '(' is missing before 'B'"},
-        {R"(Out = A;\nfor (int i = 0; i < 3) Out = A;)", "line 2 of its code: a ';' is missing before ')'"},
-        {R"(Out = pow(A, );)", "line 1 of its code: a value is missing before ')'"},
-        {R"(Out = A.;)", "line 1 of its code: a name is missing before ';'"},
-        {R"(Out = A; else Out = A;)", "line 1 of its code: a value is missing before 'else'"},
-        {R"(float = 1;\nOut = A * ? 1 : 2;)", "line 2 of its code: a value is missing before '?'"}};
+        {R"(float3 C = A;\nOut = C * ;)", "line 2 of its code: expected a value, not ';', in 'Out = C * ;'"},
+        {R"(Out = A * B\nfloat x = 1;)", "line 1 of its code: expected ';' here, not 'float', in 'Out = A * B'"},
+        {R"(Out = A * (B + 1;)", "line 1 of its code: expected ')', not ';'"},
+        {R"(Out = A;\nwhile B > 1 { Out = A; })", "line 2 of its code: expected '(' and a condition, not 'B'"},
+        {R"(Out = A;\nfor (int i = 0; i < 3) Out = A;)", "line 2 of its code: expected ';', not ')'"},
+        {R"(Out = pow(A, );)", "line 1 of its code: expected a value, not ')'"},
+        {R"(Out = A.;)", "line 1 of its code: expected the name of a member, not ';'"},
+        {R"(Out = A; else Out = A;)", "line 1 of its code: expected a statement, not 'else'"},
+        {R"(float = 1;\nOut = A * ? 1 : 2;)", "line 2 of its code: expected a value, not '?'"}};
     for (const auto& [body, reason] : mistakes) {
         const Imported made = import_graph(one_node(custom(body), 2));
         EXPECT_TRUE(made.has_refused) << body;
@@ -102,6 +102,7 @@ TEST(ShaderGraphCode, WellFormedHlslIsRead) {
         {R"(static const float3 kAll[2] = { float3(1, 0, 0), { 0, 1, 0 } };\nOut = kAll[1] * (float3)A;)",
          R"(float3 C = (float3)0, D;\n[loop] while (C.x < .5e+1) { C += 1; if (C.y > 2) break; }\nOut = C;)",
          R"(int i = 0;\ndo { i++; } while (i < 3 && !(B > 1));\nOut = -A * i;)",
+         R"(float x = B > 1 ? 1 : (3, 4);\nOut = A * x;)",
          R"(float x = B > 1 ? 1 : B < 0 ? 2 : 4;\nwhile (x > 9) { --x; continue; }\nOut = A * x;)",
          R"(uint u = (uint)B;\nswitch (u) { case 0: Out = A; break; default: Out = A * 2; }\nwhile (u > 9u) u >>= 1;)"}) {
         const Imported made = import_graph(one_node(custom(body), 2));
@@ -113,8 +114,7 @@ TEST(ShaderGraphCode, WellFormedHlslIsRead) {
 
 // All of it is HLSL, and the node language lacks a part of it.
 TEST(ShaderGraphCode, WellFormedHlslBecomesForeign) {
-    for (const char* body : {R"(float x = B > 1 ? 1 : (3, 4);\nOut = A * x;)", R"(double d = B;\nOut = A * d;)",
-                             R"(int e;\nOut = frexp(A.x, e);)"}) {
+    for (const char* body : {R"(double d = B;\nOut = A * d;)", R"(int e;\nOut = frexp(A.x, e);)"}) {
         const Imported made = import_graph(one_node(custom(body), 2));
         EXPECT_FALSE(made.has_refused) << body << "\n" << remarks(made, Remark::Kind::LeftOut);
         EXPECT_NE(text_of(made, "Glow.node.hlsl").find("[foreign]"), std::string::npos) << body;
@@ -202,6 +202,38 @@ TEST(ShaderGraphCode, IncludesBesideTheFileAreRead) {
         "Glow.hlsl",
         "#include \"Deep0.hlsl\"\nvoid Glow_float(float3 A, float B, out float3 Out) { Out = A * Half(B); }\n", kGuid);
     EXPECT_TRUE(import_graph(one_node(custom("", "Glow", 0), 2)).has_refused);
+}
+
+TEST(ShaderGraphCode, ConstantsAndStructsOfAFileAreBrought) {
+    save_shader_graph("Glow.hlsl",
+                      "float unused;\nCBUFFER_START(UnityPerMaterial) float4 _Color; CBUFFER_END\n"
+                      "static const int kCount = 2;\nstatic float2 kSteps[kCount] = { float2(1, 2), { 3, 4 } };\n"
+                      "struct Step { float2 at; float weight[2]; };\n"
+                      "Step At(int i) { Step made = (Step)0; made.at = kSteps[i]; return made; }\n"
+                      "void Glow_float(float3 A, float B, out float3 Out) { Out = A * At(1).at.y * B; }\n",
+                      kGuid);
+    const Imported made = import_graph(one_node(custom("", "Glow", 0), 2));
+    EXPECT_EQ(remarks(made, Remark::Kind::LeftOut) + remarks(made, Remark::Kind::Changed), "");
+    const std::string& code = text_of(made, "Glow.node.hlsl");
+    EXPECT_NE(code.find("struct Step {\n    float2 at;\n    float weight[2];\n};\n"), std::string::npos) << code;
+    EXPECT_NE(code.find("static const float2 kSteps[kCount] = { float2(1, 2), { 3, 4 } };\n"), std::string::npos) << code;
+    EXPECT_EQ(code.find("unused"), std::string::npos) << code;
+    expect_compiles(made, "constants");
+}
+
+// Macros of the file and of the engine are written out, in the lines of the author.
+TEST(ShaderGraphCode, MacrosAreWrittenOut) {
+    save_shader_graph("Glow.hlsl",
+                      "#define TWICE(x) (2 * x)\n#define MINUS -1\n#define SCALED(x, \\\n    y) \\\n    (x * y)\n"
+                      "void Glow_float(float3 A, float B, out float3 Out)\n{\n"
+                      "    Out = TWICE( A )-MINUS; // of all\n    Out += SCALED(B,\n        3);\n}\n",
+                      kGuid);
+    const Imported made = import_graph(one_node(custom("", "Glow", 0), 2));
+    EXPECT_EQ(remarks(made, Remark::Kind::LeftOut) + remarks(made, Remark::Kind::Changed), "");
+    EXPECT_NE(text_of(made, "Glow.node.hlsl").find("{\n    Out = (2 * A)- -1;\n    Out += (B * 3);\n}\n"),
+              std::string::npos)
+        << text_of(made, "Glow.node.hlsl");
+    expect_compiles(made, "macros");
 }
 
 // An include becomes a part of the node file and of messages: it must not be any file of the machine.
@@ -296,8 +328,9 @@ TEST(ShaderGraphCode, ValuesOfTheEngineAreTheSame) {
         {"Out = TransformWorldToObject(TransformObjectToWorld(A * B));",
          "mul(worldToObject, float4(mul(objectToWorld, float4(A * B, 1)).xyz, 1)).xyz"},
         {"Out = TransformWorldToView(A);", "mul(worldToView, float4(A, 1)).xyz"},
-        {"Out = TransformObjectToWorldDir(A, false);", "Out = mul(objectToWorld, float4(A, 0)).xyz"},
-        {"Out = TransformObjectToWorldNormal(A);", "Out = SafeNormalize(mul(float4(A, 0), worldToObject).xyz)"}};
+        {"Out = TransformObjectToWorldDir(A, false);",
+         "float3 changed = mul(objectToWorld, float4(direction, 0)).xyz;"},
+        {"Out = TransformObjectToWorldNormal(A);", "float3 changed = mul(float4(normal, 0), worldToObject).xyz;"}};
     for (const auto& [body, ours] : values) {
         const Imported made = import_graph(one_node(custom(body), 2));
         EXPECT_EQ(remarks(made, Remark::Kind::Changed) + remarks(made, Remark::Kind::LeftOut), "") << body;
