@@ -13,7 +13,6 @@ using ir::Value;
 
 namespace {
 
-constexpr double kMaxIterations = 4096;  // of one loop
 constexpr double kMaxRounds = 1u << 22;  // of all loops and calls of a function, nested ones multiplied
 // The statements after a branch that returns are nested in its else.
 constexpr std::size_t kMaxBranches = 200;

@@ -16,8 +16,7 @@ using ir::Value;
 
 namespace {
 
-constexpr double kMaxIterations = 4096;  // of a loop that is counted
-constexpr double kOpenRounds = 1024;     // of one whose end only the shader knows
+constexpr double kOpenRounds = 1024;  // of one whose end only the shader knows
 
 // "int i = first; i < limit; i += step"
 struct Counter {

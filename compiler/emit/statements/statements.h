@@ -10,6 +10,7 @@
 namespace patina::emit {
 
 inline constexpr std::string_view kReturnOnce = "assign to a variable here, and return it at the end of the function";
+inline constexpr double kMaxIterations = 4096;  // of one loop whose rounds can be counted
 
 // Emits list[first..]. Returns true if these always return; the value is then in `returned`.
 bool statements(Emitter& emitter, const Statements& list, std::size_t first, Scope& scope, ir::Value& returned);
