@@ -1,4 +1,4 @@
-# What Debian's dpkg-buildflags asks of programs that read files of strangers, for programs and libraries of optimised
+# What Debian's dpkg-buildflags asks of programs that read untrusted files, for programs and libraries of optimised
 # builds on Linux: overflows that the compiler can see are stopped (_FORTIFY_SOURCE), a function with an array on its
 # stack notices that the array was overrun, code lies at random addresses (PIE), and the tables of the linker are read-only
 # before main begins. tests/package/hardening_test reads the files that were made.

@@ -1,4 +1,4 @@
-// The mistakes of the library and of an embedder's overlay.
+// The errors of the library and of an embedder's overlay.
 #pragma once
 
 #include "compiler/resolve/library.h"

@@ -153,7 +153,7 @@ Result compile_targets(const resolve::Library& library, const CompileOptions& op
         result = compile(usual);
     }
     for (EngineTargets& each : engines) {
-        if (result && is_cancelled(*result)) break;  // the program has said so once
+        if (result && is_cancelled(*result)) break;  // the program has asked for this already
         CompileOptions own = options;
         own.targets = std::move(each.targets);
         own.keep_programs = options.keep_programs && !result;

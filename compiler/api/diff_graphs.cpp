@@ -58,7 +58,7 @@ GraphDiff diff(const GraphVersion& before, const GraphVersion& after) {
     if (!old_text->ok || !new_text->ok) return diff;
     diff.ok = true;
 
-    // A rename is one change, whatever reads the name.
+    // A rename is one change, for all readers of the name.
     const std::vector<edit::Rename> renames = edit::find_renames(*old_text, *new_text);
     for (const edit::Rename& rename : renames) {
         diff.changes.push_back({.kind = GraphChangeKind::Renamed,

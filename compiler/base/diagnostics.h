@@ -72,7 +72,7 @@ public:
     static std::string suggestion(std::string_view word, std::span<const std::string_view> candidates);
 
     bool has_errors() const { return errors_ > 0; }
-    // True if so many have been reported that further ones are only counted. Then there is no need to look for notes.
+    // True if so many have been reported that further ones are only counted. Then notes are not needed.
     bool is_full() const;
     std::size_t error_count() const { return errors_; }
     const std::vector<DiagnosticRecord>& records() const { return records_; }

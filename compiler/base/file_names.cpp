@@ -32,7 +32,7 @@ std::string without_dots(std::string_view path) {
     return made;
 }
 
-// As Windows sees it: whatever follows the first dot, and in capitals or not.
+// As Windows reads it: everything after the first dot is ignored, and case does not count.
 bool is_device(std::string_view stem) {
     std::string word = small_letters(std::string(stem));
     while (word.ends_with(' ')) word.pop_back();

@@ -135,7 +135,7 @@ const char* patina_status_text(patina_status status) {
         case PATINA_WRONG_ABI: return "the program was compiled for another version of patina_c.h than the library";
         case PATINA_BAD_ARGUMENT: return "a pointer is null that must not be, or a size or a word is impossible";
         case PATINA_OUT_OF_MEMORY: return "there is not enough memory";
-        case PATINA_INTERNAL_ERROR: return "a mistake of the library";
+        case PATINA_INTERNAL_ERROR: return "a bug in the library";
     }
     return "an unknown status";
 }

@@ -23,7 +23,7 @@ enum class Exit : int {
     Wrong = 1,    // the input is wrong
     Usage = 2,    // the command line is wrong
     Machine = 3,  // this machine lacks something: a GPU, a program, memory
-    Mistake = 4,  // a mistake of Patina, to be reported
+    Mistake = 4,  // a bug in Patina, to be reported
 };
 // The exit code of a command that did two things: the greater one.
 Exit worse(Exit a, Exit b);
@@ -40,7 +40,7 @@ Console open_console();
 // Prints diagnostics, without the warnings if quiet. Returns true if one of them is an error. What is no fault of the
 // input also counts for exit_of_reports().
 bool report(const Console& console, std::span<const Diagnostic> diagnostics);
-// The exit code that the errors reported so far ask for: Ok, Machine for lack of memory, Mistake for one of Patina.
+// The exit code that the errors reported so far ask for: Ok, Machine for lack of memory, Mistake for a bug in Patina.
 // run() ends the program with no smaller one.
 Exit exit_of_reports();
 void ask_for_exit(Exit exit) noexcept;

@@ -71,12 +71,12 @@ void add_list(const Console& console, const std::string& list, Inputs& inputs) {
 }  // namespace
 
 void add_input_options(CLI::App& command, InputArguments& arguments, const std::string& what) {
-    command.add_option("GRAPH", arguments.words, what + ", and folders, which stand for all in them and below")
+    command.add_option("GRAPH", arguments.words, what + ", and folders, which mean all in them and below")
         ->type_name(" ");
     command
         .add_option("--files", arguments.list,
-                    "Also take the files that this file lists, one a line, or with a NUL byte after each, as git's -z "
-                    "writes them; -: the list comes from standard input")
+                    "Also use the files in this list: one a line, or with a NUL byte after each, as git's -z writes "
+                    "them; -: read the list from standard input")
         ->type_name("LIST");
     command.add_option("--jobs", arguments.jobs, "Work on N files at once; default: one for each core")
         ->type_name("N")

@@ -51,7 +51,7 @@ private:
                                    std::span<const std::string> inputs);
 
     const Console& console_;
-    std::map<std::string, Written> written_;  // by the file itself, whatever links lead to it
+    std::map<std::string, Written> written_;  // by the file itself, for all links that lead to it
 };
 
 // Prints which files were written, but not between the bytes of one that was written to standard output.

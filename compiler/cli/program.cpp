@@ -20,7 +20,7 @@ namespace {
 constexpr const char* kSummary =
     "Patina compiles material node graphs to readable GLSL and HLSL.\n"
     "Exit codes: 0 done, 1 the input is wrong, 2 the command line is wrong, 3 the machine lacks something (a GPU, a "
-    "program, memory), 4 a mistake of Patina: please report it.";
+    "program, memory), 4 a bug in Patina: please report it.";
 
 constexpr CommandInfo kCommands[] = {
 #define COMMAND(name, home, summary) {#name, Home::home, summary},
@@ -143,8 +143,8 @@ void add_root_option(CLI::App& command) {
     command
         .add_option_function<std::string>(
             "--root", confine_disk,
-            "Read nothing outside of this folder, whatever a graph names, and write nothing through a link in it that "
-            "leads outside: for graphs of strangers. The files of the command line lie in it, too")
+            "Read nothing outside of this folder, and write nothing through a link in it that leads outside: for "
+            "untrusted graphs. The files of the command line must be in it, too")
         ->type_name("DIR")
         ->check(is_folder);
 }

@@ -155,8 +155,8 @@ bool takes(Emitter& emitter, const Slot& slot, const FunctionDecl& function, std
                     fmt::format("the {} of another file", name),
                     fmt::format("that of the file which declares '{}'", function.name))
             .note(
-                "a function of the library is called that the pass file does not declare again: give the struct "
-                "another name");
+                "the called function is one of the library, and the pass file does not declare it again: give the "
+                "struct another name");
         return false;
     }
     return true;

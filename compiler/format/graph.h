@@ -72,7 +72,7 @@ struct Property {
     std::string label, group, help;
     Span label_span, group_span;
     TextureUsage usage = TextureUsage::Color;
-    std::optional<Span> usage_span;  // where it is stated
+    std::optional<Span> usage_span;  // where it is set
     bool tiling = false;
     Handedness handedness = Handedness::OpenGL;  // of a normal map
     std::string swizzle;                         // "bgra": four of r, g, b, a, 0 and 1; empty: as the file has them

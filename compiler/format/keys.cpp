@@ -437,7 +437,7 @@ constexpr std::array kEngineClip = {
 };
 constexpr std::array kEngineLimits = {
     KeyInfo{"varyings", "the number of vectors from the vertex stage to the fragment stage", {}, true},
-    KeyInfo{"varyingsNote", "a note that says which of them the engine uses itself"},
+    KeyInfo{"varyingsNote", "a note for messages: which of them the engine uses itself"},
     KeyInfo{"blockBytes", "the size in bytes of a uniform block that most devices take", {}, true},
     KeyInfo{"guaranteedBlockBytes", "the size that all devices take; default: the same"},
     KeyInfo{"samplers", "the number of samplers of a stage, those of the engine's own text included"},

@@ -146,7 +146,7 @@ bool may_stand_in_link(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '.';
 }
 
-// Reports why a string is not a link. The usual mistake is to forget the "=" or the "./", so the message says that.
+// Reports why a string is not a link. The usual error is to forget the "=" or the "./", so the message says that.
 void report_no_link(Reading& reading, const nodelang::Text& text, std::size_t bad) {
     std::size_t end = bad + 1;
     while (end < text.text.size() && (static_cast<unsigned char>(text.text[end]) & 0xC0u) == 0x80u) ++end;

@@ -122,7 +122,7 @@ std::string bitcast(const Context& c) {
 std::string call(const Context& c) {
     if (c.inst.data >= c.module.functions.size()) return fmt::format("there is no function {}", c.inst.data);
     const Function& callee = c.module.functions[c.inst.data];
-    if (&callee >= &c.function) return fmt::format("'{}' does not stand before its caller", callee.name);
+    if (&callee >= &c.function) return fmt::format("'{}' does not come before its caller", callee.name);
     if (callee.params.size() != c.count()) {
         return fmt::format("'{}' takes {} arguments, not {}", callee.name, callee.params.size(), c.count());
     }

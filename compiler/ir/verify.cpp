@@ -64,7 +64,7 @@ private:
         if (value.index >= function_.insts.size())
             return fail(current_, fmt::format("there is no instruction {}", value.index));
         current_ = value;
-        if (placed_[value.index]) return fail(value, "the instruction stands in two places");
+        if (placed_[value.index]) return fail(value, "the instruction is in two blocks or twice in one");
         placed_[value.index] = true;
         return true;
     }
@@ -78,7 +78,7 @@ private:
         if (inst.op == Op::For) loop(value);
         if (inst.op == Op::Result) result(value);
         if (inst.op == Op::DiscardIf && (owner != nullptr || !may_discard_)) {
-            fail(value, "a discard stands in the top block of the entry function only");
+            fail(value, "a discard may only be in the top block of the entry function");
         }
         visible_[value.index] = true;
     }
@@ -153,7 +153,7 @@ private:
                                                          : Op::LoopCarried;
         if (wanted == Op::Constant) {
             if (inst.op == Op::LoopIndex || inst.op == Op::LoopCarried)
-                fail(value, "this stands at the head of a loop only");
+                fail(value, "this may only be at the head of a loop");
             return;
         }
         if (inst.op != wanted) return void(fail(value, "a loop begins with its index and all that it carries"));

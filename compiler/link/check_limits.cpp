@@ -22,9 +22,8 @@ void check_guaranteed(resolve::Session& session, const resolve::Material& materi
         session.diagnostics
             .report(Code::LargeBlock, material.properties[i].property->name_span, block.name, block.size, most)
             .note(
-                "the device must be asked whether it takes the block, whose size the reflection has; fewer properties, "
-                "or "
-                "a texture that stores some of them, need no such device");
+                "check whether the device supports a block of this size, which the reflection has; or use fewer "
+                "properties, or store some of them in a texture");
         return;
     }
 }

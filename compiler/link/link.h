@@ -28,7 +28,7 @@ struct LinkedPass {
     const resolve::Material* material = nullptr;  // differs for each extra pass
     const lower::Lowered* lowered = nullptr;
     ir::Module vertex{}, fragment{};
-    bool reads_elsewhere = false;  // it reads a target of the picture at another place than its own pixel
+    bool reads_elsewhere = false;  // it reads a target of the picture at other pixels than its own
     std::uint32_t left_out = 0;    // of its targets, the last ones: no pass of the material reads them (target_reads.h)
 };
 

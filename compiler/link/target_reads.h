@@ -17,8 +17,8 @@ namespace patina::link {
 // probes stay. Where a function gets the texture as a parameter, nothing changes: reads_elsewhere() finds that.
 void wrap_reads(ir::Function& function, const std::set<std::uint32_t>& globals, ir::FunctionId wrap, ir::Type type);
 
-// True if the pass may read a target of the picture at another place than its own pixel, or asks for its size.
-// `fragment`, `vertex`: its tidied stages.
+// True if the pass may read a target of the picture at other pixels than its own, or asks for its size. `fragment`,
+// `vertex`: its tidied stages.
 bool reads_elsewhere(const Linked& linked, const lower::LoweredPass& pass, const ir::Module& fragment,
                      const ir::Module& vertex);
 

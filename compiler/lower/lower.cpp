@@ -245,12 +245,12 @@ void declare_switches(Lowering& lowering) {
             }
             DiagnosticRecord& record = session.diagnostics.report(
                 Code::UnknownWord, {}, name,
-                has_passes ? "a switch of the path, nor a variant or specialization constant of the graph"
+                has_passes ? "a switch of the path, a variant or a specialization constant of the graph"
                            : "a variant or specialization constant of the graph");
             if (of_lighting) {
-                record.note(of_lighting->name_span,
-                            "the material gives this variant of the lighting graph a value of its own property: set "
-                            "that one");
+                record.note(
+                    of_lighting->name_span,
+                    "the material sets this variant of the lighting graph to a property of its own: set that property");
                 continue;
             }
             record.note(is_switch       ? fmt::format("it is a switch of the rendering paths, and {} no path",

@@ -54,9 +54,9 @@ private:
                     fmt::format("'{}' of the mesh, as the graph moves it.", name), true);
             if (semantic.recipe && !semantic.declaration)
                 add(semantic.recipe, joined("vertex", name),
-                    fmt::format(
-                        "What is interpolated and given to the surface as '{}', of the mesh before the graph moves it.",
-                        name),
+                    fmt::format("The value that is interpolated as '{}' for the surface, of the mesh before the graph "
+                                "moves it.",
+                                name),
                     true);
         }
     }

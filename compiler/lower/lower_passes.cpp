@@ -115,8 +115,9 @@ private:
         }
         const std::size_t own = passes.size();
         for (const paths::PassDecl* pass : paths_.passes_of(path)) passes.push_back(pass);
-        std::vector<std::pair<const paths::PassDecl*, Refusal>> left_out;  // told only if the path draws the material
-        std::set<std::string> told;                                        // one mistake may stop several passes
+        std::vector<std::pair<const paths::PassDecl*, Refusal>>
+            left_out;                // reported only if the path draws the material
+        std::set<std::string> told;  // one error may stop several passes
         for (const paths::PassDecl* pass : optional_first(passes)) {
             const Refusal refusal = lower_pass(*pass);
             if (refusal.is_news) left_out.emplace_back(pass, refusal);

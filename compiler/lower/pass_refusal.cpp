@@ -206,7 +206,7 @@ private:
         }
     }
 
-    // A path that stores whatever members a lighting graph reads.
+    // A path that stores all members that a lighting graph reads.
     std::string roomier_path() const {
         for (const paths::PassDecl& each : lowering_.session.paths->passes) {
             const bool packs = std::any_of(each.holds.begin(), each.holds.end(),

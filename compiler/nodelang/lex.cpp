@@ -216,7 +216,7 @@ void Lexer::number(Token& token) {
         const bool has_exponent = at(end) == 'e' || at(end) == 'E';
         if (has_exponent && (at(end + 1) == '+' || at(end + 1) == '-')) end += 2;
     }
-    // A word directly after the digits belongs to the literal: a suffix, an exponent or a mistake.
+    // A word directly after the digits belongs to the literal: a suffix, an exponent or an error.
     here_ = end_of_word(end);
     token.text = text_.text.substr(begin, here_ - begin);
     token.kind = Token::Kind::Number;

@@ -60,7 +60,7 @@ public:
     // The next token. At the end of the text it is End, however often this is called.
     Token next();
 
-    // From now on, mistakes are reported here.
+    // From now on, errors are reported here.
     void report_to(Diagnostics& diagnostics) { diagnostics_ = &diagnostics; }
     // Continues at the offset.
     void go_to(std::size_t offset) { here_ = offset; }

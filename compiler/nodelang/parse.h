@@ -32,7 +32,7 @@ enum class Bodies { Now, WhenAsked };
 inline constexpr std::string_view kHlslMark = "#pragma hlsl";
 void parse_file(Text text, Ast& ast, Diagnostics& diagnostics, Bodies bodies = Bodies::Now);
 
-// The statements of a function. Any thread may call this. The mistakes of a body that is parsed only now go to
+// The statements of a function. Any thread may call this. The errors of a body that is parsed only now go to
 // body_errors().
 const Statements& body_of(const FunctionDecl& function);
 // The errors in the body of a function of Bodies::WhenAsked, which is parsed now if it was not parsed before. Null for

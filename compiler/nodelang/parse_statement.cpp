@@ -29,7 +29,7 @@ bool is_assignment(const Token& token) {
            std::find(std::begin(kAssignments), std::end(kAssignments), token.text) != std::end(kAssignments);
 }
 
-// Ends a statement with a span without the ';', which is never the mistake.
+// Ends a statement with a span without the ';', which is never the error.
 const Stmt* Parser::finish(Stmt stmt, std::size_t begin) {
     stmt.span = span_from(begin);
     return &ast_.stmts.emplace_back(std::move(stmt));

@@ -1,5 +1,5 @@
 // Checks the passes of a file against each other: states that no renderer can have, and render targets that differ
-// between passes. Each mistake is reported where the file makes it.
+// between passes. Each error is reported where the file has it.
 #include <fmt/format.h>
 
 #include <algorithm>

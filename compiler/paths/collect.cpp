@@ -90,7 +90,7 @@ private:
         return index < attribute.args.size() ? attribute.args[index]->text : std::string_view();
     }
 
-    // check_declarations() reports mistakes in them.
+    // check_declarations() reports errors in them.
     static std::vector<ir::StageText> texts_of(const FunctionDecl& function) {
         Diagnostics ignored;
         return paths::texts_of(function.attributes, ignored);

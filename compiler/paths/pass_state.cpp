@@ -27,7 +27,7 @@ constexpr std::array kColorFormats = {TargetFormat::Rgba8, TargetFormat::Rgb10A2
                                       TargetFormat::Rgba32F, TargetFormat::R32F};
 constexpr std::array<std::string_view, 4> kTargetTypes = {"float", "float2", "float3", "float4"};
 
-// Takes the arguments of one attribute, in order, and reports mistakes at the argument.
+// Takes the arguments of one attribute, in order, and reports errors at the argument.
 class Arguments {
 public:
     Arguments(const Attribute& attribute, Diagnostics& diagnostics)
@@ -276,7 +276,7 @@ std::vector<ir::StageText> texts_of(std::span<const Attribute> attributes, Diagn
         if (attribute.name != "text") continue;
         Arguments in(attribute, diagnostics);
         if (!in.count(2, 32, "[text(\"pragma\", \"target 3.5\")]")) continue;
-        const std::string place(in.word(kPlaces, "a place of a pass's text"));
+        const std::string place(in.word(kPlaces, "a position of a pass's text"));
         for (std::size_t i = 1; i < attribute.args.size(); ++i)
             texts.push_back({.place = place, .line = std::string(in.text())});
     }

@@ -188,7 +188,7 @@ void describe(Fields& f, Given<Fields, Pass>& p) {
     describe_stencil(f, p.stencil);
     f.key("queue", p.queue, "lower numbers are drawn first");
     f.optional("readsElsewhere", p.reads_elsewhere, usual.reads_elsewhere,
-               "it reads a target at another place than its own pixel");
+               "it reads a target at other pixels than its own");
     f.optional("movesVertices", p.moves_vertices, usual.moves_vertices, "the drawn bounds are not the mesh's own");
     f.optional("bounds", p.bounds, usual.bounds, "of an extra pass: as those of the material");
     f.key("targets", p.targets, "the images that it draws into; empty: depth only");
@@ -200,7 +200,7 @@ void describe(Fields& f, Given<Fields, Pass>& p) {
     f.key("vertexReads", p.vertex_reads, "blocks, textures and such samplers that the vertex stage reads");
     f.key("fragmentReads", p.fragment_reads, "blocks, textures and such samplers that the fragment stage reads");
     f.optional("keywords", p.keywords, usual.keywords, "properties that either stage reads before it runs");
-    f.optional("hash", p.hash, usual.hash, "of what the pass computes, whatever the graph's names are");
+    f.optional("hash", p.hash, usual.hash, "of the pass's computations; it does not depend on the graph's names");
     f.optional("cost", p.cost, usual.cost, "what it costs; there with 'patina compile --cost'");
 }
 

@@ -57,8 +57,7 @@ public:
         raw("default",
             R"("anyOf": [{ "type": ["number", "boolean", "string"] }, { "type": "array", "items": { "type": "number" } }])",
             "of its type; colours are linear; of an enum and a sampler: its word; of a matrix: row by row; of a "
-            "gradient or a curve: "
-            "what its array in the block holds");
+            "gradient or a curve: the numbers of its array in the block");
         raw("defaultIndex", R"("type": "integer")", "of an enum: the index of its word");
     }
 

@@ -363,8 +363,8 @@ std::vector<std::unique_ptr<Material>> resolve_passes(Session& session, Material
             if (!is_same_file(known.name, pass.name)) continue;
             session.diagnostics.report(Code::DuplicateId, pass.name_span, "pass", pass.name)
                 .note(known.name == pass.name ? fmt::format("the first is a pass of the path '{}'", known.path)
-                                              : fmt::format("the path '{}' has '{}', and some file systems cannot tell "
-                                                            "files named after the two passes apart",
+                                              : fmt::format("the path '{}' has '{}', and some file systems cannot "
+                                                            "distinguish files named after the two passes",
                                                             known.path, known.name));
             break;
         }
@@ -373,7 +373,7 @@ std::vector<std::unique_ptr<Material>> resolve_passes(Session& session, Material
             if (other.name == pass.name || !is_same_file(other.name, pass.name)) continue;
             session.diagnostics.report(Code::DuplicateId, pass.name_span, "pass", pass.name)
                 .note(other.name_span,
-                      "the first is here; some file systems cannot tell files named after the two passes apart");
+                      "the first is here; some file systems cannot distinguish files named after the two passes");
         }
         auto made = std::make_unique<Material>();
         made->pass = &pass;

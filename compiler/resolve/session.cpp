@@ -18,7 +18,7 @@ const engines::Engine& engine_of(const Library& library, const CompileOptions& o
     return engine ? *engine : *library.engine({});
 }
 
-// To look for a file takes as long as so many steps.
+// A search for a file counts as so many steps.
 constexpr std::size_t kStepsOfAFile = 16;
 
 // The files for which a failed compilation has searched. A program that watches files must notice when one of them

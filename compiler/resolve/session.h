@@ -75,7 +75,7 @@ struct Session {
     std::map<std::string, std::unique_ptr<NodeFile>> node_files;
     std::deque<format::Property> file_properties;  // textures that are files named at a port
     std::vector<std::string> active;               // paths of the sub-graphs that are being loaded, to find recursion
-    std::set<std::string> missing;                 // files that were looked for and are not there
+    std::set<std::string> missing;                 // files that were searched for and do not exist
 };
 
 // The path of the file that `name` in the file `from` means. Empty if there is none. Reports at `where` if the caller's

@@ -1,5 +1,5 @@
 // The room `seam` is where exceptions end. Inside of the library, functions throw as the standard library does: no
-// memory, a thread that cannot be started, a mistake of ours. A public function whose result has diagnostics runs its
+// memory, a thread that cannot be started, a bug in Patina. A public function whose result has diagnostics runs its
 // work in guarded(). An exception becomes an error of the result, `out-of-memory` or `internal`, at the file, the node
 // and the pass in work.
 //

@@ -202,7 +202,7 @@ private:
         const RenderRequest& request = request_.render;
         const bool has_light = !request.lights.empty() || !request.ambient.empty() || !request.environment.empty();
         return {Fixed{"fixedTime", request.time.has_value(), "how the surface changes with the time",
-                      "it is as at the second that --time gives"},
+                      "it is as at the second of --time"},
                 Fixed{"fixedView", !request.camera.empty(), "how the surface changes with the view",
                       "it is as --camera sees it, from every side"},
                 Fixed{"fixedLight", has_light, "how the surface changes with light",

@@ -163,7 +163,7 @@ private:
         for (BakedMaterial::Loss& loss : made.losses) lose(std::move(loss.what), std::move(loss.why));
     }
 
-    // What the nearest base colour and metallic lose of a stated diffuse colour and f0.
+    // How much the nearest base colour and metallic lose of a specular set-up's diffuse colour and f0.
     void say_conversion() {
         std::size_t texels = 0, lossy = 0;
         for (std::size_t i = 0; i < covered_.size(); i++) {
@@ -217,7 +217,7 @@ private:
         out_.material.normal_texture = add_map("normal", false, std::move(encoded));
     }
 
-    // The occlusion is in alpha of the emission, whatever the workflow is.
+    // The occlusion is in alpha of the emission, in every workflow.
     void occlusion() {
         const Range open = share(drawn_.emission, 3, "the occlusion");
         if (open.is_constant() && open.middle() > 1 - kSame) return;

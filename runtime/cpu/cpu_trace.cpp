@@ -18,7 +18,7 @@ struct Hit {
     std::size_t object = 0;
     CpuFragment fragment{};
 
-    // Or drawn over, until hide() has said so.
+    // Or drawn over, until hide() has run.
     bool is_drawn() const { return !fragment.is_discarded && !fragment.is_hidden; }
     double depth() const { return fragment.quad.depth[std::size_t(fragment.lane)]; }
 };
@@ -51,7 +51,7 @@ std::vector<std::size_t> ends_of_reading(const Frame& frame) {
     return ends;
 }
 
-// Whatever was there is not seen any more.
+// Nothing behind it is seen any more.
 bool replaces(const Pass& pass) {
     const auto blends = [](const RenderTarget& target) { return target.blend.is_on(); };
     return pass.targets.empty() ? pass.depth_write : std::none_of(pass.targets.begin(), pass.targets.end(), blends);

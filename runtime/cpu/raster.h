@@ -20,7 +20,7 @@ struct ClipVertex {
     std::vector<double> varyings{};
 };
 
-// Corners are clockwise on the screen (y down) whatever the triangle's facing was. Snapped coordinates decide which
+// Corners are clockwise on the screen (y down), also if the triangle faced away. Snapped coordinates decide which
 // pixels it covers, so that neighbours share an edge without gaps. Varyings use the exact coordinates, as on most
 // devices.
 struct ScreenTriangle {

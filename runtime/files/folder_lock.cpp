@@ -74,8 +74,8 @@ std::string FolderLocks::take(const std::set<std::string>& folders, std::chrono:
         if (answer == Answer::OfAnother && is_held_by_starter(each.device, each.inode)) answer = Answer::Held;
         for (auto pause = 1ms; answer == Answer::OfAnother; pause = std::min(pause * 2, 50ms)) {
             if (Clock::now() > end)
-                return "another program keeps the folder '" + each.path +
-                       "' locked: end it, or write to another folder";
+                return "another program holds a lock on the folder '" + each.path +
+                       "': end it, or write to another folder";
             std::this_thread::sleep_for(pause);
             answer = ask(each.descriptor);
         }

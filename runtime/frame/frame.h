@@ -59,7 +59,7 @@ struct StagePair {
 struct FrameStep {
     const Reflection* reflection = nullptr;
     const Pass* pass = nullptr;  // of `reflection`
-    // z / w of the vertex stage's positions. Shadow maps are near to far, whatever the camera's view is.
+    // z / w of the vertex stage's positions. Shadow maps are near to far, for every camera.
     ClipDepth clip_depth() const {
         return pass->lights == PassLights::Shadowed ? ClipDepth::NearToFar : reflection->clip_depth;
     }

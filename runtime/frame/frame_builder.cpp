@@ -74,7 +74,7 @@ std::optional<std::size_t> FrameBuilder::find_target(const std::string& name) co
     return std::nullopt;
 }
 
-// The depth of pixels without geometry. Shadow maps are near to far, whatever the camera's view is.
+// The depth of pixels without geometry. Shadow maps are near to far, for every camera.
 float FrameBuilder::farthest_of(const Pass& pass) const {
     return pass.lights == PassLights::Shadowed ? 1.0f : farthest(world_.view.camera.clip_depth);
 }

@@ -133,8 +133,8 @@ std::string whole_reason(const Frame& frame) {
                     return fmt::format("the pass '{}' of '{}' draws from a light and reads '{}'", step.pass->name,
                                        step.reflection->name, frame.targets[read.target].name);
         } else if (step.pass->reads_elsewhere) {
-            return fmt::format("the pass '{}' of '{}' reads the picture at other places than its own pixel",
-                               step.pass->name, step.reflection->name);
+            return fmt::format("the pass '{}' of '{}' reads the picture at other pixels than its own", step.pass->name,
+                               step.reflection->name);
         }
     }
     return "";

@@ -34,7 +34,7 @@ std::unique_ptr<draco::Mesh> decoded(const tinygltf::Model& model, int view_inde
         throw Failed{"there is no buffers[" + std::to_string(view.buffer) + "]"};
     const std::vector<unsigned char>& bytes = model.buffers[static_cast<std::size_t>(view.buffer)].data;
     if (view.byteOffset > bytes.size() || view.byteLength > bytes.size() - view.byteOffset)
-        throw Failed{"its bytes lie outside of the buffer"};
+        throw Failed{"its bytes are outside of the buffer"};
     draco::DecoderBuffer buffer;
     buffer.Init(reinterpret_cast<const char*>(bytes.data() + view.byteOffset), view.byteLength);
     const auto type = draco::Decoder::GetEncodedGeometryType(&buffer);

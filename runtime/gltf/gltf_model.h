@@ -76,8 +76,8 @@ Outcome<GltfModel> read_model(const std::string& path);
 Outcome<GltfModel> model_of(const tinygltf::Model& file, MeshDetail detail = MeshDetail::Whole);
 
 // One mesh of everything that the file shows, or of one node with all nodes below it, in the space of the file's scene.
-// Materials are not told apart. "Seat/1" is primitive 1 of the node alone, and "node 3/0" that of a node by its number.
-// Without triangles or without the node it is a failure that names the nodes. `path`: for messages.
+// Materials are not distinguished. "Seat/1" is primitive 1 of the node alone, and "node 3/0" that of a node by its
+// number. Without triangles or without the node it is a failure that names the nodes. `path`: for messages.
 Outcome<Mesh> mesh_of(const GltfModel& model, const std::string& path, const std::string& node = {});
 Outcome<Mesh> read_mesh(const std::string& path, const std::string& node = {});
 // The primitive of one node, "Seat/1", in the mesh's own space; null: the name means something else, or nothing.

@@ -176,7 +176,7 @@ Outcome<bool> create_logical_device(Device& device) {
     Features wanted;
     wanted.v13.dynamicRendering = VK_TRUE;
     wanted.v13.synchronization2 = VK_TRUE;
-    // What glslang makes of HLSL's discard.
+    // glslang compiles HLSL's discard to it.
     wanted.v13.shaderDemoteToHelperInvocation = available.v13.shaderDemoteToHelperInvocation;
     // `half` in a material is float16 arithmetic where the device has it.
     wanted.v12.shaderFloat16 = available.v12.shaderFloat16;

@@ -20,7 +20,7 @@ struct Triangle {
     bool is_point = false;  // it has no area at all
 };
 
-// The same position, normal and uv0, under whatever index.
+// The same position, normal and uv0, under any index.
 std::vector<std::uint32_t> welded(const Mesh& mesh) {
     const auto key = [&](std::uint32_t i) {
         const Vertex& v = mesh.vertices[i];

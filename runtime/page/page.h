@@ -14,7 +14,7 @@ namespace patina::runtime {
 
 struct Page {
     std::string title{};    // text
-    std::string tools{};    // HTML, beside the title
+    std::string tools{};    // HTML, next to the title
     std::string content{};  // HTML
 };
 std::string make_page(const Page& page);

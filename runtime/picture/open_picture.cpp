@@ -39,7 +39,7 @@ std::unique_ptr<OIIO::ImageInput> open_picture(const PictureBytes& picture, Memo
     const std::string reader = reader_of(picture);
     std::unique_ptr<OIIO::ImageInput> input = reader.empty() ? nullptr : OIIO::ImageInput::create(reader);
     if (!input) {
-        why = "neither its first bytes nor its name say a format that can be read";
+        why = "neither its first bytes nor its name belong to a format that can be read";
         OIIO::geterror();  // or it would be the next file's
         return nullptr;
     }

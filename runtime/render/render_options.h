@@ -30,7 +30,7 @@ struct RenderOptions {
     std::string device{};         // part of a GPU's name; empty: the software renderer
     bool validation = false;      // Khronos validation layer; its messages become errors
     bool exact_textures = false;  // float texels on the GPU, to compare it with the CPU
-    bool exact_targets = false;   // every colour target in 32-bit floats, whatever the passes say
+    bool exact_targets = false;   // every colour target in 32-bit floats, for all passes
     std::vector<std::string> also_shown{};  // further targets of the path that the outcome has
     bool stated_formats = false;  // the picture too is drawn in the format that the passes state, not in 32-bit floats
     int shadow_atlas_size = 2048;
@@ -62,7 +62,7 @@ struct RenderOutcome {
     DataSummary values{};                     // of the picture; of a preview: of what the object covers
     std::vector<Diagnostic> diagnostics;      // of the compiler and of glslang; warnings too
     std::string error;                        // what else went wrong: a word of the request, a file, the device
-    std::vector<std::string> dependencies{};  // files that were read, or looked for and not found
+    std::vector<std::string> dependencies{};  // files that were read, or searched for and not found
     std::vector<DrawnShader> shaders{};       // each text once, in the order of the materials and their passes
     std::string device{}, driver{};           // what drew the picture
     std::size_t draws = 0;                    // steps that drew the image, shadow maps among them

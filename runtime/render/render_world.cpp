@@ -239,9 +239,8 @@ private:
         };
         if (fits(view.width, view.height, view.samples)) return "";
         std::string error = fmt::format(
-            "{}, so the picture cannot be drawn in tiles, and {} x {} pixels of {} x {} samples at once need {:.1f} "
-            "GiB "
-            "of render targets; the limit is {:.1f} GiB, and {} samples on a side: ",
+            "{}, so the picture cannot be drawn in tiles; {} x {} pixels of {} x {} samples at once need {:.1f} GiB of "
+            "render targets, and the limit is {:.1f} GiB and {} samples on a side: ",
             reason, view.width, view.height, view.samples, view.samples,
             gibibytes(bytes_with(view.width, view.height, view.samples)), gibibytes(options_.most_whole_bytes),
             kLargestImage);

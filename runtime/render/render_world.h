@@ -15,7 +15,8 @@ namespace patina::runtime {
 RenderOutcome draw_world(const Compiler& compiler, const World& world, const RenderOptions& options,
                          RenderMachine& machine);
 
-// The values behind a pixel of the picture that draw_world() draws, from the CPU reference whatever `options.via` is.
+// The values behind a pixel of the picture that draw_world() draws. The CPU reference computes them, for every
+// `options.via`.
 TraceOutcome trace_world(const Compiler& compiler, const World& world, RenderOptions options, const TraceWish& wish);
 
 // The messages that draw_world() gives before it draws, with the shaders of every target proved; also for materials

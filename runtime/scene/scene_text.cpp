@@ -254,7 +254,7 @@ Outcome<EnvironmentChoice> parse_environment(std::string_view text) {
         text = space == text.npos ? std::string_view() : text.substr(0, text.find_last_not_of(" \t", space) + 1);
     }
     choice.path = text;
-    if (choice.path.empty()) return Failure{"the environment is a picture, studio or none, and nothing is given"};
+    if (choice.path.empty()) return Failure{"the environment is a picture, studio or none, and the value is empty"};
     Outcome<Words> words = split_words(given);
     if (!words) return Failure{"the environment: " + words.error};
     Settings settings(std::move(words.value), "the environment");

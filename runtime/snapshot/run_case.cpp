@@ -102,7 +102,7 @@ private:
             fail(reference.error);
             return true;
         }
-        reference_ = quantized(reference.value);  // what OpenImageIO makes of a byte may be off in the last bit
+        reference_ = quantized(reference.value);  // OpenImageIO's value of a byte may be off in the last bit
         result_.then = record_of(load_notes(result_.reference));
         if (options_.keeps_pictures) result_.reference_png = read_file(result_.reference, most_picture_bytes()).value;
         result_.other_driver = !result_.then.device.empty() &&

@@ -36,7 +36,7 @@ struct LoadedTexture {
 // No such name: an empty image.
 Image default_texture(const std::string& name);
 
-// Something that is said of a texture, in words.
+// A message about a texture.
 struct TextureRemark {
     std::string texture{};  // Texture::name
     std::string text{};

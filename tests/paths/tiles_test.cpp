@@ -133,9 +133,9 @@ TEST(Tiles, AreRefusedWhereAPassReadsOtherPixels) {
     EXPECT_FALSE(outcome.ok);
     EXPECT_EQ(
         outcome.error,
-        "the pass 'forward' of 'Rippled glass' reads the picture at other places than its own pixel, so the picture "
-        "cannot be drawn in tiles, and 61 x 47 pixels of 2 x 2 samples at once need 0.0 GiB of render targets; "
-        "the limit is 0.0 GiB, and 16384 samples on a side: use --samples 1 and a smaller picture, of 30 x 23 pixels");
+        "the pass 'forward' of 'Rippled glass' reads the picture at other pixels than its own, so the picture "
+        "cannot be drawn in tiles; 61 x 47 pixels of 2 x 2 samples at once need 0.0 GiB of render targets, and "
+        "the limit is 0.0 GiB and 16384 samples on a side: use --samples 1 and a smaller picture, of 30 x 23 pixels");
     request.options.most_whole_bytes = 300'000;
     EXPECT_TRUE(runtime::render(compiler(), request, machine()).error.ends_with("on a side: use --samples 1"));
 }

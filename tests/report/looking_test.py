@@ -154,7 +154,7 @@ class Test(unittest.TestCase):
             file.write(b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 8 +X 16\n" + b"\x80\x80\x80\x84" * 128)
         lit = ("white.graph.json", "--env", "even.hdr")
         self.expect(0, "all light comes from a picture, whose exposure is -3.56, so that white surfaces stay below "
-                    "white: --exposure 0 shows the light as it is", *lit, "-o", "white.png")
+                    "white: --exposure 0 shows the light unchanged", *lit, "-o", "white.png")
         self.assertNotIn("clip", render(*lit, "-o", "white.png").stderr)
         # A dielectric reflects 0.04 at once, so 0.96 of the 8: -log2(7.68) is -2.94, rounded down.
         self.expect(0, "clip: --exposure -2.95", *lit, "--exposure", "0", "-o", "raw.png")

@@ -77,7 +77,7 @@ bool Root::holds(const std::string& real_path) const {
     return !real_.empty() && rest_below(fs::path(real_path), real_).has_value();
 }
 
-// By its text, whatever links are on the way.
+// By its text; links on the way are not followed.
 bool Root::has_name(const std::string& path) const {
     if (real_.empty()) return false;
     std::error_code error;

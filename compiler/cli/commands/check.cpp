@@ -60,7 +60,7 @@ void check_budgets(const Arguments& arguments, const std::string& graph, const R
     std::ranges::move(over_budget(passes, result.budget), std::back_inserter(found));
     for (Diagnostic& each : over_budget(passes, asked)) {
         each.file = graph;
-        each.message += ", as the command line says";
+        each.message += ", from the command line";
         found.push_back(std::move(each));
     }
     checked.ok &= found.empty();

@@ -159,7 +159,7 @@ void add_compile(Program& program) {
          "patina compile art -o out --jobs 4 --list-outputs out/all.txt   # out has the folders of art",
          "git ls-files -z '*.graph.json' | patina compile --files - -o out",
          "patina compile rust.graph.json -t spirv -o out --depfile",
-         "patina compile upload/rust.graph.json --root upload -o out   # a stranger's graph reads nothing else",
+         "patina compile upload/rust.graph.json --root upload -o out   # an untrusted graph reads nothing else",
          "patina compile art -o out --list-outputs out/all.txt --depfile --depend-on-outputs   # a step of a build",
          "patina compile rust.graph.json -t unity -o Assets/Shaders   # 'patina engines' lists what there is",
          "patina compile rust.graph.json --path deferred -D shadows -o out",
@@ -173,12 +173,12 @@ void add_compile(Program& program) {
         command.add_flag("--cost", arguments->cost, "Measure what each pass costs, and add it to the reflection");
     CLI::Option* depfile = command.add_flag(
         "--depfile", arguments->depfile,
-        "Write a list of the files that this was made from, for make and ninja: NAME.d next to NAME.reflect.json, or "
-        "with --list-outputs FILE one for all, FILE.d. It also names folders, for files that may appear");
-    CLI::Option* list = command.add_option(
-        "--list-outputs", arguments->output_list,
-        "When all is done, write the paths of all files that were made to this file, one a line. Files that "
-        "did not change keep their time; this one never does");
+        "Write the files from which the outputs were made, for make and ninja: NAME.d next to NAME.reflect.json, or "
+        "with --list-outputs FILE one list for all, FILE.d. It also names folders in which a file may appear");
+    CLI::Option* list =
+        command.add_option("--list-outputs", arguments->output_list,
+                           "At the end, write the paths of all outputs to this file, one a line. Outputs that did not "
+                           "change keep their time; this file always gets a new one");
     list->type_name("FILE");
     command
         .add_flag("--depend-on-outputs", arguments->depends_on_outputs,
@@ -194,9 +194,9 @@ void add_compile(Program& program) {
     CLI::Option* variants =
         command
             .add_option("--variants", arguments->variants.wanted,
-                        "Compile the graph's variants. all: every combination; listed: those under \"variants\"; "
-                        "reachable: without choices that change nothing. Each different shader is written once; "
-                        "NAME.variants.json says which belongs to which combination")
+                        "Compile the graph's variants. all: every combination; listed: the combinations under "
+                        "\"variants\"; reachable: without choices that change nothing. Equal shaders are written once; "
+                        "NAME.variants.json lists the shaders of each combination")
             ->type_name("all|listed|reachable")
             ->check(one_of("a choice of variants", {"all", "listed", "reachable"}));
     command

@@ -203,18 +203,16 @@ void add_eval(Program& program) {
          "patina eval '= smoothstep(0, 1, x)' x=0..1:11", "patina eval '= mul(m, v)' 'm=[[1,2],[3,4]]' v=1,0"});
     auto arguments = std::make_shared<Arguments>();
     command
-        .add_option(
-            "NODE NAME=VALUE", arguments->words,
-            "A node of the library or its file (.node.hlsl), and its inputs as a graph writes them: 0.5, 0,0,1, "
-            "#ff8800, [[1,0],[0,1]], true, a word; or an expression, '= x * 2', and what its names stand for. "
-            "FROM..TO:COUNT makes a "
-            "table")
+        .add_option("NODE NAME=VALUE", arguments->words,
+                    "A node of the library or its file (.node.hlsl), and its inputs as a graph writes them: 0.5, "
+                    "0,0,1, #ff8800, [[1,0],[0,1]], true, a word. Or an expression, '= x * 2', and the values of its "
+                    "names. FROM..TO:COUNT makes a table")
         ->type_name(" ");
     CLI::Option* model = command.add_option(
         "--model", arguments->model,
-        "A lighting model or its file: computes the light that reaches the viewer from one light of E/pi = 1. Inputs: "
-        "n, l, v, t (normal, direction to the light, direction to the viewer, tangent), light, ambient (E/pi), "
-        "environment (radiance), and the inputs of the surface and of the model");
+        "Compute the light that reaches the viewer from one light of E/pi = 1, by a lighting model or its file. "
+        "Inputs: n, l, v, t (normal, direction to the light, direction to the viewer, tangent); light, ambient (E/pi), "
+        "environment (radiance); the inputs of the surface and of the model");
     command
         .add_option("--workflow", arguments->workflow,
                     "The workflow that describes the surface of --model; default: metallic-roughness")

@@ -79,10 +79,11 @@ void add_merge(Program& program) {
                      "Exit codes: 0 clean, and the result compiles; 1 conflicts; 2 trouble, and nothing is written"});
     auto arguments = std::make_shared<Arguments>();
     command
-        .add_option("BASE", arguments->base, "The version that both sides were made from; an empty file: there is none")
+        .add_option("BASE", arguments->base,
+                    "The version from which both sides were made; an empty file: there is none")
         ->required()
         ->type_name(" ");
-    command.add_option("OURS", arguments->ours, "One side, whose text is kept where nothing changed")
+    command.add_option("OURS", arguments->ours, "One side; its text stays where nothing changed")
         ->required()
         ->type_name(" ");
     command.add_option("THEIRS", arguments->theirs, "The other side")->required()->type_name(" ");

@@ -106,8 +106,9 @@ void add_nodes(Program& program) {
     command.add_option("-c,--category", arguments->category, "List only this category and those inside it")
         ->type_name("CATEGORY");
     command
-        .add_option("-s,--search", arguments->words,
-                    "List the nodes whose names and texts have these words, the best first; not all must be there")
+        .add_option(
+            "-s,--search", arguments->words,
+            "List the nodes whose names and texts have these words, the best first; a node need not have all words")
         ->type_name("WORDS");
     command.add_flag("--json", arguments->json, "Print everything about each node as JSON");
     set_work(program, command, [arguments](const Console& console) { return list_nodes(console, *arguments); });

@@ -44,15 +44,14 @@ void add_target_options(CLI::App& command, CompileArguments& arguments) {
                      [](const std::string&) { return std::string(); })
         ->type_name("TARGETS");
     command
-        .add_option(
-            "-o,--output", arguments.folder,
-            "Folder to write to, which is made if it is missing; it gets the folders that a folder of graphs has. "
-            "Default: the current folder")
+        .add_option("-o,--output", arguments.folder,
+                    "Folder to write to, which is made if it does not exist. It gets the same sub-folders as a folder "
+                    "of graphs. Default: the current folder")
         ->type_name("DIR")
         ->check(is_folder_name);
     command.add_flag("--file-hashes", arguments.file_hashes,
-                     "List each file with the hash of its bytes in the reflection: a reader that takes no lock on the "
-                     "folder sees whether the files are of one run");
+                     "List each file with the hash of its bytes in the reflection. With the hashes, a reader without a "
+                     "lock on the folder sees whether all files are from one run");
 }
 
 CompileOptions options_of(const CompileArguments& arguments) {
@@ -88,7 +87,7 @@ void read_targets(CompileArguments& arguments, const Compiler& compiler) {
         if (const std::string wrong = one_of("a target", known)(word); !wrong.empty())
             throw CLI::ValidationError("--target", wrong);
     }
-    // In the order of the engines and their languages, whatever the order of the words.
+    // In the order of the engines and their languages, not in the order of the words.
     for (const EngineInfo& engine : compiler.engines()) {
         for (const Target& target : compiler.targets(engine.name)) {
             const std::string_view word = engine.is_default ? target.language : engine.name;
@@ -141,8 +140,9 @@ std::string not_for_engine(const CompileArguments& arguments, const Compiler& co
 std::string settle(CompileArguments& arguments, const Compiler& compiler) {
     const std::string& list = arguments.output_list;
     if (arguments.depfile && !list.empty() && (is_stream(list) || is_standard_output(list)))
-        return fmt::format("--depfile: '{}' is no file that one for all could lie next to: give --list-outputs a file",
-                           list);
+        return fmt::format(
+            "--depfile: '{}' is not a file, so no dependency file can be next to it: name a file with --list-outputs",
+            list);
     read_targets(arguments, compiler);
     arguments.kind = arguments.variants.kind = kind_of(arguments, compiler);
     arguments.variants.file_hashes = arguments.file_hashes;

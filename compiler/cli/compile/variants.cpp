@@ -140,7 +140,7 @@ Exit make_variants(const Console& console, const Compiler& compiler, const std::
     // The library does not know how its caller gives values and limits.
     Diagnostic advice;
     advice.severity = Severity::Note;
-    advice.message = "-D NAME=VALUE gives a property a value, and --variants-limit sets the limit";
+    advice.message = "-D NAME=VALUE sets a property, and --variants-limit sets the limit";
     for (Diagnostic& each : plan.diagnostics)
         if (each.code == "too-many") each.notes.push_back(advice);
     name_graph(plan.diagnostics, graph);

@@ -1,5 +1,5 @@
 // What a command says of an exception, and the exit code that it gives: no exception ends a program without a message.
-// Lack of memory, and what else the system refuses, is no fault of the input; everything else is a mistake of Patina.
+// Lack of memory, and other refusals of the system, are no faults of the input; everything else is a bug in Patina.
 //
 //   for (const std::string& graph : graphs)   // what is thrown for one does not stop the others
 //       exit = worse(exit, guarded(console, graph, [&] { return write(graph); }));
@@ -21,9 +21,8 @@ struct Unexpected {
 };
 Unexpected describe_exception(std::string_view file);
 
-// Reports the exception that is being handled. `file`: what was worked on; empty: as work_on_file() was told. If there
-// is no memory for a message with a place, it is one without. run() ends the program with the exit code, or a greater
-// one.
+// Reports the exception that is being handled. `file`: the file in work; empty: the file of work_on_file(). If there is
+// no memory for a message with a place, it is one without. run() ends the program with the exit code, or a greater one.
 Exit report_exception(const Console& console, std::string_view file = {}) noexcept;
 
 // Works on one of several files. An exception is reported for the file, and the exit code is Wrong. So the work on the

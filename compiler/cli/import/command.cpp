@@ -233,7 +233,7 @@ void add_import(Program& program) {
         ->check(is_folder)
         ->allow_extra_args(false);
     command.add_flag("--allow-refused", arguments->allows_refused,
-                     "Exit with 0, even if a graph shows a constant in the place of a part that is refused");
+                     "Exit with 0, even if a graph has a constant instead of a refused part");
     command.add_flag("--report", arguments->shows_remarks,
                      "Print what became of each part of the files: exact, approximate or refused, and why");
     command.add_flag("--json", arguments->json, "Print the same as JSON, one object a file, instead of warnings");

@@ -46,7 +46,7 @@ void complete(Arguments& arguments) {
 // What a viewer does otherwise than the graph.
 void say_lighting(const Console& console, const std::string& graph, const runtime::BakeOutcome& made) {
     if (made.is_unlit || made.lighting == "gltf") return;
-    remark(console, fmt::format("{}: viewers light the model as glTF says, not by '{}'", graph,
+    remark(console, fmt::format("{}: viewers light the model by the rules of glTF, not by '{}'", graph,
                                 made.lighting.empty() ? "its own lighting" : made.lighting));
 }
 

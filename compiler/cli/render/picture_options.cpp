@@ -30,11 +30,9 @@ void add_size_options(CLI::App& command, runtime::RenderRequest& request) {
 
 void add_background_option(CLI::App& command, runtime::RenderRequest& request) {
     command
-        .add_option(
-            "--background", request.background,
-            "What is behind everything: the surroundings, the same out of focus, a colour, or none, which is "
-            "transparent; default: dark grey, or with a picture as --env and a material that reads what is behind "
-            "it, as glass does, env")
+        .add_option("--background", request.background,
+                    "The background: the surroundings, the same out of focus, a colour, or none, which is transparent. "
+                    "Default: dark grey; env if --env is a picture and a material reads its background, as glass does")
         ->type_name("env|blur|COLOR|none");
 }
 
@@ -48,17 +46,16 @@ void add_mesh_options(CLI::App& command, runtime::RenderRequest& request) {
     const std::function<std::string(std::string)> is_built_in = one_of("a mesh", std::move(meshes));
     command
         .add_option("--mesh", request.mesh,
-                    "The mesh to draw: a built-in one, or a glTF file, or one of its nodes with what is below it; "
+                    "The mesh to draw: a built-in one, or a glTF file, or one of its nodes with all nodes below it; "
                     "default: sphere")
         ->type_name(list + "|FILE.glb[#NODE]")
         ->check([is_built_in](const std::string& word) {
             return runtime::is_model_name(word) ? std::string() : is_built_in(word);
         });
     command
-        .add_option(
-            "--segments", request.segments,
-            "How finely the mesh is divided: the number of quads around a round mesh, or along each side of a flat "
-            "one. A coarse mesh shows what is computed at vertices")
+        .add_option("--segments", request.segments,
+                    "How finely the mesh is divided: the number of quads around a round mesh, or along each side of a "
+                    "flat one. A coarse mesh shows which values are computed at vertices")
         ->type_name("N")
         ->check(CLI::Range(kLeastSegments, kMostSegments));
 }

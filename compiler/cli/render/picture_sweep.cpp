@@ -288,7 +288,7 @@ void add_sweep_options(CLI::App& command, Sweep& sweep) {
     command
         .add_option("--lighting", sweep.lighting,
                     "Light it with this lighting model, or with a lighting graph of your own, instead of the graph's. "
-                    "Several with commas make a labelled sheet; all stands for all models that fit")
+                    "Several with commas make a labelled sheet; 'all' means all models that fit")
         ->type_name("MODEL|FILE|all");
 }
 
@@ -299,7 +299,7 @@ void read_sweep(Sweep& sweep, runtime::RenderRequest& request) {
         for (const std::string& word : words_of(sweep.lighting)) {
             if (word.empty()) throw CLI::ValidationError("--lighting", "'" + sweep.lighting + "' has an empty name");
             if (word == "all" && sweep.lighting != "all")
-                throw CLI::ValidationError("--lighting", "all stands for every model: name no other one");
+                throw CLI::ValidationError("--lighting", "'all' means every model: name no other one");
             if (std::ranges::count(models, lighting_name(word)) > 0)
                 throw CLI::ValidationError("--lighting", "'" + word + "' is named twice: leave one out");
             models.push_back(lighting_name(word));

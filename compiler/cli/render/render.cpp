@@ -131,11 +131,11 @@ void say_clipping(const Console& console, const Arguments& arguments, const std:
                                 advice.empty() ? "" : ": ", advice));
 }
 
-// How bright it is because nobody said so.
+// The exposure that was chosen, because the user set none.
 void say_exposure(const Console& console, const Arguments& arguments, const runtime::RenderOutcome& outcome) {
     if (arguments.tone.exposure || outcome.exposure == 0) return;
     remark(console, fmt::format("all light comes from a picture, whose exposure is {:.2f}, so that white surfaces stay "
-                                "below white: --exposure 0 shows the light as it is",
+                                "below white: --exposure 0 shows the light unchanged",
                                 outcome.exposure));
 }
 
@@ -276,7 +276,7 @@ void check_layers(const Arguments& arguments) {
 void complete(Arguments& arguments, bool has_mesh) {
     if (arguments.path.path == "all")
         throw CLI::ValidationError("--path",
-                                   "a picture is drawn along one path: name one; 'patina compile' takes 'all'");
+                                   "a picture is drawn along one path: name one; 'patina compile' accepts 'all'");
     refuse_mesh(arguments.graphs, has_mesh);
     const runtime::RenderRequest& request = arguments.request;
     for (const auto& [option, value] : {std::pair("--object", request.object), {"--material", request.material}}) {
@@ -360,12 +360,13 @@ void add_render(Program& program) {
                     "surface, lighting/fresnel of the lighting graph, or outline/color of an extra pass")
         ->type_name("PORT")
         ->check(is_not_empty);
-    CLI::Option* object = command
-                              .add_option("--object", request.object,
-                                          "Of a scene: show --node in the object with this id. Without it, all objects "
-                                          "whose material has the node show it")
-                              ->type_name("ID")
-                              ->check(is_not_empty);
+    CLI::Option* object =
+        command
+            .add_option(
+                "--object", request.object,
+                "Of a scene: show --node in the object with this id. Default: all objects whose material has the node")
+            ->type_name("ID")
+            ->check(is_not_empty);
     command
         .add_option("--material", request.material,
                     "Of a scene: show --node in all objects that have the material of this name")
@@ -397,8 +398,8 @@ void add_render(Program& program) {
         ->check(is_not_empty);
     command
         .add_option("--exposure", arguments->tone.exposure,
-                    "Make the picture brighter by so many stops: 1 doubles its light; default: 0, or in the light of "
-                    "a picture alone what keeps a white surface below white")
+                    "Make the picture brighter by so many stops: 1 doubles its light. Default: 0; if all light comes "
+                    "from a picture, the stops that keep a white surface below white")
         ->type_name("EV")
         ->check(within(-64, 64));
     std::vector<std::string> curves;

@@ -202,13 +202,12 @@ void add_snapshot(Program& program) {
     CLI::Option* update =
         command
             .add_option("--update", arguments->update,
-                        "Replace the references that differ, and make those that are missing: of all cases, or of one")
+                        "Replace the references that differ, and make missing ones: of all cases, or of one")
             ->type_name("[CASE]")
             ->expected(0, 1);
     command.add_option("--only", options.only, "Run one case, or all pictures of one snapshot file")->type_name("CASE");
     add_words_option(command, "--tolerance", arguments->tolerance,
-                     "Limits instead of those that the files state: pixel, share, average, tile, perceptual, "
-                     "otherDriver",
+                     "Limits that replace those of the files: pixel, share, average, tile, perceptual, otherDriver",
                      check_tolerance_word)
         ->type_name("NAME=NUMBER");
     add_outputs(command, *arguments);

@@ -85,7 +85,8 @@ std::vector<std::string> unread_inputs(const Compiler& compiler, const std::stri
     const Names read = read_by(*model);
     std::vector<std::string> unread;
     for (const std::string& input : inputs_set(compiler, graph, options)) {
-        // What lighting makes of every surface, as emission and alpha, follows from no value of the workflow.
+        // Values that lighting reads of every surface, such as emission and alpha, follow from no value of the
+        // workflow.
         bool has_value = false, is_read = read.contains(input);
         for (const auto& [name, value] : from->outputs) {
             if (!inputs_behind(*from, value).contains(input)) continue;

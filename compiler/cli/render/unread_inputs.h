@@ -1,5 +1,5 @@
 // Which inputs of the surface have no effect in a lighting model. A sheet of all models shows them, because the model's
-// picture lacks their meaning. Only workflows and models of the library are known; of others nothing is said.
+// picture lacks their meaning. Only workflows and models of the library are known; for others the result is empty.
 //
 //   unread_inputs(compiler, "metal.graph.json", options, "metallic-roughness", "lambert");   // {"roughness"}
 #pragma once

@@ -71,10 +71,9 @@ void add_watch(Program& program) {
     add_target_options(command, arguments->compile);
     add_path_options(command, arguments->compile.path);
     command
-        .add_option(
-            "--render", arguments->picture,
-            "Also draw the graph that was changed last, or the scene. NAME.html next to it is a page that shows "
-            "the picture and what is wrong, and follows each change by itself")
+        .add_option("--render", arguments->picture,
+                    "Also draw the graph that changed last, or the scene. NAME.html next to it is a page that shows "
+                    "the picture and all errors, and is updated at each change")
         ->type_name("NAME.png");
     add_picture_options(command, arguments->set, arguments->request);
     add_device_options(command, arguments->request);

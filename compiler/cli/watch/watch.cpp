@@ -201,7 +201,7 @@ Exit Watch::draw() {
         drawn.diagnostics = {describe_exception(subject_).error};
     }
     end_progress(console_);
-    // The compiler has said these already.
+    // The compiler has reported these already.
     std::erase_if(drawn.diagnostics,
                   [&](const Diagnostic& each) { return graph.task.said.find(to_text(each)) != std::string::npos; });
     drawn.dependencies.push_back(subject_);

@@ -55,7 +55,7 @@ private:
     struct Graph {
         Input input{};
         Task task{};
-        std::optional<Compiled> compiled{};  // the last one without mistakes
+        std::optional<Compiled> compiled{};  // the last result without errors
     };
     struct Made {
         Compiled compiled{};
@@ -81,7 +81,7 @@ private:
 
     std::string subject_{};  // what the picture shows
     Task picture_{};
-    std::string text_{};  // what was said of the subject, for the page
+    std::string text_{};  // messages about the subject, for the page
     std::int64_t page_version_ = 0;
     runtime::RenderMachine machine_{};
 };

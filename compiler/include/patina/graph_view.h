@@ -38,7 +38,7 @@ struct GraphView {
     std::vector<GraphEdge> edges;           // each once
     std::vector<Diagnostic> diagnostics;    // errors and warnings of the graph
     std::vector<std::string> dependencies;  // files that were read
-    std::vector<std::string> missing;       // files that were looked for and are not there, sorted
+    std::vector<std::string> missing;       // files that were searched for and do not exist, sorted
 };
 // Reads a graph of any kind and finds its types. Of the options, only `include_dirs`, `files` and `limits` count.
 PATINA_API GraphView view_graph(const Compiler& compiler, const std::string& path, const CompileOptions& options = {});

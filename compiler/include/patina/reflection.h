@@ -181,7 +181,7 @@ struct RenderTarget {
 struct Stencil {
     Compare test = Compare::Always;                         // (reference & read_mask) to (stencil & read_mask)
     StencilOp pass = StencilOp::Keep;                       // if both tests pass
-    StencilReference reference = StencilReference::Stated;  // Stated: it is `value`
+    StencilReference reference = StencilReference::Stated;  // Stated: `value`, the material's own
     StencilOp fail = StencilOp::Keep;                       // if the stencil test fails
     StencilOp depth_fail = StencilOp::Keep;                 // if only the depth test fails
     int value = 0, read_mask = 255, write_mask = 255;       // 0 to 255

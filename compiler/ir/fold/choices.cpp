@@ -6,7 +6,7 @@
 namespace patina::ir {
 namespace {
 
-// How far back the same condition is looked for, so that the time to build a function stays linear.
+// The search for an equal condition goes back so far, so that the time to build a function stays linear.
 constexpr int kMaxDepth = 4;
 
 // Ops that may be computed a second time to save a choice: no samples, and no ops with blocks.

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kMostFloat = std::numeric_limits<float>::max(), kMostHalf = 65504;
-// How many operands back facts are looked for, so that the time to ask stays bounded.
+// The search for facts goes back so many operands, so that its time stays bounded.
 constexpr int kMaxDepth = 6;
 // Functions that are called from more places are not looked into.
 constexpr std::size_t kMaxSites = 8;

@@ -1,5 +1,5 @@
-// simplify(): what the builder makes of op(args) instead of a new instruction. Constants fold (fold.cpp), composites
-// are taken apart (composites.cpp), and the algebra is the table below.
+// simplify(): the value that replaces a new instruction op(args). Constants fold (fold.cpp), composites are taken apart
+// (composites.cpp), and the algebra is the table below.
 //
 // What may change: the sign of a zero, and nothing else. A GPU need not preserve NaN, but users debug with it and no
 // target promises to lose it. So x - x stays unchanged for floats: it is NaN where x is NaN or infinite. Rounded
@@ -46,8 +46,8 @@ constexpr Identity kIdentities[] = {
     {x * 1, x},
     {x * -1, -x},
     {-x * -y, x* y},
-    // Most zeros are those of a material: a metal scatters no light, whatever the light. HLSL compilers and drivers do
-    // the same, though x may be infinite or NaN.
+    // Most zeros are those of a material: a metal scatters no light, from any light. HLSL compilers and drivers do the
+    // same, though x may be infinite or NaN.
     {x * 0, 0, kRounded},
 
     {x / 1, x},
@@ -318,7 +318,7 @@ Type type_of(const Builder& b, const Node*& node, const Bindings& bound) {
     std::array<Type, 3> types;
     const std::size_t count = head.operands;
     for (std::size_t k = 0; k < count; k++) types[k] = type_of(b, node, bound);
-    // A number has the type of the operands beside it.
+    // A number has the type of the operands next to it.
     const auto end = types.begin() + static_cast<std::ptrdiff_t>(count);
     const auto beside = std::find_if(types.begin(), end, [](Type type) { return !type.is_error(); });
     for (std::size_t k = 0; beside != end && k < count; k++) {

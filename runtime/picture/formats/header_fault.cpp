@@ -14,7 +14,7 @@ namespace {
 
 using namespace std::string_view_literals;
 
-constexpr const char* kMoreThanThere = "it is cut off, or its header is damaged: it states more bytes than it has";
+constexpr const char* kMoreThanThere = "it is cut off, or its header is damaged: it claims more bytes than it has";
 
 // --- OpenEXR: "OpenEXR File Layout", headers of attributes: name, type, size, value.
 
@@ -83,7 +83,7 @@ std::string exr_fault(std::string_view bytes) {
     std::uint64_t chunks = 0;
     for (ExrPart part; read_part(from, part); part = {}) {
         if (part.is_deep) return "it is a deep picture, which has no single value for a pixel";
-        if (part.width < 1 || part.height < 1) return "its header states no size";
+        if (part.width < 1 || part.height < 1) return "its header has no size";
         const auto width = static_cast<std::uint64_t>(part.width), height = static_cast<std::uint64_t>(part.height);
         if (std::string fault = size_fault(width, height, part.channels); !fault.empty()) return fault;
         const std::uint64_t tile_width = part.tile_width, tile_height = part.tile_height;
@@ -95,7 +95,7 @@ std::string exr_fault(std::string_view bytes) {
         chunks += std::max(part.chunks, has_tiles ? ((width - 1) / tile_width + 1) * ((height - 1) / tile_height + 1)
                                                   : (height - 1) / rows + 1);
         if (chunks > bytes.size() / kBytesOfOffset)
-            return "it is cut off, or its header is damaged: it states more pieces than it has";
+            return "it is cut off, or its header is damaged: it claims more pieces than it has";
         if (!has_parts) break;
     }
     // OpenEXR takes as much memory for an attribute as its header says.
@@ -133,7 +133,7 @@ std::string jpeg2000_fault(std::string_view bytes) {
     const std::uint64_t right = from.big(4), bottom = from.big(4), left = from.big(4), top = from.big(4);
     from.take(16);
     const std::uint64_t channels = from.big(2);
-    if (!from.is_good() || right <= left || bottom <= top) return "its header states no size";
+    if (!from.is_good() || right <= left || bottom <= top) return "its header has no size";
     return size_fault(right - left, bottom - top, channels);
 }
 
@@ -148,7 +148,7 @@ std::string dds_fault(std::string_view all) {
     for (const std::uint64_t at : {92, 96, 100, 104}) {
         const auto mask = bytes.little_endian(at, 4);
         const bool is_read = at != 104 || (*flags & kAlpha) != 0;
-        if (is_read && mask && *mask == 0) return "its header states a channel without bits";
+        if (is_read && mask && *mask == 0) return "its header has a channel without bits";
     }
     return {};
 }
@@ -193,7 +193,7 @@ std::string psd_fault(std::string_view bytes) {
     from.take(from.big(version == kLarge ? 8 : 4));  // layers
     if (!from.is_good() || !has_all_resources(resources)) return kMoreThanThere;
     if (channels < (mode < std::size(kChannels) ? kChannels[mode] : 1))
-        return "its header states fewer channels than its colours have";
+        return "its header has fewer channels than its colours need";
     return size_fault(width, height, channels);
 }
 
@@ -213,7 +213,7 @@ bool is_whole_iptc(std::string_view data) {
     return from.is_good();
 }
 
-constexpr const char* kDamagedIptc = "its IPTC data are damaged: they state more bytes than they have";
+constexpr const char* kDamagedIptc = "its IPTC data are damaged: they claim more bytes than they have";
 
 // In segments APP13, which begin with the name of Photoshop and the number 1028 of the resource. Libraries find them
 // also behind bytes that belong to no segment.

@@ -10,7 +10,8 @@
 namespace patina::runtime {
 
 // Of OpenEXR, WebP, JPEG, JPEG 2000, TIFF, GIF, Photoshop and DDS; nothing for other kinds, whose decoders take memory
-// late. A header that cannot be read is the decoder's to report, unless it states more than the file can hold.
+// late. If a header cannot be read, the decoder reports that. If it claims more than the file can hold, it is reported
+// here.
 std::string header_fault(std::string_view bytes);
 
 }  // namespace patina::runtime

@@ -12,7 +12,7 @@ namespace patina::runtime {
 enum class ColorSpace { None, Srgb, Linear };
 
 struct StatedSpace {
-    ColorSpace space = ColorSpace::None;  // None: nothing is stated, or something else
+    ColorSpace space = ColorSpace::None;  // None: the file declares no space, or another one
     std::string by{};                     // what states it
 };
 

@@ -14,7 +14,7 @@ layout(set = Sail_set, binding = 0, std140) uniform Sail_Material
     vec4 Sail_Tint;
 };
 
-// What is interpolated and given to the surface as 'sway', of the mesh before the graph moves it.
+// The value that is interpolated as 'sway' for the surface, of the mesh before the graph moves it.
 //   time: Seconds since the start.
 //   positionWS: Position in world space.
 float Sail_vertexSway(float time, vec3 positionWS)

@@ -15,7 +15,7 @@ cbuffer Sail_Material : register(b0, Sail_set)
     float4 Sail_Tint;
 };
 
-// What is interpolated and given to the surface as 'sway', of the mesh before the graph moves it.
+// The value that is interpolated as 'sway' for the surface, of the mesh before the graph moves it.
 //   time: Seconds since the start.
 //   positionWS: Position in world space.
 float Sail_vertexSway(float time, float3 positionWS)

@@ -91,9 +91,8 @@ TEST(Tiles, ThatDoNotFitTheFrameAreRefused) {
     Mesh mesh;
     mesh.indices = {0};
     frame.steps = {FrameStep{.reflection = &reflection, .pass = &pass, .mesh = &mesh, .targets = {0}, .depth = 1}};
-    EXPECT_EQ(
-        frame_error(frame),
-        "the pass 'bent' of 'Glass' reads the picture at other places than its own pixel, which tiles do not have");
+    EXPECT_EQ(frame_error(frame),
+              "the pass 'bent' of 'Glass' reads the picture at other pixels than its own, which tiles do not have");
     pass.reads_elsewhere = false;
     EXPECT_EQ(frame_error(frame), "the pass 'bent' was compiled without 'tiles'");
     BlockMember tile;

@@ -75,12 +75,12 @@ TEST(VerifySound, ACalleeStandsBeforeItsCallers) {
         if (inst.op == Op::Call) inst.data = 1;
     }
     const std::string text = verify(sound.module);
-    EXPECT_NE(text.find("'f' does not stand before its caller"), std::string::npos) << text;
+    EXPECT_NE(text.find("'f' does not come before its caller"), std::string::npos) << text;
 
     for (Inst& inst : sound.module.functions[0].insts) {
         if (inst.op == Op::Call) inst.data = 0;
     }
-    EXPECT_NE(verify(sound.module).find("'caller' does not stand before its caller"), std::string::npos);
+    EXPECT_NE(verify(sound.module).find("'caller' does not come before its caller"), std::string::npos);
 }
 
 TEST_P(Verify, SaysWhatIsWrong) {
@@ -117,7 +117,7 @@ const Break kBreaks[] = {
     {"UnknownBlock", [](Sound& s) { s.inst(s.loop).data = 50; }, "there is no block 50"},
     {"LoopWithoutIndex", [](Sound& s) { s.block(s.loop).erase(s.block(s.loop).begin()); },
      "a loop begins with its index"},
-    {"TwoPlaces", [](Sound& s) { s.body().insert(s.body().begin() + 1, s.x); }, "stands in two places"},
+    {"TwoPlaces", [](Sound& s) { s.body().insert(s.body().begin() + 1, s.x); }, "is in two blocks or twice in one"},
     {"UnknownInstruction", [](Sound& s) { s.body().insert(s.body().begin(), Value{500}); },
      "there is no instruction 500"},
     {"UnknownParam", [](Sound& s) { s.inst(s.x).data = 9; }, "there is no param 9"},
@@ -130,7 +130,7 @@ const Break kBreaks[] = {
          s.inst(s.product).operand_count = 1;
          s.operand(s.product, 0) = s.c;
      },
-     "a discard stands in the top block"},
+     "a discard may only be in the top block"},
     {"StageWithoutInputs", [](Sound& s) { s.module.stage.entry = {0}; }, "the stage's inputs are not"},
     {"StageWithoutEntry", [](Sound& s) { s.module.stage.entry = {4}; }, "entry function does not exist"},
 };

@@ -148,7 +148,7 @@ TEST_F(PictureBounds, ADamagedHeaderTakesNoMemory) {
     write("whole.exr", with_number(with_number(good, "dataWindow", 0, INT32_MIN), "dataWindow", kRight, INT32_MAX));
     expect_refused("whole.exr", "it is 4294967296 x 64 pixels");
     write("none.exr", with_number(good, "dataWindow", kRight, -5));
-    expect_refused("none.exr", "its header states no size");
+    expect_refused("none.exr", "its header has no size");
     // It could be so large, if the file had a place for each of its pieces.
     write("cut.exr", with_number(good, "dataWindow", kBottom, 16383));
     expect_refused("cut.exr", "it is cut off, or its header is damaged");
@@ -190,7 +190,7 @@ TEST_F(PictureBounds, HeadersOfOtherKindsThatAreDecodedAsTheyAreOpened) {
     const std::string rest = "\0\0\0\0\0\0\0\0"s + std::string(16, '\0') + "\0\x03"s;
     EXPECT_NE(header_fault(siz + "\0\1\0\0\0\1\0\0"s + rest).find("65536 x 65536"), std::string::npos);
     EXPECT_EQ(header_fault(siz + "\0\0\1\0\0\0\1\0"s + rest), "");
-    EXPECT_EQ(header_fault(siz + "\0\0"s), "its header states no size");
+    EXPECT_EQ(header_fault(siz + "\0\0"s), "its header has no size");
 }
 
 // The lengths and the numbers stand where "Graphics Interchange Format" and "Adobe Photoshop File Formats
@@ -205,8 +205,8 @@ TEST_F(PictureBounds, HeadersOfGifAndPhotoshop) {
     const std::string none = "\0\0\0\0"s, cut = "it is cut off, or its header is damaged";
     EXPECT_EQ(header_fault(psd(3, 0, 3, none, none + none)), "");
     EXPECT_EQ(header_fault(psd(1, 0, 1, none, none + none)), "");
-    EXPECT_EQ(header_fault(psd(2, 0, 3, none, none + none)), "its header states fewer channels than its colours have");
-    EXPECT_EQ(header_fault(psd(3, 0, 4, none, none + none)), "its header states fewer channels than its colours have");
+    EXPECT_EQ(header_fault(psd(2, 0, 3, none, none + none)), "its header has fewer channels than its colours need");
+    EXPECT_EQ(header_fault(psd(3, 0, 4, none, none + none)), "its header has fewer channels than its colours need");
     EXPECT_NE(header_fault(psd(3, 127, 3, none, none + none)).find("4 x 32512"), std::string::npos);
     EXPECT_TRUE(header_fault(psd(3, 0, 3, "\xff\x7f\0\0"s, none + none)).starts_with(cut));
     EXPECT_TRUE(header_fault(psd(3, 0, 3, none, none)).starts_with(cut));
@@ -221,7 +221,7 @@ TEST_F(PictureBounds, HeadersOfGifAndPhotoshop) {
 TEST_F(PictureBounds, HeadersWithDamagedIptcData) {
     using namespace std::string_literals;
     const std::string good = "\x1c\2\x78\0\3abc"s,
-                      damaged = "its IPTC data are damaged: they state more bytes than they have";
+                      damaged = "its IPTC data are damaged: they claim more bytes than they have";
     const auto jpeg = [](const std::string& data, int stated) {
         const std::string inner = "Photoshop 3.0\0008BIM\4\4\0\0\0\0\0"s + char(stated) + data;
         return "\xff\xd8\xff\xed\0"s + char(inner.size() + 2) + inner + "\xff\xda";
@@ -247,7 +247,7 @@ TEST_F(PictureBounds, OfAnAttributeThatIsLongerThanItsFile) {
     const std::size_t type = bytes.find("\0chlist\0", 0, 8);
     ASSERT_NE(type, bytes.npos);
     bytes[type + 8 + 3] = '\x7f';  // the highest byte of its length
-    EXPECT_EQ(header_fault(bytes), "it is cut off, or its header is damaged: it states more bytes than it has");
+    EXPECT_EQ(header_fault(bytes), "it is cut off, or its header is damaged: it claims more bytes than it has");
 }
 
 TEST_F(PictureBounds, TheLargestPictureThatIsAllowedIsRead) {

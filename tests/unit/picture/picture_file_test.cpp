@@ -136,8 +136,8 @@ TEST_F(PictureFile, IsReadByOneReaderAlone) {
         EXPECT_FALSE(decode_image(path(name), bytes_of(name))) << name;
         EXPECT_EQ(stated_space(path(name)).space, ColorSpace::None) << name;
     }
-    expect_fault("wrong.unknown", "neither its first bytes nor its name say a format that can be read");
-    expect_fault("wrong", "neither its first bytes nor its name say a format that can be read");
+    expect_fault("wrong.unknown", "neither its first bytes nor its name belong to a format that can be read");
+    expect_fault("wrong", "neither its first bytes nor its name belong to a format that can be read");
     // SGI's reader opens the file itself. Bytes of another file, such as a model, are no file on the disk.
     save("right.sgi");
     EXPECT_TRUE(load_image(path("right.sgi")));

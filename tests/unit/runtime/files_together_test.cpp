@@ -169,7 +169,7 @@ TEST_F(Together, AFolderThatStaysLockedIsAnError) {
     ASSERT_EQ(flock(other, LOCK_SH), 0);
     {
         FolderLocks locks;
-        EXPECT_NE(locks.take({folder.string()}, 20ms).find("keeps the folder '" + folder.string() + "' locked"),
+        EXPECT_NE(locks.take({folder.string()}, 20ms).find("holds a lock on the folder '" + folder.string() + "'"),
                   std::string::npos);
         EXPECT_FALSE(locks.has(folder.string()));
     }
