@@ -43,9 +43,9 @@ std::string names_of(const TreeValue& list) {
     return text + "]";
 }
 
-FilePlace place_in(const GraphText& text, const edit::Path& path) {
+FileLocation place_in(const GraphText& text, const edit::Path& path) {
     const TreeValue value = edit::find(text, path);
-    return value ? format::place_of(text.sources, value.json->span) : FilePlace{};
+    return value ? format::place_of(text.sources, value.json->span) : FileLocation{};
 }
 
 GraphDiff diff(const GraphVersion& before, const GraphVersion& after) {
@@ -65,8 +65,8 @@ GraphDiff diff(const GraphVersion& before, const GraphVersion& after) {
                                 .path = {rename.list, rename.to},
                                 .before = rename.from,
                                 .after = rename.to,
-                                .before_place = place_in(*old_text, {rename.list, rename.from}),
-                                .after_place = place_in(*new_text, {rename.list, rename.to})});
+                                .before_location = place_in(*old_text, {rename.list, rename.from}),
+                                .after_location = place_in(*new_text, {rename.list, rename.to})});
     }
     const std::unique_ptr<GraphText> renamed = edit::read_graph_text(
         before.name, edit::apply(old_text->sources, old_text->base, edit::rename_edits(*old_text, renames)));
@@ -82,8 +82,8 @@ GraphDiff diff(const GraphVersion& before, const GraphVersion& after) {
         change.path = each.path;
         change.before = each.is_order ? names_of(old_value) : json_of(old_value);
         change.after = each.is_order ? names_of(each.after) : json_of(each.after);
-        change.before_place = old_value ? place_in(*old_text, old_path) : FilePlace{};
-        change.after_place = each.after ? place_in(*new_text, each.path) : FilePlace{};
+        change.before_location = old_value ? place_in(*old_text, old_path) : FileLocation{};
+        change.after_location = each.after ? place_in(*new_text, each.path) : FileLocation{};
     }
     return diff;
 }

@@ -140,7 +140,7 @@ std::string to_text(const Diagnostic& diagnostic, bool colors) {
     return text;
 }
 
-Diagnostic diagnostic_at(const FilePlace& place, std::string code, std::string message) {
+Diagnostic diagnostic_at(const FileLocation& place, std::string code, std::string message) {
     Diagnostic diagnostic;
     diagnostic.code = std::move(code);
     diagnostic.message = std::move(message);

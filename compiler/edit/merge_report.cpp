@@ -12,13 +12,13 @@ namespace patina::edit {
 // What a side did, and where.
 struct ConflictReport::Did {
     std::string what;
-    FilePlace place;
+    FileLocation place;
 };
 
 namespace {
 
 // The location of a value; if the value is missing, of the object that lacks it.
-FilePlace place_in(const GraphText& text, Path path) {
+FileLocation place_in(const GraphText& text, Path path) {
     bool is_there = true;
     for (;;) {
         if (const TreeValue value = find(text, path)) {
@@ -32,7 +32,7 @@ FilePlace place_in(const GraphText& text, Path path) {
     }
 }
 
-Diagnostic note_at(const FilePlace& place, std::string message) {
+Diagnostic note_at(const FileLocation& place, std::string message) {
     Diagnostic note = diagnostic_at(place, {}, std::move(message));
     note.severity = Severity::Note;
     return note;

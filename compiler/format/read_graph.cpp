@@ -281,14 +281,14 @@ std::shared_ptr<Graph> read_graph(const json::Json& json, std::string path, cons
     return graph;
 }
 
-FilePlace place_of(const SourceMap& sources, Span span) {
+FileLocation place_of(const SourceMap& sources, Span span) {
     const Position begin = sources.resolve(span.begin), end = sources.resolve(span.end);
-    FilePlace place{.file = std::string(begin.file),
-                    .line = begin.line,
-                    .column = begin.column,
-                    .end_line = end.line,
-                    .end_column = end.column,
-                    .source_line = {}};
+    FileLocation place{.file = std::string(begin.file),
+                       .line = begin.line,
+                       .column = begin.column,
+                       .end_line = end.line,
+                       .end_column = end.column,
+                       .source_line = {}};
     constexpr std::size_t kMaxLine = 1000;  // a file may be one line, which is too long to copy for each word
     if (begin.line_text.size() <= kMaxLine) place.source_line = begin.line_text;
     return place;

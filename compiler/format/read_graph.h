@@ -22,6 +22,6 @@ const nodelang::Expr* read_value(const json::Json& json, const SourceMap& source
                                  Diagnostics& diagnostics);
 
 // The location of a span, for diagnostics that only a renderer can find.
-FilePlace place_of(const SourceMap& sources, Span span);
+FileLocation place_of(const SourceMap& sources, Span span);
 
 }  // namespace patina::format

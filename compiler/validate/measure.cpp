@@ -88,7 +88,7 @@ void check(const MeasuredPass& pass, Stage stage, std::uint32_t figure, std::str
     if (!limit || figure <= limit->most) return;
     Diagnostic made = complaint(
         Complaint::OverCost, {to_string(stage), pass.name, what, std::to_string(figure), std::to_string(limit->most)});
-    const FilePlace& place = limit->place;
+    const FileLocation& place = limit->place;
     if (!place.file.empty()) made = diagnostic_at(place, made.code, made.message);
     diagnostics.push_back(std::move(made));
 }

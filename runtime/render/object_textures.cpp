@@ -10,8 +10,8 @@ ObjectTextures load_object_textures(const World& world) {
     ObjectTextures made;
     std::map<std::string, LoadedTexture> known;
     made.textures.resize(world.objects.size());
-    const auto load = [&](std::size_t object, const std::string& name, const std::string& file, const FilePlace& place,
-                          bool is_color) {
+    const auto load = [&](std::size_t object, const std::string& name, const std::string& file,
+                          const FileLocation& place, bool is_color) {
         if (file.empty()) return;
         const std::string key = (is_color ? "color " : "data ") + file;
         if (!known.contains(key)) {

@@ -15,10 +15,10 @@ namespace {
 
 // Where a scene gives the texture its file; else the property. `of_file`: the file is wrong, and not the property, so
 // that for a file of the command line it is the graph as a whole.
-FilePlace place_of(const WorldMaterial& material, const PreparedMaterial& made, const std::string& texture,
-                   bool of_file) {
-    if (const FilePlace* place = place_of_value(material, texture)) return *place;
-    FilePlace found;
+FileLocation place_of(const WorldMaterial& material, const PreparedMaterial& made, const std::string& texture,
+                      bool of_file) {
+    if (const FileLocation* place = place_of_value(material, texture)) return *place;
+    FileLocation found;
     found.file = material.graph;
     const bool is_elsewhere = of_file && made.values.textures.contains(texture);
     for (const Texture& each : made.compiled.reflection.textures)

@@ -19,7 +19,7 @@ struct WorldMaterial {
     std::string name{};
     std::string graph{};                             // a file
     std::map<std::string, std::string> overrides{};  // property -> its value in words, as material_values() takes them
-    FilePlace place{};                               // where a scene file says so; its file is empty if none does
+    FileLocation place{};                            // where a scene file says so; its file is empty if none does
     std::vector<SceneValue> set{};                   // the overrides as in its file, with their locations
     // How it is drawn, if not as the others are.
     std::string preview{};  // a port that it shows instead, unlit, as RenderOptions::preview
@@ -42,7 +42,7 @@ struct WorldObject {
     std::string lightmap{};  // a file: baked light, looked up by the mesh's second texture coordinates; empty: none
     LightmapEncoding lightmap_encoding = LightmapEncoding::Hdr;
     std::string shadow_mask{};  // a file: baked shadow of each of four lights; empty: none
-    FilePlace lightmap_place{}, shadow_mask_place{};
+    FileLocation lightmap_place{}, shadow_mask_place{};
 };
 
 struct World {

@@ -200,7 +200,7 @@ private:
     static std::string path_of(const SceneObject& object) {
         const std::filesystem::path path(object.mesh);
         if (!is_model_name(object.mesh) || path.is_absolute()) return object.mesh;
-        return (std::filesystem::path(object.mesh_place.file).parent_path() / path).lexically_normal().string();
+        return (std::filesystem::path(object.mesh_location.file).parent_path() / path).lexically_normal().string();
     }
 
     const Outcome<GltfModel>& model_at(const std::string& path, WorldFile& file) {
@@ -226,7 +226,8 @@ private:
 };
 
 Diagnostic unknown_mesh(const SceneObject& object) {
-    Diagnostic diagnostic = diagnostic_at(object.mesh_place, "unknown-name", "there is no mesh '" + object.mesh + "'");
+    Diagnostic diagnostic =
+        diagnostic_at(object.mesh_location, "unknown-name", "there is no mesh '" + object.mesh + "'");
     Diagnostic& note = diagnostic.notes.emplace_back();
     note.severity = Severity::Note;
     note.message = suggestion(object.mesh, {mesh_names().begin(), mesh_names().end()});
@@ -261,7 +262,7 @@ WorldFile make_world(const SceneFile& scene, const EnvironmentProgress& progress
         const Outcome<PlacedMesh> mesh = meshes.get(object, file);
         if (!mesh)
             file.diagnostics.push_back(is_model_name(object.mesh)
-                                           ? diagnostic_at(object.mesh_place, "cannot-read", mesh.error)
+                                           ? diagnostic_at(object.mesh_location, "cannot-read", mesh.error)
                                            : unknown_mesh(object));
         world.objects.push_back({.name = object.id,
                                  .mesh = mesh.value.mesh,

@@ -22,8 +22,8 @@ struct PlannedCase {
     RenderRequest request{};
     Tolerance tolerance{};
     bool text = false;
-    std::map<std::string, FilePlace> places{};  // as ReadSnapshot's
-    std::optional<Diagnostic> problem{};        // why it cannot be drawn
+    std::map<std::string, FileLocation> places{};  // as ReadSnapshot's
+    std::optional<Diagnostic> problem{};           // why it cannot be drawn
 
     std::string picture() const { return stem + ".reference.png"; }
     std::string shaders(std::string_view language) const { return stem + ".reference." + std::string(language); }

@@ -200,7 +200,7 @@ private:
     Tolerance tolerance_{};
 };
 
-Diagnostic placed_at(const FilePlace& place, Diagnostic found) {
+Diagnostic placed_at(const FileLocation& place, Diagnostic found) {
     Diagnostic placed = diagnostic_at(place, found.code, found.message);
     placed.severity = found.severity;
     placed.notes = std::move(found.notes);
@@ -212,7 +212,7 @@ void place(std::vector<Diagnostic>& diagnostics, const PlannedCase& planned) {
     for (Diagnostic& each : diagnostics) {
         const bool is_of_node = each.file == "preview";
         if (!each.file.empty() && !is_of_node) continue;
-        FilePlace whole_file;
+        FileLocation whole_file;
         whole_file.file = planned.file;
         const auto found = planned.places.find(is_of_node ? "node" : "path");
         if (found != planned.places.end())

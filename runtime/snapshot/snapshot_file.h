@@ -55,7 +55,7 @@ struct ReadSnapshot {
     std::optional<SnapshotFile> file;
     Diagnostic error;  // without a file: what is wrong, and where
     // Where the file has each key, for what is found out when the picture is drawn: "path", "node", "set/_Roughness".
-    std::map<std::string, FilePlace> places{};
+    std::map<std::string, FileLocation> places{};
 };
 ReadSnapshot read_snapshot(const std::string& path);
 

@@ -9,7 +9,7 @@ namespace {
 
 Diagnostic unknown_property(const WorldMaterial& material, const SceneValue& value,
                             const std::vector<std::string>& known) {
-    Diagnostic unknown = diagnostic_at(value.property_place, "unknown-property",
+    Diagnostic unknown = diagnostic_at(value.property_location, "unknown-property",
                                        "'" + material.graph + "' has no property '" + value.property + "'");
     if (std::string advice = suggestion(value.property, known); !advice.empty()) {
         Diagnostic& note = unknown.notes.emplace_back();
@@ -35,9 +35,9 @@ SceneFaults check_values(const Reflection& reflection, const WorldMaterial& mate
         }
         const Outcome<MaterialValues> alone =
             material_values(reflection, {{value.property, value.words}}, Spelling::Json);
-        if (!alone) error(diagnostic_at(value.value_place, "impossible-value", alone.error));
+        if (!alone) error(diagnostic_at(value.value_location, "impossible-value", alone.error));
         for (const std::string& warning : alone.value.warnings) {
-            faults.diagnostics.push_back(diagnostic_at(value.value_place, "soft-range", warning));
+            faults.diagnostics.push_back(diagnostic_at(value.value_location, "soft-range", warning));
             faults.diagnostics.back().severity = Severity::Warning;
         }
     }
@@ -53,7 +53,7 @@ SceneFaults check_values(const Reflection& reflection, const WorldMaterial& mate
             property != reflection.properties.end() || lighting_option(reflection, value.property) != nullptr;
         if (!is_known || (property != reflection.properties.end() && property->instance_stride > 0)) continue;
         faults.diagnostics.push_back(diagnostic_at(
-            value.property_place, "impossible-value",
+            value.property_location, "impossible-value",
             "'" + value.property + "' of '" + material.graph +
                 "' has one value for all instances; set \"as\": \"instance\" to give each instance its own"));
         faults.ok = false;
@@ -61,10 +61,10 @@ SceneFaults check_values(const Reflection& reflection, const WorldMaterial& mate
     return faults;
 }
 
-const FilePlace* place_of_value(const WorldMaterial& material, const std::string& property) {
+const FileLocation* place_of_value(const WorldMaterial& material, const std::string& property) {
     const auto found = std::find_if(material.set.begin(), material.set.end(),
                                     [&](const SceneValue& value) { return value.property == property; });
-    return found == material.set.end() ? nullptr : &found->value_place;
+    return found == material.set.end() ? nullptr : &found->value_location;
 }
 
 }  // namespace patina::runtime

@@ -20,6 +20,6 @@ SceneFaults check_values(const Reflection& reflection, const WorldMaterial& mate
 // The same of an instance of an object, whose values only properties of instances can have.
 SceneFaults check_values(const Reflection& reflection, const WorldMaterial& material, const WorldInstance& instance);
 // Where the file gives the property its value; null if it does not.
-const FilePlace* place_of_value(const WorldMaterial& material, const std::string& property);
+const FileLocation* place_of_value(const WorldMaterial& material, const std::string& property);
 
 }  // namespace patina::runtime

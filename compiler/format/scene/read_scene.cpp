@@ -123,8 +123,8 @@ std::vector<SceneValue> read_set(SceneReading& reading, const json::Json& json) 
         if (!words) continue;
         values.push_back({.property = member.key,
                           .words = std::move(*words),
-                          .property_place = place_of(reading, member.key_span),
-                          .value_place = place_of(reading, member.value.span)});
+                          .property_location = place_of(reading, member.key_span),
+                          .value_location = place_of(reading, member.value.span)});
     }
     return values;
 }
@@ -214,7 +214,7 @@ SceneObject read_object(SceneReading& reading, const json::Json& json, const Mat
     }
     if (const json::Json* mesh = json.find("mesh")) {
         object.mesh = read_text(reading, json, "mesh");
-        object.mesh_place = place_of(reading, inside(mesh->span));
+        object.mesh_location = place_of(reading, inside(mesh->span));
     }
     if (const json::Json* segments = json.find("segments")) {
         const Form& form = form_of(ObjectKind::SceneObject, "segments", Form::Of::Integer);

@@ -14,7 +14,7 @@ struct SceneReading : Reading {
     const SceneFiles& files;
 };
 
-inline FilePlace place_of(const Reading& reading, Span span) {
+inline FileLocation place_of(const Reading& reading, Span span) {
     return place_of(reading.sources, span);
 }
 

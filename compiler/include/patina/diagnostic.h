@@ -13,7 +13,7 @@
 namespace patina {
 
 // The location of a value in a graph or a scene, for diagnostics that only a renderer can find.
-struct FilePlace {
+struct FileLocation {
     std::string file;                  // its path; empty: there is no location
     int line = 0, column = 0;          // from 1; columns in bytes
     int end_line = 0, end_column = 0;  // behind the last byte
@@ -44,7 +44,7 @@ PATINA_API std::string to_text(const Diagnostic& diagnostic, bool colors = false
 // One JSON object on one line.
 PATINA_API std::string to_json(const Diagnostic& diagnostic);
 // A diagnostic at a location in a graph or a scene.
-PATINA_API Diagnostic diagnostic_at(const FilePlace& place, std::string code, std::string message);
+PATINA_API Diagnostic diagnostic_at(const FileLocation& place, std::string code, std::string message);
 // "did you mean 'Lerp'?", or a list of the known words if it is short, or nothing. For words that a program reads
 // itself.
 PATINA_API std::string suggestion(std::string_view word, const std::vector<std::string>& known);

@@ -29,8 +29,8 @@ struct GraphChange {
     GraphChangeKind kind = GraphChangeKind::Changed;  // what happened to it
     // {"nodes", "rust", "in", "level"}: keys, and the ids and names of the objects in lists.
     std::vector<std::string> path{};
-    std::string before{}, after{};            // JSON on one line; empty: there is none
-    FilePlace before_place{}, after_place{};  // line 0: there is none
+    std::string before{}, after{};                     // JSON on one line; empty: there is none
+    FileLocation before_location{}, after_location{};  // line 0: there is none
 };
 
 // All changes between two versions.

@@ -74,7 +74,7 @@ struct Budget {
     // One figure's limit.
     struct Limit {
         std::uint32_t most = 0;  // the highest figure that is allowed
-        FilePlace place{};       // of the number in the graph; no file: the limit is not from a graph
+        FileLocation place{};    // of the number in the graph; no file: the limit is not from a graph
     };
     std::optional<Limit> instructions, textures;  // SPIR-V instructions; texture reads
     // True if there is a limit to compare with.

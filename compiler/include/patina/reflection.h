@@ -113,7 +113,7 @@ struct Texture {
     std::string tiling;                 // member of the material's block: float4 scale and offset; empty: has none
     std::array<double, 4> tiling_default{1, 1, 0, 0};  // the default of that member
     Sampler sampler;                                   // from the graph
-    FilePlace place{};                                 // of the property in its graph; not in the JSON
+    FileLocation place{};                              // of the property in its graph; not in the JSON
 };
 
 // A sampler that nodes use instead of a texture's own: a property of the type sampler, or one of kNamedSamplers.
@@ -179,12 +179,12 @@ struct RenderTarget {
 
 // The stencil test of a pass, which is the same for both faces.
 struct Stencil {
-    Compare test = Compare::Always;                         // (reference & read_mask) to (stencil & read_mask)
-    StencilOp pass = StencilOp::Keep;                       // if both tests pass
-    StencilReference reference = StencilReference::Stated;  // Stated: `value`, the material's own
-    StencilOp fail = StencilOp::Keep;                       // if the stencil test fails
-    StencilOp depth_fail = StencilOp::Keep;                 // if only the depth test fails
-    int value = 0, read_mask = 255, write_mask = 255;       // 0 to 255
+    Compare test = Compare::Always;                      // (reference & read_mask) to (stencil & read_mask)
+    StencilOp pass = StencilOp::Keep;                    // if both tests pass
+    StencilReference reference = StencilReference::Own;  // Own: it is `value`
+    StencilOp fail = StencilOp::Keep;                    // if the stencil test fails
+    StencilOp depth_fail = StencilOp::Keep;              // if only the depth test fails
+    int value = 0, read_mask = 255, write_mask = 255;    // 0 to 255
 
     // True if the reference is a number that the materials of one lighting pass share.
     bool is_of_lighting() const { return reference == StencilReference::Lighting; }

@@ -21,8 +21,8 @@ namespace patina {
 
 // A file that a scene names.
 struct SceneFileName {
-    std::string path;  // a path that can be opened; empty: none
-    FilePlace place;   // of the name in the scene
+    std::string path;    // a path that can be opened; empty: none
+    FileLocation place;  // of the name in the scene
 };
 
 // x, y and z; or red, green and blue.
@@ -66,7 +66,7 @@ struct SceneLight {
     std::optional<SceneShadow> shadow{};                  // directional and spot
     SceneFileName cookie{};                               // directional and spot: a picture whose red filters the light
     double cookie_size = 10;                              // directional: its size in metres
-    FilePlace place{};                                    // of the light in the scene
+    FileLocation place{};                                 // of the light in the scene
 };
 
 // Radiance from above, from the sides and from below. At least one is set; the others follow from it.
@@ -110,9 +110,9 @@ struct SceneMixedLighting {
 
 // A property of a material's graph and its value in words: "0.2", "1,0,0", "true", "Wet", a file that can be opened.
 struct SceneValue {
-    std::string property;                   // its name
-    std::string words;                      // its value
-    FilePlace property_place, value_place;  // of both in the scene
+    std::string property;                            // its name
+    std::string words;                               // its value
+    FileLocation property_location, value_location;  // of both in the scene
 };
 
 // A material of a scene: a graph with values.
@@ -120,7 +120,7 @@ struct SceneMaterial {
     std::string name;             // as objects name it
     SceneFileName graph;          // of a material; the file is not read
     std::vector<SceneValue> set;  // the values that replace defaults
-    FilePlace place;              // of its name
+    FileLocation place;           // of its name
 };
 
 // An instance of an object: a position and other values, relative to the object.
@@ -134,7 +134,7 @@ inline constexpr std::size_t kMostSceneInstances = 100'000;  // the highest numb
 struct SceneObject {
     std::string id;                 // its name, unique in the scene
     std::string mesh;               // "sphere", "model.glb#Node"; not checked
-    FilePlace mesh_place;           // of the mesh in the scene
+    FileLocation mesh_location;     // of the mesh in the scene
     std::optional<int> segments{};  // kLeastSegments to kMostSegments: how fine the mesh is
     std::size_t material = 0;       // index into SceneFile::materials
     SceneVector position{};         // of the mesh's origin

@@ -345,7 +345,7 @@ inline constexpr auto kWords<StencilOp> = std::to_array<Word<StencilOp>>({
 
 // The number that a stencil is compared with: the material's own number, which has no word; or a number that the
 // materials of one lighting pass share.
-enum class StencilReference { Stated, Lighting };
+enum class StencilReference { Own, Lighting };
 template <>
 inline constexpr auto kWords<StencilReference> = std::to_array<Word<StencilReference>>({
     {"lighting", StencilReference::Lighting},

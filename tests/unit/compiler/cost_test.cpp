@@ -275,7 +275,8 @@ TEST(Cost, IsComparedWithABudget) {
     const std::uint32_t instructions = passes[0].cost.fragment.total().instructions;
     EXPECT_TRUE(over_budget(passes, {}).empty());
     EXPECT_TRUE(over_budget(passes, {.instructions = Budget::Limit{.most = instructions}, .textures = {}}).empty());
-    const FilePlace place{.file = kGraph, .line = 3, .column = 7, .end_line = 3, .end_column = 10, .source_line = {}};
+    const FileLocation place{
+        .file = kGraph, .line = 3, .column = 7, .end_line = 3, .end_column = 10, .source_line = {}};
     const Budget tight{.instructions = Budget::Limit{.most = instructions - 1, .place = place},
                        .textures = Budget::Limit{.most = 0}};
     const std::vector<Diagnostic> over = over_budget(passes, tight);

@@ -31,7 +31,7 @@ TYPED_TEST(Words, ReadBackAsTheyAreWritten) {
 }
 
 TEST(Word, IsMissingForWhatHasNone) {
-    EXPECT_EQ(to_string(StencilReference::Stated), "");
+    EXPECT_EQ(to_string(StencilReference::Own), "");
     EXPECT_EQ(to_string(FogMode::None), "");
 }
 

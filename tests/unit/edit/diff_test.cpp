@@ -147,10 +147,10 @@ TEST(Diff, TheOrderOfPropertiesIsAChange) {
 TEST(Diff, PlacesAreThoseOfTheFiles) {
     const GraphDiff diff = diff_graphs({"old.json", kBase}, {"new.json", replaced(kBase, "mask", "a_longer_name")});
     ASSERT_EQ(diff.changes.size(), 1u);
-    EXPECT_EQ(diff.changes[0].before_place.file, "old.json");
-    EXPECT_EQ(diff.changes[0].before_place.line, 9);
-    EXPECT_EQ(diff.changes[0].after_place.file, "new.json");
-    EXPECT_EQ(diff.changes[0].after_place.line, 9);
+    EXPECT_EQ(diff.changes[0].before_location.file, "old.json");
+    EXPECT_EQ(diff.changes[0].before_location.line, 9);
+    EXPECT_EQ(diff.changes[0].after_location.file, "new.json");
+    EXPECT_EQ(diff.changes[0].after_location.line, 9);
 }
 
 TEST(Diff, AFileThatIsNewOrGone) {

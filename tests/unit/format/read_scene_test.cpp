@@ -202,8 +202,8 @@ TEST(ReadScene, ValuesOfPropertiesBecomeWords) {
         EXPECT_EQ(rust.set[i].property, expected[i].first);
         EXPECT_EQ(rust.set[i].words, expected[i].second);
     }
-    EXPECT_EQ(rust.set[0].property_place.line, 4);
-    EXPECT_EQ(rust.set[0].property_place.column, 12);
+    EXPECT_EQ(rust.set[0].property_location.line, 4);
+    EXPECT_EQ(rust.set[0].property_location.column, 12);
 }
 
 const std::string kTwoMaterials =
@@ -229,9 +229,9 @@ TEST(ReadScene, Objects) {
     EXPECT_EQ(floor.shadow_mask.path, "dir/window.png");
     // The runtime checks meshes; it gets the place of the name.
     EXPECT_EQ(floor.mesh, "teapot");
-    EXPECT_EQ(floor.mesh_place.line, 3);
-    EXPECT_EQ(floor.mesh_place.column, 31);
-    EXPECT_EQ(floor.mesh_place.end_column, 37);
+    EXPECT_EQ(floor.mesh_location.line, 3);
+    EXPECT_EQ(floor.mesh_location.column, 31);
+    EXPECT_EQ(floor.mesh_location.end_column, 37);
 }
 
 // --- what is wrong
