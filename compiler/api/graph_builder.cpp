@@ -175,7 +175,7 @@ std::size_t offset_of(std::string_view text, int line, int column) {
 }  // namespace
 
 std::string GraphValue::json() const {
-    std::vector<GraphBuilder::Place> places;
+    std::vector<GraphBuilder::ValuePlace> places;
     Writer writer(places);
     writer.value(*this);
     return std::move(writer.text);
@@ -280,8 +280,12 @@ Result compile_built(const Compiler& compiler, const GraphBuilder& graph, const 
     Result result = compiler.compile_text(graph.path(), text, options);
     for (Diagnostic& diagnostic : result.diagnostics) {
         name_numbers(diagnostic.message);
+        if (diagnostic.file != graph.path()) continue;
+        // A sub-graph is compiled as the node "part" of a material.
+        if (options.accept_parts && diagnostic.node == "part") diagnostic.node.clear();
+        if (options.accept_parts && diagnostic.node.starts_with("part/")) diagnostic.node.erase(0, 5);
         const bool is_known = !diagnostic.node.empty() && !diagnostic.port.empty();
-        if (is_known || diagnostic.line == 0 || diagnostic.file != graph.path()) continue;
+        if (is_known || diagnostic.line == 0) continue;
         const std::size_t at = offset_of(text, diagnostic.line, diagnostic.column);
         // An inner place comes after the outer one.
         for (const GraphBuilder::ValuePlace& place : places) {

@@ -79,7 +79,7 @@ GraphBuilder ImportedGraph::builder(const std::string& path) const {
     for (const GraphMember& each : with_values(surface)) made.surface(each.key, each.value);
     for (const GraphMember& each : with_values(outputs)) made.output(each.key, each.value);
     // A material says its surface, even if all of it is the default.
-    if (kind == "material" && surface.empty()) made.set("surface", GraphValue::object({}));
+    if (kind == "material" && with_values(surface).empty()) made.set("surface", GraphValue::object({}));
     return made;
 }
 

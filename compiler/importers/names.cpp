@@ -21,21 +21,6 @@ std::string digits(double number) {
     return shortest(static_cast<float>(number));
 }
 
-std::vector<std::string> arguments_of(std::string_view list) {
-    std::vector<std::string> made;
-    int depth = 0;
-    std::size_t begin = 0;
-    for (std::size_t i = 0; i <= list.size(); ++i) {
-        if (i < list.size() && (list[i] == '(' || list[i] == '{' || list[i] == '[')) ++depth;
-        if (i < list.size() && (list[i] == ')' || list[i] == '}' || list[i] == ']')) --depth;
-        if (i < list.size() && (list[i] != ',' || depth > 0)) continue;
-        const std::string_view part = trimmed(list.substr(begin, i - begin));
-        if (!part.empty()) made.emplace_back(part);
-        begin = i + 1;
-    }
-    return made;
-}
-
 std::string camel_case(std::string_view name) {
     std::string made;
     bool starts_word = false;

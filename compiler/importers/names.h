@@ -12,9 +12,6 @@
 namespace patina::importers::terms {
 
 std::string digits(double number);  // "0.5"
-// The arguments of a call at the outer level: "a, f(b, c)" -> "a", "f(b, c)".
-std::vector<std::string> arguments_of(std::string_view list);
-
 // --- names
 
 std::string camel_case(std::string_view name);   // "Tiling And Offset", "tiling_and_offset" -> "tilingAndOffset"

@@ -19,13 +19,14 @@ constexpr std::string_view kPlace = "_place", kSelf = "_self";
 struct Filled {
     Tree tree{};                    // null: `numbers` say it
     std::vector<double> numbers{};  // of a constant
+    Tree literal{};                 // the same as the pattern has it: "1.0" is a float, and "1" an int
     std::size_t width = 0;          // components; 0: not known
     const Term* term = nullptr;     // if it is one and nothing more
 
     bool is_all(double value) const {
         return !numbers.empty() && std::ranges::all_of(numbers, [&](double each) { return each == value; });
     }
-    Tree expression() const { return tree ? tree : constant(numbers).expression(); }
+    Tree expression() const { return tree ? tree : literal ? literal : constant(numbers).expression(); }
 };
 
 Filled of_numbers(std::vector<double> numbers) {
@@ -85,7 +86,11 @@ public:
             return of_term(*term);
         }
         double value = 0;
-        if (nodelang::is_number(*pattern, value)) return of_numbers({value});
+        if (nodelang::is_number(*pattern, value)) {
+            Filled made = of_numbers({value});
+            made.literal = pattern;
+            return made;
+        }
         if (pattern->kind == Expr::Kind::Member) return member(pattern);
         if (pattern->kind == Expr::Kind::Ternary) return choice(pattern);
         if (pattern->args.empty()) return {.tree = pattern};

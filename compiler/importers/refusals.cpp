@@ -19,11 +19,6 @@ std::vector<Diagnostic> errors_of(const GraphBuilder& graph, std::span<const Tex
     };
     std::vector<Diagnostic> made = library().compile(graph, options).diagnostics;
     std::erase_if(made, [](const Diagnostic& each) { return each.severity != Severity::Error; });
-    for (Diagnostic& each : made) {
-        // A sub-graph is compiled as the node 'part' of a material.
-        if (each.node == "part") each.node = "outputs";
-        if (each.node.starts_with("part/")) each.node.erase(0, 5);
-    }
     return made;
 }
 

@@ -35,6 +35,11 @@ std::string at_least(Precedence needed, const Expr& expr) {
     return precedence_of(expr) < needed ? "(" + text + ")" : text;
 }
 
+// Before a dot or a bracket: "4.x" would be a number.
+std::string object_of(const Expr& expr) {
+    return expr.kind == Expr::Kind::Number ? "(" + printed(expr) + ")" : at_least(Precedence::Postfix, expr);
+}
+
 std::string list_of(const Expr& expr, std::size_t first) {
     std::string made;
     for (std::size_t i = first; i < expr.args.size(); ++i) made += (i > first ? ", " : "") + printed(*expr.args[i]);
@@ -150,13 +155,11 @@ std::string printed(const Expr& expr) {
         case Expr::Kind::Semantic: return "@" + text;
         case Expr::Kind::File: return "\"" + text + "\"";
         case Expr::Kind::List: return "{" + list_of(expr, 0) + "}";
-        case Expr::Kind::Member: return at_least(Precedence::Postfix, *expr.args[0]) + "." + text;
-        case Expr::Kind::Index:
-            return at_least(Precedence::Postfix, *expr.args[0]) + "[" + printed(*expr.args[1]) + "]";
+        case Expr::Kind::Member: return object_of(*expr.args[0]) + "." + text;
+        case Expr::Kind::Index: return object_of(*expr.args[0]) + "[" + printed(*expr.args[1]) + "]";
         case Expr::Kind::Object:
         case Expr::Kind::Call: return text + "(" + list_of(expr, 0) + ")";
-        case Expr::Kind::Method:
-            return at_least(Precedence::Postfix, *expr.args[0]) + "." + text + "(" + list_of(expr, 1) + ")";
+        case Expr::Kind::Method: return object_of(*expr.args[0]) + "." + text + "(" + list_of(expr, 1) + ")";
         case Expr::Kind::Unary: {
             const std::string operand = at_least(Precedence::Unary, *expr.args[0]);
             return operand.starts_with(text) ? text + "(" + operand + ")" : text + operand;  // "-(-a)"

@@ -387,7 +387,7 @@ ReadSnapshot read_snapshot(const std::string& path) {
     const std::unique_ptr<Json> json = json::parse_json(sources, begin, diagnostics);
     if (diagnostics.has_errors()) return {.file = {}, .error = to_public(diagnostics, sources).front()};
     const auto wrong = [&](const Problem& problem, Span key) {
-        const FilePlace place = format::place_of(sources, key ? key : Span{begin, begin});
+        const FileLocation place = format::place_of(sources, key ? key : Span{begin, begin});
         ReadSnapshot read{.file = {}, .error = diagnostic_at(place, std::string(problem.code), problem.message)};
         if (!problem.hint.empty()) {
             Diagnostic& note = read.error.notes.emplace_back();

@@ -22,7 +22,7 @@ void write_value(JsonWriter& json, std::string_view key, const std::string& valu
     json.raw(value);
 }
 
-void write_place(JsonWriter& json, std::string_view key, const FilePlace& place) {
+void write_location(JsonWriter& json, std::string_view key, const FileLocation& place) {
     if (place.line == 0) return;
     json.begin(key, '{');
     json.write("line", place.line);
@@ -41,8 +41,8 @@ void write_change(JsonWriter& json, const GraphChange& change) {
         write_value(json, "before", change.before);
         write_value(json, "after", change.after);
     }
-    write_place(json, "beforePlace", change.before_place);
-    write_place(json, "afterPlace", change.after_place);
+    write_location(json, "beforePlace", change.before_location);
+    write_location(json, "afterPlace", change.after_location);
     json.end();
 }
 

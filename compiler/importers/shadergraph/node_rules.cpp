@@ -5,6 +5,7 @@
 #include <charconv>
 #include <functional>
 
+#include "compiler/base/letters.h"
 #include "compiler/base/text.h"
 #include "compiler/importers/patterns.h"
 #include "compiler/importers/shadergraph/graph_maker.h"
@@ -27,6 +28,22 @@ struct Placeholder {
     std::string_view use{};         // of a texture: "data"
     bool is_exact = false, from_top = false, symmetric = false;
 };
+
+// The arguments of a node at the outer level: "from={0}, to=f(1, 2)".
+std::vector<std::string> arguments_of(std::string_view list) {
+    std::vector<std::string> made;
+    int depth = 0;
+    std::size_t begin = 0;
+    for (std::size_t i = 0; i <= list.size(); ++i) {
+        if (i < list.size() && (list[i] == '(' || list[i] == '{' || list[i] == '[')) ++depth;
+        if (i < list.size() && (list[i] == ')' || list[i] == '}' || list[i] == ']')) --depth;
+        if (i < list.size() && (list[i] != ',' || depth > 0)) continue;
+        const std::string_view part = trimmed(list.substr(begin, i - begin));
+        if (!part.empty()) made.emplace_back(part);
+        begin = i + 1;
+    }
+    return made;
+}
 
 bool is_constant_of(const Term& term, double value) {
     return term.is_constant() && std::ranges::all_of(term.numbers, [&](double each) { return each == value; });

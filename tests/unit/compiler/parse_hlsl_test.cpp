@@ -50,8 +50,7 @@ TEST(ParseHlsl, WhatTheLanguageLacks) {
                                         "[[] an array of arrays: write one with the product of the sizes",
                                         "[discard] a function leaves out no pixel: use the alpha clip of the surface",
                                         "[struct] a struct inside of a function: declare it before the function"}));
-    EXPECT_EQ(show(parsed->ast.functions[0].body),
-              "{ float a = 1; float b[3]; if c{ (discard()); } else{ } d = 1; }");
+    EXPECT_EQ(show(parsed->ast.functions[0].body), "{ float a = 1; float b[3]; if c{ (discard()); } else{ } d = 1; }");
 }
 
 TEST(ParseHlsl, Preprocessor) {

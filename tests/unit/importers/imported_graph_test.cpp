@@ -148,8 +148,8 @@ TEST(Importers, WriteNothingThatTheCompilerRefuses) {
                         .read = read};
     };
     constexpr const char* kGraph = R"({ "patina": 1, "workflow": "unlit", "surface": {} })";
-    constexpr const char* kScene = R"({ "patina": 1, "kind": "scene", "name": "s",
-        "materials": [{ "name": "m", "graph": "m.graph.json" }], "objects": [{ "mesh": "sphere", "material": "m" }] })";
+    constexpr const char* kScene = R"({ "patina": 1, "kind": "scene", "name": "s", "camera": { "position": [0, 0, 5] },
+        "materials": [{ "name": "m", "graph": "m.graph.json" }], "objects": [{ "id": "o", "mesh": "sphere", "material": "m" }] })";
     const auto right = importer([](const Source&, const Options&) {
         return Imported{.graphs = {{"m.graph.json", kGraph}, {"s.scene.json", kScene}}};
     });

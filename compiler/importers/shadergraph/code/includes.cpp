@@ -24,7 +24,7 @@ constexpr std::size_t kLongest = 4'000'000;  // characters of all files together
 // #include "NAME"
 std::string_view included(std::string_view line) {
     Diagnostics unread;
-    nodelang::Lexer lexer({.text = line}, nodelang::Lexer::Place::Hlsl, unread);
+    nodelang::Lexer lexer({.text = line}, nodelang::Lexer::Dialect::Hlsl, unread);
     if (!lexer.next().is("#") || !lexer.next().is_word("include")) return {};
     const nodelang::Token name = lexer.next();
     return name.kind == nodelang::Token::Kind::String ? name.text : std::string_view();

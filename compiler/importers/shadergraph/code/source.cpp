@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "compiler/importers/shadergraph/code/engine_words.h"
-#include "compiler/nodelang/preprocessor.h"
+#include "compiler/nodelang/hlsl/preprocessor.h"
 
 namespace patina::importers::shadergraph {
 namespace {
@@ -80,7 +80,7 @@ void Source::preprocess(std::set<std::string, std::less<>> samplers) {
     const std::string whole = std::string(kEngineWords) + code_;
     nodelang::Ast names;
     Diagnostics wrong;
-    nodelang::Lexer lexer({.text = whole, .base = kBase}, nodelang::Lexer::Place::Hlsl, wrong);
+    nodelang::Lexer lexer({.text = whole, .base = kBase}, nodelang::Lexer::Dialect::Hlsl, wrong);
     nodelang::Preprocessor preprocessor(lexer, names, wrong);
     for (const std::string_view preview : {"SHADERGRAPH_PREVIEW", "SHADERGRAPH_PREVIEW_MAIN"})
         preprocessor.make_zero(preview);

@@ -431,8 +431,9 @@ std::vector<double> computed(const Imported& made, const std::string& key, const
     const auto quoted = [&](std::size_t at) { return text.substr(at, text.find('"', at) - at); };
     for (std::size_t at = 0; (at = text.find("\"id\": \"", at)) != text.npos; ++at)
         names.push_back({.name = quoted(at + 7), .values = run(quoted(text.find("\"expr\": \"", at) + 9))});
-    const std::size_t at = text.find("\"" + key + "\": \"") + key.size() + 5;
-    return run(text[at] == '=' ? quoted(at + 2) : quoted(at));
+    const std::size_t at = text.find("\"" + key + "\": ") + key.size() + 4;
+    if (text[at] != '"') return {std::stod(text.substr(at))};  // what is constant is a number
+    return run(text[at + 1] == '=' ? quoted(at + 3) : quoted(at + 1));
 }
 
 // The numbers are those of the node graphs in the standard library, computed apart from this program.

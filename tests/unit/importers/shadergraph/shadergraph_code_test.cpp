@@ -216,7 +216,8 @@ TEST(ShaderGraphCode, ConstantsAndStructsOfAFileAreBrought) {
     EXPECT_EQ(remarks(made, Remark::Kind::LeftOut) + remarks(made, Remark::Kind::Changed), "");
     const std::string& code = text_of(made, "Glow.node.hlsl");
     EXPECT_NE(code.find("struct Step {\n    float2 at;\n    float weight[2];\n};\n"), std::string::npos) << code;
-    EXPECT_NE(code.find("static const float2 kSteps[kCount] = { float2(1, 2), { 3, 4 } };\n"), std::string::npos) << code;
+    EXPECT_NE(code.find("static const float2 kSteps[kCount] = { float2(1, 2), { 3, 4 } };\n"), std::string::npos)
+        << code;
     EXPECT_EQ(code.find("unused"), std::string::npos) << code;
     expect_compiles(made, "constants");
 }

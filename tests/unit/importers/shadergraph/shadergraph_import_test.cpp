@@ -5,7 +5,7 @@
 
 #include <set>
 
-#include "compiler/importers/shadergraph/values/term.h"
+#include "compiler/importers/terms.h"
 
 namespace patina::importers {
 namespace {
@@ -88,7 +88,7 @@ TEST(ShaderGraphImport, CoordinatesCountFromTheBottom) {
 }
 
 TEST(ShaderGraphImport, ConversionsAreThoseOfEdges) {
-    using namespace shadergraph;
+    using namespace terms;
     const Term two = link("a", Type::Float2), four = link("b", Type::Float4), one = link("c", Type::Float),
                flag = link("d", Type::Bool);
     EXPECT_EQ(converted(two, Type::Float3).text(), "float3(a, 0)");
