@@ -1,6 +1,6 @@
 // A scene as JSON, as patina_scene_json() gives it.
 //
-//   std::string text = json_of(read.scene);   // {"name": "Beads", "camera": {"position": [0, 4.6, 4.2], ...}, ...}
+//   std::string text = json_of(read.scene);   // {"name":"Beads","camera":{"position":[0,4.6,4.2],...},...}
 #pragma once
 
 #include <string>

@@ -153,7 +153,7 @@ TEST_F(CFunctions, Variants) {
               PATINA_OK);
     const Owned<patina_plan> plan(made, patina_plan_free);
     ASSERT_EQ(patina_plan_count(made), 6u);
-    EXPECT_STREQ(patina_plan_combination(made, 1), R"({"_Mode": "Dry", "_Same": "true"})");
+    EXPECT_STREQ(patina_plan_combination(made, 1), R"({"_Mode":"Dry","_Same":"true"})");
     EXPECT_EQ(patina_plan_combination(made, 6), nullptr);
     const rapidjson::Document axes = parsed(patina_plan_axes(made));
     ASSERT_EQ(axes.Size(), 2u);
