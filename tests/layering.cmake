@@ -198,13 +198,13 @@ function(check_includes file allowed)
   set(breaches "${breaches}" PARENT_SCOPE)
 endfunction()
 
-# What reads a file of the disk, and what writes JSON, for all trees.
-set(disk "^compiler/(base/disk|json|api/describe)/")
+# What all trees may use: the room base, which also reads files of the disk, and JSON.
+set(of_all "^compiler/(base|json|api/describe)/")
 
 # The command uses the public headers, as any program does that embeds the compiler, and of the runtime its lighting models,
 # and what writes files and works on several threads. The program of `import` also uses the importers, and that of
 # `render` and `watch` both and the whole runtime.
-set(of_command "^(compiler/cli|patina)/|${disk}")
+set(of_command "^(compiler/cli|patina)/|${of_all}")
 set(of_importers "^compiler/importers/[a-z_]+\\.h$")
 file(GLOB_RECURSE files ${ROOT}/compiler/cli/*.h ${ROOT}/compiler/cli/*.cpp ${ROOT}/compiler/cli/*.in)
 foreach(file IN LISTS files)
@@ -235,12 +235,12 @@ foreach(folder IN LISTS folders)
   endforeach()
 endforeach()
 
-# The runtime uses the public headers only, the reader of files and the memory and the writer of JSON. A snapshot is a
+# The runtime uses the public headers only, the room base, and JSON. A snapshot is a
 # file of Patina's own, so it is read as graphs are.
 file(GLOB_RECURSE files ${ROOT}/runtime/*.h ${ROOT}/runtime/*.cpp)
 foreach(file IN LISTS files)
   file(STRINGS ${file} includes REGEX "^#include \"compiler/")
-  list(FILTER includes EXCLUDE REGEX "\"compiler/(base/disk|json)/")
+  list(FILTER includes EXCLUDE REGEX "\"compiler/(base|json)/")
   if(file MATCHES "/runtime/snapshot/")
     list(FILTER includes EXCLUDE REGEX "\"compiler/(format|api)/")
   endif()

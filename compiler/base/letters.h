@@ -4,6 +4,7 @@
 //   trimmed("  a b ")           // "a b"
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <string_view>
 
@@ -21,9 +22,12 @@ constexpr bool is_lower(char c) {
 constexpr bool is_letter(char c) {
     return is_upper(c) || is_lower(c);
 }
-// Of an identifier.
+// Of an identifier: its first letter, and each letter.
+constexpr bool is_word_start(char c) {
+    return is_letter(c) || c == '_';
+}
 constexpr bool is_word_letter(char c) {
-    return is_letter(c) || is_digit(c) || c == '_';
+    return is_word_start(c) || is_digit(c);
 }
 constexpr char to_upper(char c) {
     return is_lower(c) ? static_cast<char>(c - 'a' + 'A') : c;
@@ -32,16 +36,22 @@ constexpr char to_lower(char c) {
     return is_upper(c) ? static_cast<char>(c - 'A' + 'a') : c;
 }
 
-inline std::string small_letters(std::string text) {
-    for (char& c : text) c = to_lower(c);
-    return text;
+inline std::string small_letters(std::string_view text) {
+    std::string made(text);
+    for (char& c : made) c = to_lower(c);
+    return made;
+}
+
+inline std::string capital_letters(std::string_view text) {
+    std::string made(text);
+    for (char& c : made) c = to_upper(c);
+    return made;
 }
 
 // Without the spaces at both ends.
-constexpr std::string_view trimmed(std::string_view text) {
-    while (text.starts_with(' ')) text.remove_prefix(1);
-    while (text.ends_with(' ')) text.remove_suffix(1);
-    return text;
+constexpr std::string_view trimmed(std::string_view text, std::string_view spaces = " ") {
+    text.remove_prefix(std::min(text.find_first_not_of(spaces), text.size()));
+    return text.substr(0, text.find_last_not_of(spaces) + 1);
 }
 
 }  // namespace patina

@@ -4,12 +4,12 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cstdio>
 #include <filesystem>
 #include <map>
 
 #include "compiler/base/disk/disk.h"
+#include "compiler/base/letters.h"
 #include "compiler/cli/failures/failures.h"
 #include "patina/name_value.h"
 #include "patina/output_name.h"
@@ -248,9 +248,7 @@ std::vector<EqualOutputs> find_equal_outputs(const std::vector<std::string>& gra
     std::map<std::string, std::size_t> seen;  // by name in lower case
     for (std::size_t i = 0; i < graphs.size(); ++i) {
         const std::string name = output_name(graphs[i]), file = name + std::string(ending);
-        std::string folded = name;
-        std::ranges::transform(folded, folded.begin(), [](unsigned char c) { return std::tolower(c); });
-        const auto [found, is_new] = seen.emplace(folded, i);
+        const auto [found, is_new] = seen.emplace(small_letters(name), i);
         if (is_new) continue;
         const std::string& other = graphs[found->second];
         const std::string other_name = output_name(other);

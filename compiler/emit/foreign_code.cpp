@@ -3,17 +3,11 @@
 
 #include <algorithm>
 
+#include "compiler/base/letters.h"
 #include "compiler/emit/functions.h"
 
 namespace patina::emit {
 namespace {
-
-bool is_letter(char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
-}
-bool is_of_word(char c) {
-    return is_letter(c) || (c >= '0' && c <= '9');
-}
 
 // Behind the comment, the string, the number or the word at `at`, or else behind one character.
 std::size_t behind(std::string_view text, std::size_t at) {
@@ -24,8 +18,8 @@ std::size_t behind(std::string_view text, std::size_t at) {
     if (text.substr(at).starts_with("//")) return end("\n", at);
     if (text.substr(at).starts_with("/*")) return end("*/", at + 2);
     if (text[at] == '"') return end("\"", at + 1);
-    if (!is_of_word(text[at])) return at + 1;
-    while (at < text.size() && is_of_word(text[at])) ++at;
+    if (!is_word_letter(text[at])) return at + 1;
+    while (at < text.size() && is_word_letter(text[at])) ++at;
     return at;
 }
 
@@ -35,7 +29,7 @@ void each_part(std::string_view text, const Take& take) {
     std::size_t begin = 0;
     for (std::size_t at = 0; at < text.size();) {
         const std::size_t end = behind(text, at);
-        if (is_letter(text[at])) {
+        if (is_word_start(text[at])) {
             if (at > begin) take(text.substr(begin, at - begin), false);
             take(text.substr(at, end - at), true);
             begin = end;

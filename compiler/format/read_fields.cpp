@@ -1,11 +1,11 @@
 #include "compiler/format/read_fields.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cfloat>
 #include <climits>
 #include <cmath>
 
+#include "compiler/base/letters.h"
 #include "compiler/base/text.h"
 #include "compiler/format/read_graph.h"
 
@@ -30,7 +30,7 @@ constexpr std::pair<std::string_view, std::string_view> kRefused[] = {{"virtualt
 std::string plain_word(std::string_view word) {
     std::string plain;
     for (const char c : word) {
-        if (c != '_' && c != '-') plain += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+        if (c != '_' && c != '-') plain += to_lower(c);
     }
     return plain;
 }

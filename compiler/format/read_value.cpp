@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "compiler/base/file_names.h"
+#include "compiler/base/letters.h"
 #include "compiler/base/text.h"
 #include "compiler/format/color.h"
 #include "compiler/format/read_fields.h"
@@ -143,7 +144,7 @@ private:
 };
 
 bool may_stand_in_link(char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '.';
+    return is_word_letter(c) || c == '.';
 }
 
 // Reports why a string is not a link. The usual error is to forget the "=" or the "./", so the message says that.

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "compiler/base/broken_text.h"
+#include "compiler/base/letters.h"
 #include "compiler/base/text.h"
 #include "compiler/json/json.h"
 
@@ -11,8 +12,8 @@ namespace patina::json {
 namespace {
 
 bool is_word_byte(char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '.' ||
-           c == '+' || c == '-' || c == '$' || c == '@' || c == '#' || static_cast<unsigned char>(c) >= 0x80;
+    return is_word_letter(c) || c == '.' || c == '+' || c == '-' || c == '$' || c == '@' || c == '#' ||
+           static_cast<unsigned char>(c) >= 0x80;
 }
 
 bool is_space(char c) {

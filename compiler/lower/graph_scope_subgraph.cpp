@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 
 #include "compiler/base/bits.h"
+#include "compiler/base/letters.h"
 #include "compiler/base/spelling.h"
 #include "compiler/lower/lowering.h"
 
@@ -26,7 +26,7 @@ std::string function_name(const resolve::CheckedGraph& subgraph) {
 
 std::string struct_name(const resolve::CheckedGraph& subgraph) {
     std::string name = function_name(subgraph) + "Outputs";
-    name[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(name[0])));
+    name[0] = to_upper(name[0]);
     return name;
 }
 

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "compiler/base/cancellation.h"
+#include "compiler/base/letters.h"
 #include "compiler/base/text.h"
 
 namespace patina::nodelang {
@@ -23,27 +24,11 @@ constexpr std::size_t punctuation_length(char first, char second, char third) {
     return second == '=' && kBeforeEquals.find(first) != std::string_view::npos ? 2 : 1;
 }
 
-// Not <cctype>: the language does not change with the locale.
-constexpr bool is_digit(char c) {
-    return c >= '0' && c <= '9';
-}
 constexpr bool is_hex_digit(char c) {
     return is_digit(c) || (c >= 'a' && c <= 'f') || (c >= 'A' && c <= 'F');
 }
-constexpr bool is_word_start(char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
-}
-constexpr bool is_word_part(char c) {
-    return is_word_start(c) || is_digit(c);
-}
 constexpr bool is_space(char c) {
     return c == ' ' || (c >= '\t' && c <= '\r');
-}
-
-std::string_view trimmed(std::string_view text) {
-    while (!text.empty() && is_space(text.front())) text.remove_prefix(1);
-    while (!text.empty() && is_space(text.back())) text.remove_suffix(1);
-    return text;
 }
 
 // The number of bytes in the UTF-8 sequence that begins with `first`.
@@ -127,7 +112,7 @@ Token Lexer::next() {
 }
 
 std::size_t Lexer::end_of_word(std::size_t from) const {
-    while (is_word_part(at(from))) ++from;
+    while (is_word_letter(at(from))) ++from;
     return from;
 }
 
@@ -183,7 +168,7 @@ void Lexer::line_comment(Token& token, bool same_line_as_token) {
     std::string_view line = text_.text.substr(begin, here_ - begin);
     if (line.ends_with('\r')) line.remove_suffix(1);
     if (line.starts_with("///<")) {
-        if (same_line_as_token) token.trailing_doc = trimmed(line.substr(4));
+        if (same_line_as_token) token.trailing_doc = trimmed(line.substr(4), " \t\r");
     } else if (line.starts_with("///") && !line.starts_with("////")) {
         const std::size_t doc_begin =
             token.doc.empty() ? begin : static_cast<std::size_t>(token.doc.data() - text_.text.data());

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "compiler/base/cancellation.h"
+#include "compiler/base/letters.h"
 
 namespace patina::nodelang {
 namespace {
@@ -12,16 +13,9 @@ namespace {
 // Attributes that only matter to a caller, who has the declaration.
 constexpr std::string_view kOfNodes[] = {"node", "also", "is", "inFloat", "inline", "range"};
 
-bool is_letter(char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
-}
-bool is_of_word(char c) {
-    return is_letter(c) || (c >= '0' && c <= '9');
-}
-
 std::string_view word_at(std::string_view line, std::size_t at) {
     const auto begin = line.begin() + static_cast<std::ptrdiff_t>(std::min(at, line.size()));
-    const auto end = std::find_if_not(begin, line.end(), is_of_word);
+    const auto end = std::find_if_not(begin, line.end(), is_word_letter);
     return line.substr(std::min(at, line.size()), static_cast<std::size_t>(end - begin));
 }
 
@@ -78,7 +72,7 @@ std::optional<std::vector<Part>> parts_of(std::string_view text) {
         bool ends = false;
         if (line[0] == '}' && !part.name.empty()) {
             ends = true;
-        } else if (line[0] == '[' || is_letter(line[0])) {
+        } else if (line[0] == '[' || is_word_start(line[0])) {
             line = line.substr(0, line.find_last_not_of("\r\n") + 1);
             if (!part.name.empty() || !skip_attributes(line)) return {};
             if (line.empty()) continue;

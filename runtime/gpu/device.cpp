@@ -1,19 +1,15 @@
 #include "runtime/gpu/device.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cstring>
 #include <string_view>
+
+#include "compiler/base/letters.h"
 
 namespace patina::runtime {
 namespace {
 
 constexpr const char* kValidationLayer = "VK_LAYER_KHRONOS_validation";
-
-std::string lower(std::string text) {
-    std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return char(std::tolower(c)); });
-    return text;
-}
 
 VKAPI_ATTR VkBool32 VKAPI_CALL collect_message(VkDebugUtilsMessageSeverityFlagBitsEXT, VkDebugUtilsMessageTypeFlagsEXT,
                                                const VkDebugUtilsMessengerCallbackDataEXT* data, void* messages) {
@@ -146,7 +142,8 @@ Outcome<bool> choose_physical_device(Device& device, const std::string& wanted) 
             continue;
         }
         bool is_software = properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU;
-        bool fits = wanted.empty() ? !device.physical || is_software : lower(name).find(lower(wanted)) != name.npos;
+        bool fits = wanted.empty() ? !device.physical || is_software
+                                   : small_letters(name).find(small_letters(wanted)) != name.npos;
         if (!fits) continue;
         device.physical = physical;
         device.name = name;

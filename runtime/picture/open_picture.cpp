@@ -1,9 +1,9 @@
 #include "runtime/picture/open_picture.h"
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 
+#include "compiler/base/letters.h"
 #include "runtime/picture/formats/header_fault.h"
 #include "runtime/picture/formats/picture_kind.h"
 
@@ -18,7 +18,7 @@ std::string reader_of(const PictureBytes& picture) {
     std::string ending =
         kind ? std::string(kind->endings[0]) : std::filesystem::path(picture.path).extension().string();
     if (!ending.empty()) ending.erase(0, 1);
-    for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    ending = small_letters(ending);
     const auto found = std::ranges::find_if(kExtensions, [&](const auto& format) {
         return std::ranges::find(format.second, ending) != format.second.end();
     });

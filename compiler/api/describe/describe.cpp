@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "compiler/base/letters.h"
 #include "compiler/resolve/check_graph.h"
 
 namespace patina {
@@ -10,12 +11,7 @@ using nodelang::Expr;
 
 namespace {
 
-std::string_view trim(std::string_view text) {
-    while (!text.empty() && (text.front() == ' ' || text.front() == '\t' || text.front() == '\r'))
-        text.remove_prefix(1);
-    while (!text.empty() && (text.back() == ' ' || text.back() == '\t' || text.back() == '\r')) text.remove_suffix(1);
-    return text;
-}
+constexpr std::string_view kSpaces = " \t\r";
 
 // "@uv0" for a semantic default, the source text for a constant.
 std::string default_text(const Expr& expr, const EvaluationContext& context) {
@@ -27,9 +23,9 @@ std::string default_text(const Expr& expr, const EvaluationContext& context) {
 }
 
 std::string doc_line(std::string_view doc) {
-    doc = trim(doc);
+    doc = trimmed(doc, kSpaces);
     while (doc.starts_with('/') || doc.starts_with('<')) doc.remove_prefix(1);
-    return std::string(trim(doc));
+    return std::string(trimmed(doc, kSpaces));
 }
 
 // An `inout` parameter is two ports.
@@ -78,17 +74,17 @@ Doc read_doc(std::string_view comment) {
         const std::size_t end = std::min(comment.find('\n', at), comment.size());
         std::string_view line = comment.substr(at, end - at);
         at = end + 1;
-        line = trim(line);
+        line = trimmed(line, kSpaces);
         while (line.starts_with('/')) line.remove_prefix(1);
-        line = trim(line);
+        line = trimmed(line, kSpaces);
         const auto keyword = [&](std::string_view word, std::string& into) {
             if (!line.starts_with(word)) return false;
             if (!into.empty()) into += "\n";
-            into += trim(line.substr(word.size()));
+            into += trimmed(line.substr(word.size()), kSpaces);
             return true;
         };
         if (line.starts_with("test:")) {
-            const std::string_view text = trim(line.substr(5));
+            const std::string_view text = trimmed(line.substr(5), kSpaces);
             doc.tests.push_back({.text = text, .offset = static_cast<std::uint32_t>(text.data() - comment.data())});
         } else if (!keyword("formula:", doc.formula) && !keyword("source:", doc.source) && !keyword("use:", doc.use) &&
                    !keyword("unit:", doc.unit) && !keyword("space:", doc.space) && !keyword("block:", doc.block)) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "compiler/base/letters.h"
 #include "compiler/cli/commands/commands.h"
 #include "compiler/cli/pages/library_json.h"
 #include "compiler/cli/pages/node_search.h"
@@ -17,17 +18,10 @@ struct Arguments {
     bool json = false;
 };
 
-std::string lower(std::string_view text) {
-    std::string result(text);
-    for (char& c : result) {
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    }
-    return result;
-}
-
 // "lighting" also holds "Lighting/Distribution".
 bool is_within(std::string_view category, std::string_view wanted) {
-    const std::string whole = lower(category) + '/', part = lower(wanted) + (wanted.ends_with('/') ? "" : "/");
+    const std::string whole = small_letters(category) + '/',
+                      part = small_letters(wanted) + (wanted.ends_with('/') ? "" : "/");
     return wanted.empty() || whole.starts_with(part);
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "compiler/base/text.h"
 #include "compiler/cli/commands/commands.h"
 #include "compiler/cli/pages/library_json.h"
 #include "compiler/cli/pages/page.h"

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <optional>
 
+#include "compiler/base/letters.h"
 #include "compiler/json/json_writer.h"
 
 namespace patina::cli {
@@ -21,17 +22,13 @@ bool read_number(std::string_view text, Number& number) {
     return error == std::errc() && rest == end && !text.empty();
 }
 
-bool is_word(char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
-}
-
 // The text with each $name replaced.
 std::string with(const std::string& text, const std::string& name, const std::string& number) {
     const std::string wanted = "$" + name;
     std::string result;
     for (std::size_t at = 0; at < text.size();) {
         const std::size_t end = at + wanted.size();
-        if (text.compare(at, wanted.size(), wanted) == 0 && (end == text.size() || !is_word(text[end]))) {
+        if (text.compare(at, wanted.size(), wanted) == 0 && (end == text.size() || !is_word_letter(text[end]))) {
             result += "(" + number + ")";
             at = end;
         } else {

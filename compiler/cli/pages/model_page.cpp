@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "compiler/base/letters.h"
+#include "compiler/base/text.h"
 #include "compiler/cli/pages/model_cost.h"
 #include "compiler/cli/pages/pages.h"
 
@@ -28,19 +30,15 @@ Section inputs_section(std::string title, const std::vector<ModelInputInfo>& inp
     return section;
 }
 
-bool is_word(char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
-}
-
 // What an expression reads by '@': "surface.f0", "normalWS". If no semantic has such a member, it is a swizzle.
 void collect_semantics(std::string_view text, std::span<const SemanticInfo> known, std::vector<bool>& read) {
     for (std::size_t at = text.find('@'); at != text.npos; at = text.find('@', at + 1)) {
         std::size_t end = at + 1;
-        while (end < text.size() && is_word(text[end])) ++end;
+        while (end < text.size() && is_word_letter(text[end])) ++end;
         std::size_t whole = end;
         if (whole < text.size() && text[whole] == '.') {
             do ++whole;
-            while (whole < text.size() && is_word(text[whole]));
+            while (whole < text.size() && is_word_letter(text[whole]));
         }
         for (std::string_view name : {text.substr(at + 1, whole - at - 1), text.substr(at + 1, end - at - 1)}) {
             const auto found = std::ranges::find(known, name, &SemanticInfo::name);

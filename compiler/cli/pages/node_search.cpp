@@ -4,19 +4,12 @@
 #include <array>
 #include <string>
 
+#include "compiler/base/text.h"
 #include "compiler/cli/pages/page.h"
 #include "compiler/cli/pages/search_words.h"
 
 namespace patina::cli {
 namespace {
-
-std::string spelled_alike(std::string_view name) {
-    std::string letters;
-    for (const char c : name) {
-        if (c != ' ' && c != '_') letters += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    }
-    return letters;
-}
 
 // Words for things that have no node of that name, and the nodes to look at, the nearest first. "Sdf*": all that begin
 // so.

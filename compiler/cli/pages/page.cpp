@@ -4,16 +4,10 @@
 
 #include <algorithm>
 
+#include "compiler/base/letters.h"
+
 namespace patina::cli {
 namespace {
-
-std::string upper(std::string_view text) {
-    std::string result(text);
-    for (char& c : result) {
-        if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
-    }
-    return result;
-}
 
 std::string indented(std::string_view text, std::string_view indent) {
     std::string result;
@@ -51,7 +45,8 @@ std::string to_terminal(const Console& console, const Page& page) {
         std::string body = indented(section.text, "  ") + indented(section.code, "  ");
         for (const Entry& entry : section.entries) body += entry_text(console, entry);
         if (body.empty()) continue;
-        text += "\n" + heading(console, section.title.empty() ? "DESCRIPTION" : upper(section.title)) + "\n" + body;
+        text += "\n" + heading(console, section.title.empty() ? "DESCRIPTION" : capital_letters(section.title)) + "\n" +
+                body;
     }
     return text;
 }
@@ -60,22 +55,12 @@ std::string first_sentence(std::string_view text) {
     std::string sentence = joined_lines(text.substr(0, text.find("\n\n")));
     std::size_t stop = sentence.find(". ");
     // "Rec. 709" does not end a sentence.
-    while (stop != sentence.npos && stop + 2 < sentence.size() && sentence[stop + 2] >= '0' &&
-           sentence[stop + 2] <= '9') {
+    while (stop != sentence.npos && stop + 2 < sentence.size() && is_digit(sentence[stop + 2])) {
         stop = sentence.find(". ", stop + 1);
     }
     sentence = sentence.substr(0, stop);
     if (sentence.ends_with('.')) sentence.pop_back();
     return sentence;
-}
-
-std::string enumerate(std::span<const std::string_view> words) {
-    std::string text;
-    for (std::size_t i = 0; i < words.size(); ++i) {
-        if (i > 0) text += i + 1 == words.size() ? " and " : ", ";
-        text += words[i];
-    }
-    return text;
 }
 
 }  // namespace patina::cli

@@ -39,7 +39,5 @@ std::string to_terminal(const Console& console, const Page& page);
 
 // The first sentence of a text, on one line and without its full stop: for lists.
 std::string first_sentence(std::string_view text);
-// "a, b and c"
-std::string enumerate(std::span<const std::string_view> words);
 
 }  // namespace patina::cli

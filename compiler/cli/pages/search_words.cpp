@@ -4,21 +4,10 @@
 #include <array>
 #include <utility>
 
+#include "compiler/base/letters.h"
+
 namespace patina::cli {
 namespace {
-
-bool is_upper(char c) {
-    return c >= 'A' && c <= 'Z';
-}
-bool is_digit(char c) {
-    return c >= '0' && c <= '9';
-}
-char lower(char c) {
-    return is_upper(c) ? static_cast<char>(c - 'A' + 'a') : c;
-}
-bool is_letter(char c) {
-    return lower(c) >= 'a' && lower(c) <= 'z';
-}
 
 constexpr std::array<std::pair<std::string_view, std::string_view>, 6> kBritish = {{{"colour", "color"},
                                                                                     {"grey", "gray"},
@@ -50,11 +39,11 @@ std::vector<std::string> raw_words(std::string_view text) {
     };
     for (std::size_t i = 0; i < text.size(); ++i) {
         const char c = text[i], before = i > 0 ? text[i - 1] : ' ', next = i + 1 < text.size() ? text[i + 1] : ' ';
-        const bool is_hump = is_upper(c) && is_letter(before) && (!is_upper(before) || (next >= 'a' && next <= 'z'));
+        const bool is_hump = is_upper(c) && is_letter(before) && (!is_upper(before) || is_lower(next));
         const bool is_number = is_digit(c) && is_letter(before);
         const bool is_word = is_letter(c) || is_digit(c);
         if (is_hump || is_number || !is_word) end_word();
-        if (is_word) word += lower(c);
+        if (is_word) word += to_lower(c);
     }
     end_word();
     return words;

@@ -1,11 +1,11 @@
 #include "compiler/cli/render/unread_inputs.h"
 
 #include <algorithm>
-#include <cctype>
 #include <set>
 #include <span>
 #include <string_view>
 
+#include "compiler/base/letters.h"
 #include "patina/graph_view.h"
 
 namespace patina::cli {
@@ -13,18 +13,14 @@ namespace {
 
 using Names = std::set<std::string, std::less<>>;
 
-bool is_word(char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
-}
-
 // The words of an expression that come after this sign: of "= $a * @surface.f0", "f0" after "@surface.".
 Names words_after(std::string_view text, std::string_view sign) {
     Names words;
     for (std::size_t at = text.find(sign); at != text.npos; at = text.find(sign, at + 1)) {
         const std::size_t begin = at + sign.size();
-        if (sign.empty() && ((begin > 0 && (is_word(text[begin - 1]) || text[begin - 1] == '$')))) continue;
+        if (sign.empty() && ((begin > 0 && (is_word_letter(text[begin - 1]) || text[begin - 1] == '$')))) continue;
         std::size_t end = begin;
-        while (end < text.size() && is_word(text[end])) ++end;
+        while (end < text.size() && is_word_letter(text[end])) ++end;
         if (end > begin) words.emplace(text.substr(begin, end - begin));
     }
     return words;

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <utility>
 
+#include "compiler/base/letters.h"
 #include "compiler/base/spelling.h"
 #include "compiler/ir/verify.h"
 #include "compiler/writers/shaderlab/dialect.h"
@@ -22,10 +22,6 @@ constexpr std::size_t kIndent = 12;  // indentation of a pass's text in the file
 
 // Variables that UNITY_LIGHT_ATTENUATION and UNITY_APPLY_FOG declare. They do not matter to members.
 constexpr const char* kLocals[] = {"lightCoord", "shadow", "unityFogFactor"};
-
-bool is_word(char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
-}
 
 std::vector<Declaration> declarations(const languages::Printed& printed) {
     std::vector<Declaration> made;
@@ -117,7 +113,8 @@ bool mentions(std::string_view text, std::string_view name) {
     };
     for (std::size_t at = text.find(name); at != text.npos; at = text.find(name, at + 1)) {
         const std::size_t end = at + name.size();
-        const bool is_whole = (at == 0 || !is_word(text[at - 1])) && (end == text.size() || !is_word(text[end]));
+        const bool is_whole =
+            (at == 0 || !is_word_letter(text[at - 1])) && (end == text.size() || !is_word_letter(text[end]));
         if (is_whole && !is_comment(at)) return true;
     }
     return false;

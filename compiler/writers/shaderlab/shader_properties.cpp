@@ -2,9 +2,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 
+#include "compiler/base/letters.h"
 #include "compiler/base/text.h"
 #include "compiler/format/words.h"
 #include "compiler/writers/shaderlab/dialect.h"
@@ -12,13 +12,6 @@
 
 namespace patina::writers::shaderlab {
 namespace {
-
-bool is_upper(char c) {
-    return std::isupper(static_cast<unsigned char>(c)) != 0;
-}
-bool is_lower(char c) {
-    return std::islower(static_cast<unsigned char>(c)) != 0;
-}
 
 // "_BumpScale" -> "Bump Scale", "_NORMALMAP" -> "Normalmap"; "UV" is an abbreviation.
 std::string readable(std::string_view name) {
@@ -34,9 +27,7 @@ std::string readable(std::string_view name) {
         const std::size_t first = i == 0 ? 0 : name.rfind('_', i) + 1;  // of the word; rfind gives npos: 0
         const bool is_quiet = is_shouted && !begins && word - first > kShort;
         const bool is_first = made.empty();
-        made += static_cast<char>(is_quiet   ? std::tolower(static_cast<unsigned char>(c))
-                                  : is_first ? std::toupper(static_cast<unsigned char>(c))
-                                             : c);
+        made += is_quiet ? to_lower(c) : is_first ? to_upper(c) : c;
     }
     return made.empty() ? "Value" : made;
 }
@@ -126,7 +117,7 @@ Declared declared(const resolve::MaterialProperty& entry, bool is_decoded) {
         case PropertyType::Float4: return {"", "Vector", vector(value, 4)};
         case PropertyType::Color: {
             std::string type(to_string(property.type));  // ShaderLab writes it with a capital
-            type[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(type[0])));
+            type[0] = to_upper(type[0]);
             if (!is_decoded) return {"[HDR] ", type, vector(value, 4)};
             return {"", type,
                     vector({rounded(encoded(value[0])), rounded(encoded(value[1])), rounded(encoded(value[2])),
@@ -173,13 +164,8 @@ std::string keyword_of(std::string_view property, std::string_view value) {
     // Unity's own shaders have other keywords for these two.
     if (property == resolve::kTransparentChoice && value.empty()) return "_SURFACE_TYPE_TRANSPARENT";
     if (property == resolve::kClipChoice && value.empty()) return "_ALPHATEST_ON";
-    const auto in_capitals = [](std::string_view text) {
-        std::string made(text);
-        for (char& c : made) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-        return made;
-    };
-    std::string made = in_capitals(property);
-    if (!value.empty()) return made + "_" + in_capitals(value);
+    std::string made = capital_letters(property);
+    if (!value.empty()) return made + "_" + capital_letters(value);
     return made == property ? made : made + "_ON";
 }
 
@@ -207,7 +193,7 @@ std::string header_words(std::string_view text) {
     std::string made;
     bool is_gap = false;
     for (const char c : text) {
-        const bool is_kept = std::isalnum(static_cast<unsigned char>(c)) != 0 || static_cast<unsigned char>(c) >= 0x80;
+        const bool is_kept = is_letter(c) || is_digit(c) || static_cast<unsigned char>(c) >= 0x80;
         if (is_kept && is_gap && !made.empty()) made += ' ';
         if (is_kept) made += c;
         is_gap = !is_kept;

@@ -2,9 +2,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cstdlib>
 
+#include "compiler/base/letters.h"
 #include "compiler/base/text.h"
 #include "compiler/writers/shaderlab/shader_file.h"
 
@@ -37,7 +37,7 @@ std::string in_capitals(std::string_view word) {
     for (std::size_t i = 0; i < word.size(); ++i) {
         if (word[i] == '_') continue;
         const bool begins = i == 0 || word[i - 1] == '_';
-        made += begins ? static_cast<char>(std::toupper(static_cast<unsigned char>(word[i]))) : word[i];
+        made += begins ? to_upper(word[i]) : word[i];
     }
     return made;
 }

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <vector>
 
+#include "compiler/base/letters.h"
 #include "runtime/files/bytes.h"
 #include "runtime/picture/formats/png_chunks.h"
 #include "runtime/picture/formats/tiff_directory.h"
@@ -127,8 +127,7 @@ constexpr FormatRow kRows[] = {
 };
 
 const FormatRow* row_named(const std::string& path) {
-    std::string ending = std::filesystem::path(path).extension().string();
-    for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    const std::string ending = small_letters(std::filesystem::path(path).extension().string());
     const auto* const found = std::find_if(std::begin(kRows), std::end(kRows), [&](const FormatRow& row) {
         return std::find(row.kind.endings.begin(), row.kind.endings.end(), ending) != row.kind.endings.end();
     });

@@ -1,11 +1,11 @@
 #include "runtime/picture/formats/stated_space.h"
 
-#include <cctype>
 #include <cmath>
 #include <exception>
 #include <map>
 
 #include "compiler/base/disk/disk.h"
+#include "compiler/base/letters.h"
 #include "runtime/files/files.h"
 #include "runtime/picture/formats/png_chunks.h"
 #include "runtime/picture/open_picture.h"
@@ -14,13 +14,9 @@
 namespace patina::runtime {
 namespace {
 
-std::string lower(std::string text) {
-    for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return text;
-}
-
 StatedSpace of_profile(const OIIO::ImageSpec& spec) {
-    const std::string description = lower(std::string(spec.get_string_attribute("ICCProfile:profile_description")));
+    const std::string description =
+        small_letters(std::string(spec.get_string_attribute("ICCProfile:profile_description")));
     const std::string by = "its ICC profile";
     if (description.find("linear") != std::string::npos) return {ColorSpace::Linear, by};
     if (description.find("srgb") != std::string::npos) return {ColorSpace::Srgb, by};
