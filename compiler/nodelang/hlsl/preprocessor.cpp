@@ -223,14 +223,14 @@ void Preprocessor::replace_by(const Macro& macro, const Token& name, Tokens& int
         const bool joins = i + 1 < macro.body.size() && macro.body[i + 1].is("##");
         if (macro.body[i].is("##") && i + 1 < macro.body.size() && !list.empty()) {
             const std::size_t k = parameter(macro.body[++i]);
-            const Tokens right = k < given.size() ? given[k] : Tokens{macro.body[i]};
+            const Tokens right = k < macro.parameters.size() ? given[k] : Tokens{macro.body[i]};
             if (right.empty()) continue;
             list.back() = pasted(list.back(), right.front());
             list.insert(list.end(), right.begin() + 1, right.end());
             continue;
         }
         const std::size_t k = parameter(macro.body[i]);
-        if (k < given.size()) {
+        if (k < macro.parameters.size()) {
             Tokens argument = joins ? given[k] : replaced(given[k], active);
             if (!argument.empty()) argument.front().follows_space = macro.body[i].follows_space;
             list.insert(list.end(), argument.begin(), argument.end());

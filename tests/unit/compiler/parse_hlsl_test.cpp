@@ -57,6 +57,7 @@ TEST(ParseHlsl, Preprocessor) {
     EXPECT_EQ(hlsl("#define TWO 2\n#define ADD(a, b) ((a) + (b))\n#define GLUE(a) x##a\n"
                    "void f() { a = ADD(TWO, GLUE(1)); }"),
               "{ a = (+ 2 x1); }");
+    EXPECT_EQ(hlsl("#define NONE() 2\nvoid f() { a = NONE() + 1; }"), "{ a = (+ 2 1); }");
     EXPECT_EQ(hlsl("#define G(a, ...) H(__VA_ARGS__)\n#define N(...) 1\nvoid f() { a = G(1, 2, (3)) + N(); }"),
               "{ a = (+ (H() 2 3) 1); }");
     EXPECT_EQ(hlsl("void f() {\n#if defined(A) || !B\na = 1;\n#elif 1\na = 2;\n#else\n'\n#endif\n}"), "{ a = 1; }");
