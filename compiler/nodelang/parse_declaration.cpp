@@ -370,7 +370,9 @@ bool Parser::enumeration(std::string_view doc) {
 
 bool Parser::variable(VariableDecl& decl) {
     if (!array_size(decl.type)) return false;
-    if (!decl.is_const && decl.attributes.empty()) {
+    if (!decl.is_const && decl.attributes.empty() && is_hlsl()) {
+        lacks(decl.type.span, "a variable of the file is 'const', or a parameter brings it");
+    } else if (!decl.is_const && decl.attributes.empty()) {
         diagnostics_.report(Code::Syntax, decl.type.span, "'const' or an attribute before a variable of the file",
                             fmt::format("'{}'", decl.type.name));
     }

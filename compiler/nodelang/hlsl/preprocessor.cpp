@@ -198,8 +198,8 @@ bool Preprocessor::replace(const Token& name, Tokens& into, Rest* rest, const Ac
     std::vector<Tokens> given;
     if (macro.has_parameters) {
         if (!arguments(name, rest, macro.takes_more ? macro.parameters.size() : kMostMade, given)) return false;
-        if (given.size() != macro.parameters.size() &&
-            !(macro.parameters.empty() && given.size() == 1 && given[0].empty())) {
+        if (macro.parameters.empty() && given.size() == 1 && given[0].empty()) given.clear();  // "F()"
+        if (given.size() != macro.parameters.size()) {
             diagnostics_.report(Code::ArgumentCount, span(name), name.text, macro.parameters.size(), given.size());
             return true;
         }

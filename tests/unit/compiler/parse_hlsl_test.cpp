@@ -44,9 +44,10 @@ TEST(ParseHlsl, JumpsBecomeBranches) {
 // What the language lacks is parsed all the same, so that the rest of the function is.
 TEST(ParseHlsl, WhatTheLanguageLacks) {
     const auto parsed = parse(As::File,
-                              "#pragma hlsl\nvoid f() { static float a = 1; float b[2][3]; if (c) discard; "
+                              "#pragma hlsl\nfloat z;\nvoid f() { static float a = 1; float b[2][3]; if (c) discard; "
                               "struct S { float x; }; d = 1; }");
-    EXPECT_EQ(parsed->errors(), (Errors{"[static] no variable keeps its value between two calls: write 'static const'",
+    EXPECT_EQ(parsed->errors(), (Errors{"[float] a variable of the file is 'const', or a parameter brings it",
+                                        "[static] no variable keeps its value between two calls: write 'static const'",
                                         "[[] an array of arrays: write one with the product of the sizes",
                                         "[discard] a function leaves out no pixel: use the alpha clip of the surface",
                                         "[struct] a struct inside of a function: declare it before the function"}));
@@ -57,9 +58,9 @@ TEST(ParseHlsl, Preprocessor) {
     EXPECT_EQ(hlsl("#define TWO 2\n#define ADD(a, b) ((a) + (b))\n#define GLUE(a) x##a\n"
                    "void f() { a = ADD(TWO, GLUE(1)); }"),
               "{ a = (+ 2 x1); }");
-    EXPECT_EQ(hlsl("#define NONE() 2\nvoid f() { a = NONE() + 1; }"), "{ a = (+ 2 1); }");
-    EXPECT_EQ(hlsl("#define G(a, ...) H(__VA_ARGS__)\n#define N(...) 1\nvoid f() { a = G(1, 2, (3)) + N(); }"),
-              "{ a = (+ (H() 2 3) 1); }");
+    EXPECT_EQ(hlsl("#define G(a, ...) H(__VA_ARGS__)\n#define N(...) 1\n#define E() e\nvoid f() { a = G(1, 2, (3)) + "
+                   "N() + E(); }"),
+              "{ a = (+ (+ (H() 2 3) 1) e); }");
     EXPECT_EQ(hlsl("void f() {\n#if defined(A) || !B\na = 1;\n#elif 1\na = 2;\n#else\n'\n#endif\n}"), "{ a = 1; }");
     const auto errors = [](const std::string& text) { return parse(As::File, "#pragma hlsl\n" + text)->errors(); };
     EXPECT_EQ(errors("#if A == 1\n#endif\n"),

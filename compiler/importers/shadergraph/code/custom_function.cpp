@@ -347,17 +347,18 @@ NodeText node_file(const Code& code, std::string_view name, std::string_view own
 
 // A word that is declared outside of the functions: by the engine, or as a constant of the file. Empty: there is none.
 std::string engine_word(const Code& code) {
+    std::set<std::string_view> functions, values;
+    for (const FunctionDecl* each : code.functions)
+        if (code.source->is_own(each->span)) functions.insert(each->name);
+    for (const EngineValue* each : code.engine_values) values.insert(each->name);
     for (std::size_t i = 1; i <= code.functions.size(); ++i) {  // that of the node is the last one
+        const FunctionDecl& function = *code.functions[i % code.functions.size()];
         Reads reads;
-        reads.add(*code.functions[i % code.functions.size()]);
+        if (code.source->is_own(function.span)) reads.add(function);
         for (const Word& word : reads.words) {
-            const bool is_known =
-                word.kind == Word::Kind::Name
-                    ? reads.declared.contains(word.text) ||
-                          std::ranges::find(code.engine_values, word.text, &EngineValue::name) !=
-                              code.engine_values.end()
-                    : is_of_hlsl(word.text) ||
-                          std::ranges::find(code.functions, word.text, &FunctionDecl::name) != code.functions.end();
+            const bool is_known = word.kind == Word::Kind::Name
+                                      ? reads.declared.contains(word.text) || values.contains(word.text)
+                                      : is_of_hlsl(word.text) || functions.contains(word.text);
             if (!is_known) return std::string(word.text);
         }
     }

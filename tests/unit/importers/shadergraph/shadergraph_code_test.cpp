@@ -208,14 +208,14 @@ TEST(ShaderGraphCode, ConstantsAndStructsOfAFileAreBrought) {
     save_shader_graph("Glow.hlsl",
                       "float unused;\nCBUFFER_START(UnityPerMaterial) float4 _Color; CBUFFER_END\n"
                       "static const int kCount = 2;\nstatic float2 kSteps[kCount] = { float2(1, 2), { 3, 4 } };\n"
-                      "struct Step { float2 at; float weight[2]; };\n"
-                      "Step At(int i) { Step made = (Step)0; made.at = kSteps[i]; return made; }\n"
+                      "struct GlowStep { float2 at; float weight; };\n"
+                      "GlowStep At(int i) { GlowStep made = (GlowStep)0; made.at = kSteps[i]; return made; }\n"
                       "void Glow_float(float3 A, float B, out float3 Out) { Out = A * At(1).at.y * B; }\n",
                       kGuid);
     const Imported made = import_graph(one_node(custom("", "Glow", 0), 2));
     EXPECT_EQ(remarks(made, Remark::Kind::LeftOut) + remarks(made, Remark::Kind::Changed), "");
     const std::string& code = text_of(made, "Glow.node.hlsl");
-    EXPECT_NE(code.find("struct Step {\n    float2 at;\n    float weight[2];\n};\n"), std::string::npos) << code;
+    EXPECT_NE(code.find("struct GlowStep {\n    float2 at;\n    float weight;\n};\n"), std::string::npos) << code;
     EXPECT_NE(code.find("static const float2 kSteps[kCount] = { float2(1, 2), { 3, 4 } };\n"), std::string::npos)
         << code;
     EXPECT_EQ(code.find("unused"), std::string::npos) << code;
