@@ -92,7 +92,7 @@ Term corner(const Term& term, Type type) {
     }
     std::vector<Tree> list;
     for (std::size_t i = 0; i < rows; ++i)
-        list.push_back(nodelang::member(nodelang::index(term.tree, nodelang::number(static_cast<double>(i))),
+        list.push_back(nodelang::member(nodelang::index(term.expression(), nodelang::number(static_cast<double>(i))),
                                         kComponents.substr(0, rows)));
     return term.with(nodelang::call(word(type), std::move(list)), type);
 }
@@ -104,7 +104,7 @@ bool Term::is_all(double value) const {
 }
 
 Tree Term::expression() const {
-    if (!is_constant()) return tree;
+    if (!is_constant()) return tree ? tree : nodelang::name("");
     if (type == Type::Bool) return nodelang::flag(numbers[0] != 0);
     if (numbers.size() == 1) return nodelang::number(numbers[0]);
     std::vector<Tree> list;
@@ -114,8 +114,7 @@ Tree Term::expression() const {
 }
 
 std::string Term::text() const {
-    const Tree made = expression();
-    return made ? printed(*made) : std::string();
+    return printed(*expression());
 }
 
 bool Term::is_link() const {
@@ -273,7 +272,7 @@ Term swizzled(const Term& term, std::string_view components) {
     }
     if (count <= 1) {
         if (components.size() == 1) return made;
-        return term.with(nodelang::call(word(type), {term.tree}), type);
+        return term.with(nodelang::call(word(type), {term.expression()}), type);
     }
     const std::string_view letters = term.is_color ? kChannels : kComponents;
     const Tree whole = term.whole();
@@ -348,7 +347,7 @@ Term converted(const Term& term, Type type, bool may_stay_number) {
     if (term.type == type || type == Type::None) return term;
     if (term.type == Type::Bool && is_vector(type)) {
         const Term made = term.is_constant() ? number_term(term.numbers[0])
-                                             : term.with(nodelang::call("float", {term.tree}), Type::Float);
+                                             : term.with(nodelang::call("float", {term.expression()}), Type::Float);
         return converted(made, type, may_stay_number);
     }
     if (type == Type::Bool && is_vector(term.type)) {
@@ -367,7 +366,7 @@ Term converted(const Term& term, Type type, bool may_stay_number) {
             made.numbers.assign(to, term.numbers[0]);
             return made;
         }
-        return of_parts(term, type, std::vector<Part>(to, Part{term.tree, 1}));
+        return of_parts(term, type, std::vector<Part>(to, Part{term.expression(), 1}));
     }
     if (term.is_constant()) {
         Term made = term;

@@ -42,14 +42,14 @@ struct Term {
     void add_nodes(const Term& part) { nodes.insert(part.nodes.begin(), part.nodes.end()); }  // of a part of it
     bool is_constant() const { return !numbers.empty(); }
     bool is_all(double value) const;  // a constant whose components are all that
-    Tree expression() const;          // as a part of an expression; null: it has no value
+    Tree expression() const;          // as a part of an expression; without a value, nothing that compiles
     std::string text() const;         // the same: "float3(1, 0, 0)", "mask.x", "a + b"
     bool is_link() const;             // a name with or without a port and a swizzle
     bool is_short() const;            // it is written again where it is read
     GraphValue value() const;         // at a port
 
     // What a swizzle reads, and its components: "mask" and "xy".
-    Tree whole() const { return whole_width > 0 ? nodelang::arg(tree, 0) : tree; }
+    Tree whole() const { return whole_width > 0 ? nodelang::arg(tree, 0) : expression(); }
     std::string_view components() const { return whole_width > 0 ? tree->text : std::string_view(); }
     // With another value, which is what it is for its readers. `widths`: as above.
     Term with(Tree other, Type other_type, std::vector<std::size_t> its_widths = {}) const;

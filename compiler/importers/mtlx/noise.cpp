@@ -36,7 +36,7 @@ Port position_port(bool is_flat) {
 
 // A computed number at an int port.
 GraphValue whole(const Term& term) {
-    const nodelang::Expr& expr = *term.tree;
+    const nodelang::Expr& expr = *term.expression();
     const bool is_property = expr.kind == nodelang::Expr::Kind::Call && expr.text == "float" &&
                              expr.args[0]->kind == nodelang::Expr::Kind::Property;
     return is_property ? printed(*expr.args[0]) : "= int(" + printed(expr) + ")";

@@ -23,8 +23,8 @@ bool is_grey(const Term& color) {
     if (color.is_constant()) return color.is_all(color.numbers[0]);
     const std::string_view components = color.components();
     if (!components.empty()) return components.find_first_not_of(components[0]) == std::string::npos;
-    return color.tree->kind == nodelang::Expr::Kind::Call && color.tree->text == "float3" &&
-           color.tree->args.size() == 1;  // of one number
+    return color.expression()->kind == nodelang::Expr::Kind::Call && color.expression()->text == "float3" &&
+           color.expression()->args.size() == 1;  // of one number
 }
 
 }  // namespace

@@ -162,7 +162,7 @@ private:
             const Term own = value_of(text.substr(1));
             Term made = flipped(own);
             made.type = Type::Float2;
-            made.from_top = own.tree;
+            made.from_top = own.expression();
             return made;
         }
         if (text.starts_with("@") && text[1] >= 'A' && text[1] <= 'Z') return call(text.substr(1));
@@ -189,7 +189,7 @@ private:
         if (const auto member = member_of_self(tree)) {
             Term made = self_;
             if (member->empty()) return made;
-            for (const std::string_view each : split(*member, ".")) made.tree = nodelang::member(made.tree, each);
+            for (const std::string_view each : split(*member, ".")) made.tree = nodelang::member(made.expression(), each);
             made.type = type_of_member(*member);
             made.is_color = false;
             return made;

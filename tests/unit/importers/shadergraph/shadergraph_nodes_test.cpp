@@ -317,7 +317,7 @@ TEST(ShaderGraphTable, FresnelsEquationsAreThoseOfTheLibrary) {
     const auto fresnel = [](int mode) {
         return imported_node("HDFresnelEquationNode", fmt::format("\"m_FresnelEquationMode\":{}", mode));
     };
-    EXPECT_NE(fresnel(0).find("0.5 + 0.5 * 0.5 * pow(0.5 * 0.5, 2)"), std::string::npos) << fresnel(0);
+    EXPECT_NE(fresnel(0).find("0.5 + 0.25 * pow(0.25, 2)"), std::string::npos) << fresnel(0);
     EXPECT_NE(fresnel(1).find(R"("node": "FresnelDielectric")"), std::string::npos) << fresnel(1);
     EXPECT_NE(fresnel(2).find(R"("node": "FresnelConductor")"), std::string::npos) << fresnel(2);
 }

@@ -148,8 +148,8 @@ TEST(ShaderGraphInputs, WithoutASlotHaveTheDefaultOfTheNode) {
     expect_text(without_slots("RemapNode", {half, out(3)}), R"("node": "Remap", "in": { "value": 0.5 } })");
     expect_text(without_slots("RefractNode", {out(4, "Vector3")}), R"("node": "RefractUnity" })");
     expect_text(without_slots("MultiplyNode", {{.id = 0, .kind = "DynamicValue", .value = R"({"e00":0.5})"}, out(2)}),
-                "0.5 * 2");
-    expect_text(without_slots("DivideNode", {half, out(2)}), "0.5 / 2");
+                "\"color\": 1 }");
+    expect_text(without_slots("DivideNode", {half, out(2)}), "\"color\": 0.25 }");
     expect_text(without_slots("Vector2Node", {out(0, "Vector2")}, R"("m_Value":{"x":0.25,"y":0.75})"), "0.25, 0.75");
     expect_text(without_slots("TilingAndOffsetNode",
                               {{.id = 2, .kind = "Vector2", .value = R"({"x":0.5,"y":0.5})"}, out(3, "Vector2")}),
