@@ -210,8 +210,13 @@ Term computed(std::string_view pattern, const std::vector<Term>& terms, Type typ
 
 Term product(const std::vector<Term>& factors) {
     Term made = number_term(1);
-    for (const Term& each : factors)
-        made = computed("a * b", {made, each}, vector_type(std::max(width(made.type), width(each.type))));
+    for (const Term& each : factors) {
+        const bool is_product = each.tree && each.tree->kind == Expr::Kind::Binary && each.tree->text == "*";
+        if (is_product && !made.is_all(1))
+            made = product({made, each.with(arg(each.tree, 0), each.type), each.with(arg(each.tree, 1), each.type)});
+        else
+            made = computed("a * b", {made, each}, vector_type(std::max(width(made.type), width(each.type))));
+    }
     return made;
 }
 

@@ -17,7 +17,7 @@ namespace patina::importers::terms {
 // The pattern with the terms as a, b, c, ... in it.
 Term computed(std::string_view pattern, const std::vector<Term>& terms, Type type);
 
-// "a * b * c"; without terms 1.
+// "a * b * c", without brackets if a factor is a product; without factors 1.
 Term product(const std::vector<Term>& factors);
 
 // The text of a row of a table: "{...}" stands for a value, and "$" for one that was computed before.

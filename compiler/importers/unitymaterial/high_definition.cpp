@@ -184,7 +184,7 @@ private:
              {"_EmissiveColorLDR", "_EmissiveIntensity", "_EmissiveIntensityUnit", "_UseEmissiveIntensity"})
             maker_.taken(each, "it concerns the inspector alone, which sets '_EmissiveColor' by it");
         maker_.set("emission",
-                   computed(is_tinted ? "a.rgb * b.rgb * c" : "a.rgb * b.rgb", {glow, tint, color}, Type::Float3));
+                   product({swizzled(glow, "rgb"), swizzled(tint, "rgb"), is_tinted ? color : number_term(1)}));
     }
 
     void features() {

@@ -34,7 +34,7 @@ void normal_map(MaterialMaker& maker, const Term& uv) {
 
 // Unity's exponent of a smoothness: 2 to 2048.
 Term exponent_of(const Term& smoothness) {
-    return computed("exp2(10 * a + 1)", {smoothness}, Type::Float);
+    return computed("exp2(a + 1)", {product({number_term(10), smoothness})}, Type::Float);
 }
 
 void highlight(MaterialMaker& maker, const Main& main) {

@@ -33,6 +33,16 @@ TEST(Patterns, LeaveOutWhatChangesNothing) {
     EXPECT_EQ(text_of("a * b", {kX, constant({1, 1, 1})}, Type::Float3), "x * float3(1)");
 }
 
+TEST(Patterns, MultiplyWithoutBrackets) {
+    const Term factors = expression("x * y", Type::Float);
+    EXPECT_EQ(product({kColor, factors}).text(), "$_Tint.rgb * x * y");
+    EXPECT_EQ(product({kColor, factors}).type, Type::Float3);
+    EXPECT_EQ(product({number_term(2), factors, number_term(1)}).text(), "2 * x * y");
+    EXPECT_TRUE(product({}).is_all(1));
+    // Whoever writes a pattern decides the order.
+    EXPECT_EQ(text_of("a * b", {kX, factors}), "x * (x * y)");
+}
+
 TEST(Patterns, ComputeNumbers) {
     EXPECT_EQ(text_of("(a - b) / (c - b)", {kX, number_term(-1), number_term(1)}), "(x + 1) / 2");
     EXPECT_EQ(text_of("sin(a + 1)", {number_term(1)}), "sin(2)");
