@@ -189,7 +189,8 @@ private:
         if (const auto member = member_of_self(tree)) {
             Term made = self_;
             if (member->empty()) return made;
-            for (const std::string_view each : split(*member, ".")) made.tree = nodelang::member(made.expression(), each);
+            for (const std::string_view each : split(*member, "."))
+                made.tree = nodelang::member(made.expression(), each);
             made.type = type_of_member(*member);
             made.is_color = false;
             return made;

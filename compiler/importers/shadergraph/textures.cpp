@@ -101,7 +101,8 @@ void GraphMaker::sample(const Term& texture, TextureMeaning meaning) {
     const auto found = textures_.find(std::string(texture.expression()->text));
     if (found == textures_.end()) {
         for (SubgraphPorts::Input& input : ports_.inputs)
-            if (meaning == TextureMeaning::Normal && input.name == texture.expression()->text) input.is_normal_map = true;
+            if (meaning == TextureMeaning::Normal && input.name == texture.expression()->text)
+                input.is_normal_map = true;
         return;
     }
     TextureUse& use = found->second;

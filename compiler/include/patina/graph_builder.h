@@ -66,6 +66,7 @@ public:
     // As the format writes it: [0, 1].
     std::string json() const;
 
+    // Whether both have one kind and one content. A float is no double: 0.1f is not 0.1.
     friend bool operator==(const GraphValue&, const GraphValue&) = default;
 
 private:
@@ -83,6 +84,7 @@ struct GraphMember {
     std::string key;   // as the format spells it: "range", or the name of an input
     GraphValue value;  // of the key
 
+    // Whether both have one key and one value.
     friend bool operator==(const GraphMember&, const GraphMember&) = default;
 };
 // An object, or a part of one, in its order.
