@@ -7,6 +7,7 @@
 """
 
 import functools
+import json
 import os
 import pathlib
 import re
@@ -81,6 +82,18 @@ class Build:
                 current.append(line.strip())
             elif ": #deps" in line:
                 made[line.partition(": #deps")[0]] = current = []
+        # An object file has the headers of the precompiled one, too.
+        for item, precompiled in self.precompiled().items():
+            made[item] = made.get(item, []) + made.get(precompiled, [])
+        return made
+
+    def precompiled(self):
+        """{object file: precompiled header}"""
+        made = {}
+        for entry in json.loads((self.folder / "compile_commands.json").read_text()):
+            used = re.search(r" -include (\S+/cmake_pch\.hxx).* -o (\S+\.o) ", entry["command"])
+            if used:
+                made[used[2]] = os.path.relpath(used[1] + ".gch", self.folder)
         return made
 
     def headers(self, product):
