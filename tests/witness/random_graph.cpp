@@ -12,7 +12,7 @@
 namespace patina::witness {
 namespace {
 
-constexpr int kPairs = 1;  // of twins
+constexpr int kPairs = 4;  // of twins: in one pair, the errors of a graph may cancel
 
 double size_of(char error) {
     // The tolerances of the operations; of halves, two roundings, and four in a node.

@@ -46,7 +46,7 @@ protected:
         const double value = static_cast<double>(exact.pixels[i]);
         double spread = 8 * std::abs(static_cast<double>(single.pixels[i]) - value);
         for (const Image& twin : twins)
-            spread = std::max(spread, 4 * std::abs(static_cast<double>(twin.pixels[i]) - value));
+            spread = std::max(spread, 1.75 * std::abs(static_cast<double>(twin.pixels[i]) - value));
         const double size = std::max(1.0, std::abs(value));
         const double most = uses_half ? 0.1 : 0.02;
         if (!(std::abs(value) < 1e6) || !(spread <= most * size)) return -1;
