@@ -14,7 +14,10 @@
 namespace patina {
 namespace {
 
-constexpr std::string_view kComment = "//";
+// A text. Any other value of the key is refused by the reader, as an unknown key.
+bool is_comment(const GraphMember& member) {
+    return member.key == "//" && member.value.kind() == GraphValue::Kind::Text;
+}
 
 class Writer {
 public:
@@ -22,7 +25,10 @@ public:
 
     // The lines of a comment, each with a new line and the indent behind it.
     void comment(std::string_view lines, std::string_view indent) {
-        for (const std::string_view line : split(lines, "\n")) text += fmt::format("// {}{}", line, indent);
+        for (std::string_view line : split(lines, "\n")) {
+            if (line.ends_with('\r')) line.remove_suffix(1);
+            text += fmt::format("// {}{}", line, indent);
+        }
     }
 
     void key(std::string_view name, std::string_view lines = {}) {
@@ -41,7 +47,7 @@ public:
         for (std::size_t i = 0; i < items.size(); ++i) {
             text += i == 0 ? "\n    " : ",\n    ";
             for (const GraphMember& each : items[i])
-                if (each.key == kComment) comment(each.value.text(), "\n    ");
+                if (is_comment(each)) comment(each.value.text(), "\n    ");
             const std::string& own = items[i].front().value.text();
             if (name == "nodes")
                 node(own, items[i]);
@@ -103,7 +109,7 @@ private:
         placed(id, {}, [&] {
             text += "{ ";
             for (std::size_t i = 0; i < members.size(); ++i) {
-                if (members[i].key == kComment) continue;
+                if (is_comment(members[i])) continue;
                 if (i > 0) text += ", ";
                 if (members[i].key == "in")
                     inputs(id, members[i].value);
@@ -130,7 +136,7 @@ private:
     void members(const GraphMembers& members) {
         text += "{ ";
         for (std::size_t i = 0; i < members.size(); ++i) {
-            if (members[i].key == kComment) continue;
+            if (is_comment(members[i])) continue;
             if (i > 0) text += ", ";
             member(members[i]);
         }
@@ -251,12 +257,12 @@ std::string GraphBuilder::text() const {
 std::string GraphBuilder::text(std::vector<ValuePlace>& places) const {
     Writer writer(places);
     std::string_view above;  // the comment above the next key
-    if (!keys_.empty() && keys_[0].key == kComment) writer.comment(keys_[0].value.text(), "\n");
+    if (!keys_.empty() && is_comment(keys_[0])) writer.comment(keys_[0].value.text(), "\n");
     writer.text += '{';
     writer.key("patina");
     writer.text += '1';
     for (const GraphMember& member : keys_) {
-        if (member.key == kComment) {
+        if (is_comment(member)) {
             above = &member == &keys_[0] ? std::string_view() : std::string_view(member.value.text());
             continue;
         }

@@ -59,10 +59,14 @@ GraphBuilder ImportedGraph::builder(const std::string& path) const {
         made.set("lighting",
                  GraphValue::object({{"use", lighting}, {"in", GraphValue::object(with_values(lighting_inputs))}}));
     for (const GraphMember& each : with_values(more)) made.set(each.key, each.value);
-    for (const ImportedProperty& each : properties)
-        made.property(each.name, from_word<PropertyType>(each.type).value_or(PropertyType::Float),
-                      each.value && has_value(*each.value) ? each.value : std::nullopt,
-                      commented(each.more, printable_lines(each.comment)));
+    for (const ImportedProperty& each : properties) {
+        GraphMembers members = commented(each.more, printable_lines(each.comment));
+        const std::optional<PropertyType> type = from_word<PropertyType>(each.type);
+        // Of a word that is no type there is no graph: no key may stand twice.
+        if (!type) members.push_back({"type", each.type});
+        made.property(each.name, type.value_or(PropertyType::Float),
+                      each.value && has_value(*each.value) ? each.value : std::nullopt, std::move(members));
+    }
     for (const ImportedProperty& each : inputs) {
         GraphMembers members = with_values(each.more);
         if (each.value) members.insert(members.begin(), {"default", *each.value});

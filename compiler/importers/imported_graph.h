@@ -59,7 +59,7 @@ public:
     GraphMembers vertex{}, surface{}, outputs{};
     GraphMembers more{};  // further keys of the file: "help", "render", "meta", ...
 
-    // Empty if the text cannot be JSON: a name or comment is not UTF-8.
+    // Empty if there is no such graph: a name or comment is not UTF-8, or a property has a type that is none.
     std::string text() const;
 
     // --- names

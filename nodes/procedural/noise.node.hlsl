@@ -104,7 +104,7 @@ enum FractalKind {
     Ridged       ///< sharp ridges; each layer counts most near the ridges of the previous one
 };
 
-// What one layer adds. `before` is what the previous layer gave, for ridges.
+// The height that one layer adds. Ridges also read the height of the previous layer, `before`.
 float FractalLayer(float noise, float before, const FractalKind kind) {
     float ridge = saturate(1 - abs(noise));
     return kind == Smooth ? noise : kind == Turbulence ? abs(noise) : ridge * ridge * saturate(2 * before);

@@ -171,6 +171,8 @@ private:
     std::string scope_label_{};
 };
 
+// The inputs that a row of the table reads, each as often as it does.
+std::vector<std::string> inputs_in(std::string_view text);
 // Evaluates a node by the table; nothing: it is not in the table.
 std::optional<Term> apply_rule(GraphMaker& maker, Scope& scope, const Element& node, std::string_view output);
 // Evaluates a node that has a function of its own; nothing: it has none.

@@ -30,11 +30,6 @@ Placeholder placeholder(std::string_view text) {
     return made;
 }
 
-void count(const std::string& text, std::map<std::string, std::size_t>& counts) {
-    for (std::size_t at = 0; (at = text.find('{', at)) != text.npos; ++at)
-        ++counts[placeholder(std::string_view(text).substr(at + 1, text.find('}', at) - at - 1)).name];
-}
-
 // "[space|world=World|=Object]" by the string of an input, and "<T>" by the node's type.
 void fill_words(std::string& text, const NodeFacts& facts, Type type) {
     for (std::size_t begin; (begin = text.find('[')) != text.npos;) {
@@ -55,6 +50,12 @@ void fill_words(std::string& text, const NodeFacts& facts, Type type) {
 }
 
 }  // namespace
+
+std::vector<std::string> inputs_in(std::string_view text) {
+    std::vector<std::string> made;
+    for (const std::string& place : terms::pattern_of(text).places) made.push_back(placeholder(place).name);
+    return made;
+}
 
 Term GraphMaker::filled(Scope& scope, const Element& node, const NodeRule& rule, const std::string& text, Type type,
                         std::map<std::string, std::size_t>& counts, const Term& self) {
@@ -117,12 +118,13 @@ std::optional<Term> apply_rule(GraphMaker& maker, Scope& scope, const Element& n
     const Statement* wanted = nullptr;
     for (const Statement& each : rule->statements) {
         if (each.output == output || (each.output == "out" && !wanted)) wanted = &each;
-        if (each.output == "$") count(each.text, counts);
+        if (each.output != "$") continue;
+        for (const std::string& name : inputs_in(each.text)) ++counts[name];
     }
     if (!wanted)
         return maker.magenta(node, type == Type::None ? Type::Float : type,
                              fmt::format("it has no output '{}'", output));
-    count(wanted->text, counts);
+    for (const std::string& name : inputs_in(wanted->text)) ++counts[name];
     if (wanted->output != "out") {
         type = Type::Float;  // one channel of several
         for (auto& [name, times] : counts) times = 2;

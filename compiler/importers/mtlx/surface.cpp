@@ -9,14 +9,8 @@
 namespace patina::importers::mtlx {
 namespace {
 
-void count(const std::string& text, std::map<std::string, std::size_t>& counts) {
-    for (std::size_t at = 0; (at = text.find('{', at)) != text.npos; ++at)
-        ++counts[text.substr(at + 1, text.find_first_of("}.!", at) - at - 1)];
-}
-
 bool reads(const std::string& text, std::string_view input) {
-    const std::size_t at = text.find("{" + std::string(input));
-    return at != text.npos && std::string_view("}.!").find(text[at + 1 + input.size()]) != std::string_view::npos;
+    return std::ranges::count(inputs_in(text), input) > 0;
 }
 
 bool is_grey(const Term& color) {
@@ -72,7 +66,8 @@ void GraphMaker::make_surface(Scope& scope, const Element& shader) {
     std::map<std::string, std::size_t> counts;
     std::set<std::string> carried = {"alpha",       "alpha_mode",         "alpha_cutoff", "opacityThreshold",
                                      "opacityMode", "useSpecularWorkflow"};
-    for (const Statement& each : surface->rule.statements) count(each.text, counts);
+    for (const Statement& each : surface->rule.statements)
+        for (const std::string& name : inputs_in(each.text)) ++counts[name];
     Term alpha;
     const auto say = [&](std::string_view input, Remark::Kind of, std::string what) {
         carried.insert(std::string(input));

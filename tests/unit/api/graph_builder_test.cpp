@@ -33,6 +33,48 @@ TEST(GraphBuilder, SaysWhichNumberIsNone) {
     }
 }
 
+TEST(GraphBuilder, HasComments) {
+    GraphBuilder graph("rust.graph.json");
+    graph.set("//", "From rust.gltf,\r\nmaterial 2").set("workflow", "unlit").set("//", "A plate").set("help", "old");
+    graph.property("_Map", PropertyType::Texture2D, std::nullopt, {{"//", "Not found"}, {"usage", "data"}});
+    graph.node("mask", "OneMinus", {{"value", 0.5}}, {{"//", "How much\nof it is rust"}});
+    graph.surface("color", "mask");
+    EXPECT_EQ(graph.text(), R"(// From rust.gltf,
+// material 2
+{
+  "patina": 1,
+  "workflow": "unlit",
+  // A plate
+  "help": "old",
+  "properties": [
+    // Not found
+    { "name": "_Map", "type": "texture2d", "usage": "data" }
+  ],
+  "nodes": [
+    // How much
+    // of it is rust
+    { "id": "mask", "node": "OneMinus", "in": { "value": 0.5 } }
+  ],
+  "surface": {
+    "color": "mask"
+  }
+}
+)");
+    EXPECT_TRUE(compiler().compile(graph).ok) << said(compiler().compile(graph));
+    // What is no text is no comment.
+    graph.set("//", 3);
+    EXPECT_NE(said(compiler().compile(graph)).find("[unknown-key]"), std::string::npos);
+}
+
+// An int has no exponent, however many zeros it has.
+TEST(GraphBuilder, WritesWholeNumbersWithAllDigits) {
+    EXPECT_EQ(GraphValue(100000).json(), "100000");
+    EXPECT_EQ(GraphValue(-1e15).json(), "-1e+15");
+    EXPECT_EQ(GraphValue(0.1f).json(), "0.1");
+    EXPECT_EQ(GraphValue::list({true, "a\"b", GraphValue::object({{"k", 2.5}})}).json(),
+              R"([true, "a\"b", { "k": 2.5 }])");
+}
+
 TEST(GraphBuilder, MakesWhatTheFileMakes) {
     GraphBuilder graph("rust.graph.json");
     graph.set("workflow", "metallic-roughness").set("lighting", "unity-brdf1");

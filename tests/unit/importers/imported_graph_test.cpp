@@ -80,6 +80,15 @@ TEST(ImportedGraph, RefusesANameThatIsNoText) {
     EXPECT_NE(ImportedGraph("a\"b\\c").text(), "");
 }
 
+TEST(ImportedGraph, IsNotWrittenWithATypeThatIsNone) {
+    ImportedGraph graph("plain");
+    graph.workflow = "unlit";
+    graph.properties.push_back({.name = "_A", .type = "flaot"});
+    EXPECT_EQ(graph.text(), "");
+    graph.properties[0].type = "float";
+    EXPECT_NE(graph.text(), "");
+}
+
 TEST(ImportedGraph, NamesAnExpressionOnce) {
     ImportedGraph graph("names");
     const terms::Term sum = terms::expression("$_A + $_B", terms::Type::Float3);
